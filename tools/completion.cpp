@@ -51,14 +51,12 @@ std::string bash_text() {
            "|help) command=$word; break ;; esac\n"
            "    done\n"
            "    case $command:$before in\n" +
-           values +
-           "    help:*) words='" + command_names(" ") +
+           values + "    help:*) words='" + command_names(" ") +
            "' ;;\n"
            "    esac\n"
            "    case $command in\n"
            "    '') words='" +
-           command_names(" ") +
-           " help --help --version --completion' ;;\n" + options +
+           command_names(" ") + " help --help --version --completion' ;;\n" + options +
            "    esac\n"
            "    if [[ -z $words && $current == -* ]]; then words=$options; fi\n"
            "    if [[ -n $words ]]; then\n"
@@ -88,7 +86,7 @@ std::string zsh_text() {
             std::string spec = std::string(option.name) + "[" + short_help(option.help) + "]";
             const std::vector<std::string> words = words_of(option, command.command);
             if (option.value != nullptr)
-                spec += ":value:" + (!words.empty()      ? "(" + joined(words, " ") + ")"
+                spec += ":value:" + (!words.empty()       ? "(" + joined(words, " ") + ")"
                                      : names_file(option) ? "_files"
                                                           : " ");
             cases += "            '" + spec + "' \\\n";

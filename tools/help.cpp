@@ -69,9 +69,10 @@ std::string program_help() {
     text += "\nexamples:\n" + examples("sample circle -n 60 --noise .05 -o points.csv\n"
                                        "persist points.csv -o diagram.pers --svg diagram.svg\n"
                                        "check diagram.pers --points points.csv\n");
-    return text + "\n" + wrapped("Exit: 0 done, 1 internal error, 2 usage, 3 bad data or file, 4 memory too small, "
-                                 "5 degenerate input refused, 6 cancelled, 7 check failed.",
-                                 0);
+    return text + "\n" +
+           wrapped("Exit: 0 done, 1 internal error, 2 usage, 3 bad data or file, 4 memory too small, "
+                   "5 degenerate input refused, 6 cancelled, 7 check failed.",
+                   0);
 }
 
 }  // namespace

@@ -43,7 +43,8 @@ int main(int count, char** arguments) {
     try {
         const std::vector<std::string> given(arguments + (count > 0), arguments + count);
         outcome = parse_options(given, &options);
-        if (!outcome.good() || options.help || options.version || !options.completion.empty()) options.json = asks_for_json(given);
+        if (!outcome.good() || options.help || options.version || !options.completion.empty())
+            options.json = asks_for_json(given);
         if (outcome.good()) {
             netmesh::platform::catch_interrupts();
             outcome = run(options);

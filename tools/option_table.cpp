@@ -251,7 +251,8 @@ std::string apply_cut(Options& options, const std::string& text) {
 }
 std::string apply_order(Options& options, const std::string& text) {
     std::uint64_t order;
-    if (!parse_unsigned(text, &order) || order < 1 || order > NETMESH_ORDER_MAX) return "must be a whole number, the order, from 1 to 16";
+    if (!parse_unsigned(text, &order) || order < 1 || order > NETMESH_ORDER_MAX)
+        return "must be a whole number, the order, from 1 to 16";
     options.order = static_cast<std::uint32_t>(order);
     return {};
 }
@@ -452,11 +453,12 @@ const std::vector<OptionEntry>& option_entries() {
         {"--filter", vineyard, "F", apply_filter, vineyard_filter_help()},
         {"--filter", persist | size | check, "F", apply_filter, filter_help()},
         {"--distances", persist, nullptr, apply_switch<&Options::distances>,
-         "POINTS is a file of distances, for --filter rips: a symmetric matrix, or a lower triangle as ripser has it"},
+         "POINTS is a file of distances, for --filter rips: a symmetric matrix, a lower triangle as ripser has it, or "
+         ".npy or .npz of a matrix or of what scipy's pdist gives; inf: never joined"},
         {"--sparse", persist, nullptr, apply_switch<&Options::sparse>,
          "with --distances: lines `i j distance` of points from 0 on; pairs that are not listed are never joined"},
         {"--threshold", persist, "R", apply_threshold,
-         "with --distances: points are joined to radius R, which is half of their distance; ripser's are diameters, "
+         "of filter rips: points are joined to radius R, which is half of their distance; ripser's are diameters, "
          "2 R"},
         {"--k", persist | size | check, "K", apply_k,
          "neighbours of knn and kdistance, the point itself counted (1); kdistance is their root mean square; points "

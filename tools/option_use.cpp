@@ -77,8 +77,8 @@ Why why_not_of_check(const Options& options, const std::string& name) {
     if (is_one_of(name, table_options)) return points ? "" : "--points is what would be read so";
     if (ending == ".node") {
         if (is_one_of(name, {"--tau", "--eps", "--cell-size", "--net", "--ratio", "--focus", "--from", "--to",
-                             "--whole-cells", "--filter", "--k", "--values", "--function", "--values-at",
-                             "--lipschitz", "--cut", "--error", "--memory"}))
+                             "--whole-cells", "--filter", "--k", "--values", "--function", "--values-at", "--lipschitz",
+                             "--cut", "--error", "--memory"}))
             return {};
         return "it says nothing about a mesh (.node)";
     }

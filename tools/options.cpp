@@ -61,8 +61,7 @@ Outcome parse_option(const std::vector<std::string>& arguments, std::size_t* at,
 Outcome unknown_command(const std::string& name) {
     std::vector<std::string> names = {"help"};
     for (const CommandEntry& entry : command_entries()) names.emplace_back(entry.name);
-    return usage_error("unknown command '" + name + "'" + did_you_mean(name, names) +
-                       "; `netmesh --help` lists them");
+    return usage_error("unknown command '" + name + "'" + did_you_mean(name, names) + "; `netmesh --help` lists them");
 }
 
 // help, help COMMAND; --completion SHELL.
@@ -73,7 +72,8 @@ Outcome take_words(const std::vector<std::string>& arguments, Options* options, 
     for (std::size_t i = 1; i < arguments.size(); i++)
         if (arguments[i] != "--json") rest.push_back(arguments[i]);
     if (arguments[0] == "--completion") {
-        if (rest.size() == 1 && (rest[0] == "bash" || rest[0] == "zsh")) return options->completion = rest[0], Outcome{};
+        if (rest.size() == 1 && (rest[0] == "bash" || rest[0] == "zsh"))
+            return options->completion = rest[0], Outcome{};
         return usage_error("--completion takes bash or zsh");
     }
     options->help = true;
@@ -174,8 +174,9 @@ Outcome check_together(const Options& options) {
     if (options.order > 0 && options.log) return usage_error("--log goes with the bottleneck distance alone");
     if (options.command == Command::distance && options.error > 0 && options.order == 0)
         return usage_error("--error goes with --wasserstein; the bottleneck distance is exact");
-    if (!options.distances && (options.sparse || options.threshold))
-        return usage_error(options.sparse ? "--sparse goes with --distances" : "--threshold goes with --distances");
+    if (options.sparse && !options.distances) return usage_error("--sparse goes with --distances");
+    if (options.threshold && !options.distances && options.filter != NETMESH_FILTER_RIPS)
+        return usage_error("--threshold goes with --filter rips or --distances");
     if (options.finish && !hierarchical) return usage_error("--finish goes with --method netmesh");
     if (options.command == Command::persist && hierarchical && !options.finish)
         return usage_error("--method netmesh leaves cages, which have no filter; --finish removes them");

@@ -69,9 +69,8 @@ Outcome Session::run(std::size_t plan, const PointCloud& cloud, const Work& work
 std::string Session::memory_message(const PointCloud& cloud, std::size_t plan) const {
     std::string text = "netmesh: ";
     if (block_.base() == nullptr) {
-        text += options_.memory_bytes == 0
-                    ? "the system refuses to reserve memory"
-                    : "the system refuses to reserve " + bytes_text(options_.memory_bytes);
+        text += options_.memory_bytes == 0 ? "the system refuses to reserve memory"
+                                           : "the system refuses to reserve " + bytes_text(options_.memory_bytes);
     } else {
         text += bytes_text(block_.bytes()) + " of memory are too few";
     }
@@ -104,11 +103,9 @@ Outcome Session::explain_argument(const netmesh_detail& detail, const PointCloud
     case NETMESH_FIELD_K_LAST: return file_error(cloud.name, option + ": " + said);
     case NETMESH_FIELD_SIZES:
         if (options_.error > 0)
-            return cloud.fault(detail.index_a,
-                               "--error " + number_text(options_.error) + ": near this point " + said);
+            return cloud.fault(detail.index_a, "--error " + number_text(options_.error) + ": near this point " + said);
         [[fallthrough]];
-    case NETMESH_FIELD_SIZE_AT_INPUTS:
-        return cloud.fault(detail.index_a, option + ": near this point " + said);
+    case NETMESH_FIELD_SIZE_AT_INPUTS: return cloud.fault(detail.index_a, option + ": near this point " + said);
     default: break;
     }
     return option.empty() ? Outcome{Exit::internal, "netmesh: internal error: " + said}
@@ -129,12 +126,11 @@ Outcome Session::explain(netmesh_status status, const PointCloud& cloud, std::si
         return cloud.fault(detail.index_a, "a coordinate is not finite");
     case NETMESH_OUT_OF_RANGE:
         if (options_.filter == NETMESH_FILTER_ALPHA)
-            return file_error(cloud.name,
-                              "coordinates too far apart in size for an exact alpha complex: it has room "
-                              "for 2^1670 in the plane, 2^1190 in space, 2^640 in R^6");
+            return file_error(cloud.name, "coordinates too far apart in size for an exact alpha complex: it has room "
+                                          "for 2^1670 in the plane, 2^1190 in space, 2^640 in R^6");
         return cloud.fault(detail.index_a,
                            "outside the range that meshing admits: coordinates up to 2^500 (3.3e150), distances from "
-                          "2^-500 (3.1e-151)");
+                           "2^-500 (3.1e-151)");
     case NETMESH_INVALID_ARGUMENT: return explain_argument(detail, cloud, said);
     case NETMESH_FLAT:
         return file_error(cloud.name,

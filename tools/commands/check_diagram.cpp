@@ -4,6 +4,7 @@
 #include "tools/commands/cycles.hpp"
 #include "tools/commands/diagram_checks.hpp"
 #include "tools/commands/output.hpp"
+#include "tools/commands/rips_input.hpp"
 #include "tools/commands/steps.hpp"
 #include "tools/io/cycle_file.hpp"
 #include "tools/io/lines.hpp"
@@ -42,8 +43,9 @@ Outcome read_diagram(const std::string& path, const Options& options, DiagramFil
     if (!outcome.good()) return outcome;
     file->bounds = bound_lines(content);
     std::size_t at = 0;
-    const bool any_sign = filter_of(file->head ? file->head->options : options) == NETMESH_FILTER_FUNCTION;
-    const std::string complaint = diagram_complaint(file->bars, &at, any_sign);
+    const Options& made = file->head ? file->head->options : options;
+    const bool any_sign = filter_of(made) == NETMESH_FILTER_FUNCTION;
+    const std::string complaint = diagram_complaint(file->bars, &at, any_sign, goes_by_distances(made));
     if (!complaint.empty()) return file->wrong(file->line_of(at), complaint);
     return file->head ? check_with_head(*file) : Outcome{};
 }
@@ -52,7 +54,11 @@ Outcome read_diagram(const std::string& path, const Options& options, DiagramFil
 class Reproduction {
 public:
     Reproduction(const DiagramFile& file, const PointCloud& cloud, const Options& made, const Session& session)
-        : file_(file), cloud_(cloud), made_(made), engine_(session.engine()) {}
+        : Reproduction(file, cloud, made, session, session.engine().report()) {}
+    // The same, where the engine's report is not all that there is to say.
+    Reproduction(const DiagramFile& file, const PointCloud& cloud, const Options& made, const Session& session,
+                 const netmesh_report& report)
+        : file_(file), cloud_(cloud), made_(made), engine_(session.engine()), report_(report) {}
 
     // Bars, what is certified, and bounds; `facts` are the lines of the head that this run can tell.
     Outcome compare(const std::vector<const char*>& facts) const;
@@ -66,6 +72,7 @@ private:
     const PointCloud& cloud_;
     const Options& made_;
     const Engine& engine_;
+    const netmesh_report report_;
 };
 
 Outcome compare_line(const DiagramFile& file, const char* name, const Head& due) {
@@ -81,7 +88,7 @@ Outcome compare_line(const DiagramFile& file, const char* name, const Head& due)
 Outcome Reproduction::compare(const std::vector<const char*>& facts) const {
     Outcome outcome = compare_bars();
     if (file_.head) {
-        const Head due = head_of(made_, engine_.report());
+        const Head due = head_of(made_, report_);
         for (const char* name : facts) {
             if (outcome.good()) outcome = compare_line(file_, name, due);
         }
@@ -118,15 +125,14 @@ Outcome Reproduction::compare_bounds() const {
 }
 
 std::string Reproduction::said() const {
-    const netmesh_report report = engine_.report();
-    const netmesh_diagram_report& diagram = report.diagram;
+    const netmesh_diagram_report& diagram = report_.diagram;
     std::string text = "reproduced: the engine makes the same bars";
     if (!file_.bounds.empty()) text += ", bounds and ratios by scale";
     text += " of " + cloud_.name + " for " + choice_text(choice_of(made_)) + "; certified ratio " +
             rounded_text(diagram.certified_ratio, 6);
     if (diagram.certified_from > 0) text += " from radius " + rounded_text(diagram.certified_from, 6);
     if (diagram.filter == NETMESH_FILTER_FUNCTION) text += ", error " + rounded_text(diagram.certified_error, 6);
-    if (report.mesh.is_mesh != 0) text += "; aspect ratio at most " + rounded_text(report.mesh.aspect_ratio_max, 6);
+    if (report_.mesh.is_mesh != 0) text += "; aspect ratio at most " + rounded_text(report_.mesh.aspect_ratio_max, 6);
     return text;
 }
 
@@ -166,21 +172,55 @@ void add_report(const Session& session, RunReport* run) {
     run->clock = session.clock();
 }
 
+// Points or distances against what the head says of them.
+Outcome compare_count(const DiagramFile& file, const char* name, std::uint64_t count, const std::string& of,
+                      const std::pair<const char*, const char*>& what) {
+    const HeadLine* const line = file.head ? file.head->find(name) : nullptr;
+    if (line == nullptr || line->value == std::to_string(count)) return {};
+    return file.wrong(line->number, of + " has " + counted(count, what.first, what.second));
+}
+
+// Rips complexes of distances, or with a threshold.
+Outcome check_with_distances(const Options& open, const DiagramFile& file, const std::string& cycles, RunReport* run) {
+    RipsInput input;
+    Outcome outcome = read_rips_input(open, open.points_path, &input);
+    if (!outcome.good()) return outcome;
+    const Options made = settled(open, input.of_points() ? input.cloud.dim : dim_min);
+    if (input.of_points())
+        outcome = compare_count(file, "dim", input.cloud.dim, input.name(), {"dimension", "dimensions"});
+    if (outcome.good()) outcome = compare_count(file, "points", input.rows, input.name(), {"point", "points"});
+    if (!outcome.good()) return outcome;
+    Session session(made, dim_min);
+    netmesh_report report;
+    outcome = persist_rips(made, input, false, session, &report);
+    if (!outcome.good()) return explain_refusal(file, outcome);
+    PointCloud named;
+    named.name = input.name();
+    const Reproduction again(file, named, made, session, report);
+    if (file.head) {
+        const Head due = head_of(made, report);
+        if (input.of_points()) outcome = compare_line(file, "duplicates", due);
+        if (outcome.good()) outcome = compare_line(file, "input", due);
+    }
+    if (outcome.good()) outcome = again.compare({"certified-ratio", "value-error", "reference"});
+    if (!outcome.good()) return outcome;
+    add_report(session, run);
+    run->engine->input = report.input;
+    run->checked->push_back(again.said());
+    return second_opinion_on_complex({file, made, cycles}, complex_of(input, made, *made.max_degree + 1), run);
+}
+
 Outcome check_with_points(const Options& open, const DiagramFile& file, const std::string& cycles, RunReport* run) {
+    if (goes_by_distances(open)) return check_with_distances(open, file, cycles, run);
     PointCloud points;
     Outcome outcome = read_cloud(open, open.points_path, &points);
     if (!outcome.good()) return outcome;
     Options made = settled(open, points.dim);
     const bool by_scales = about(filter_of(made)).source == NETMESH_SOURCE_SCALES;
     if (by_scales) made.representatives = cycles;  // so that they are made again
-    if (file.head) {
-        const HeadLine& dim = *file.head->find("dim");
-        const HeadLine& count = *file.head->find("points");
-        if (dim.value != std::to_string(points.dim))
-            return file.wrong(dim.number, points.name + " has " + counted(points.dim, "dimension", "dimensions"));
-        if (count.value != std::to_string(points.rows()))
-            return file.wrong(count.number, points.name + " has " + counted(points.rows(), "point", "points"));
-    }
+    outcome = compare_count(file, "dim", points.dim, points.name, {"dimension", "dimensions"});
+    if (outcome.good()) outcome = compare_count(file, "points", points.rows(), points.name, {"point", "points"});
+    if (!outcome.good()) return outcome;
     outcome = check_coordinates(made, points.dim);
     if (!outcome.good()) return explain_refusal(file, outcome);
     Session session(made, points.dim);
@@ -298,7 +338,8 @@ Outcome check_diagram(const Options& options, RunReport* run) {
     Outcome outcome = read_diagram(options.positionals[0], options, &file);
     if (outcome.good() && file.head) outcome = check_contradiction(*file.head, file.name, options);
     if (!outcome.good()) return outcome;
-    run->checked->push_back(file.name + " has " + counted(file.bars.size(), "bar", "bars") + ", sorted, with one essential class");
+    run->checked->push_back(file.name + " has " + counted(file.bars.size(), "bar", "bars") +
+                            ", sorted, with one essential class");
     if (!file.head && !says_how(options)) {
         outcome = refuse_options(options, {"--representatives", "--memory", "--columns", "--delimiter", "--skip"},
                                  "nothing says how " + file.name + " was made, so nothing is made again");

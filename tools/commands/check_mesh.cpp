@@ -122,7 +122,8 @@ void add_findings(const MeshFiles& files, const requests::Mesh& mesh, double err
                            rounded_text(tau(mesh), 6) + ")");
     }
     if (!files.node.cages.empty()) {
-        checked->push_back(counted(files.node.cages.size(), "cage", "cages") + " nested about inputs, none encroached; their cells and all others " +
+        checked->push_back(counted(files.node.cages.size(), "cage", "cages") +
+                           " nested about inputs, none encroached; their cells and all others " +
                            (mesh.cage_kind == NETMESH_CAGES_THESIS ? "whole" : "in their domains") +
                            "; in-radii and feature sizes as in 4.6");
     }

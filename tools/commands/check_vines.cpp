@@ -161,9 +161,10 @@ Outcome check_vines(const Options& options, RunReport* run) {
     if (outcome.good()) outcome = parse_vines(content, name, &file);
     if (outcome.good()) outcome = check_form(file, name);
     if (!outcome.good()) return outcome;
-    run->checked->push_back(name + " has " + counted(file.vines.points.size(), "point", "points") + " of " +
-                            counted(file.vines.points.empty() ? 0 : file.vines.points.back().vine + 1, "vine", "vines") +
-                            (file.of_values ? "" : ", each diagram with one essential class"));
+    run->checked->push_back(
+        name + " has " + counted(file.vines.points.size(), "point", "points") + " of " +
+        counted(file.vines.points.empty() ? 0 : file.vines.points.back().vine + 1, "vine", "vines") +
+        (file.of_values ? "" : ", each diagram with one essential class"));
     const bool with_values = !options.complex_path.empty() && !options.values_path.empty();
     const bool with_points = !options.mesh_path.empty() || !options.points_path.empty();
     if (file.of_values && with_points)

@@ -100,8 +100,8 @@ Outcome run_distance(const Options& options) {
         if (!outcome.good()) return outcome;
         for (const netmesh_pair& pair : pairs[i])
             if (options.log && pair.birth < 0)
-                return file_error(shown_name(options.positionals[i]), "a birth at " + number_text(pair.birth) +
-                                  " has no logarithm; leave --log out");
+                return file_error(shown_name(options.positionals[i]),
+                                  "a birth at " + number_text(pair.birth) + " has no logarithm; leave --log out");
     }
     RunReport run;
     run.options = &options;

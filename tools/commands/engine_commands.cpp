@@ -312,6 +312,7 @@ void take_focus(const netmesh_certificate_goal& goal, Options* options) {
 }
 
 Outcome run_one(const Options& from) {
+    if (from.threshold) return run_distances(from);
     const double start = platform::seconds_now();
     Options given = from;
     Input input;

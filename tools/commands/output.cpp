@@ -156,10 +156,14 @@ Bounds bounds_of(const Engine& engine, const netmesh_report& report) {
     return bounds;
 }
 
+void tell_note(const Options& options, const std::string& file, const std::string& note) {
+    if (!note.empty() && !options.quiet) print_message(file + ": " + note + "\n", "33");
+}
+
 Outcome read_cloud(const Options& options, const std::string& path, PointCloud* cloud) {
-    const Outcome outcome = read_points(path, options.table, cloud);
-    if (outcome.good() && !cloud->note.empty() && !options.quiet)
-        print_message(cloud->name + ": " + cloud->note + "\n", "33");
+    const bool any = options.command == Command::persist && filter_of(options) == NETMESH_FILTER_RIPS;
+    const Outcome outcome = read_points(path, options.table, cloud, any ? NETMESH_RIPS_DIM_MAX : dim_max);
+    if (outcome.good()) tell_note(options, cloud->name, cloud->note);
     return outcome;
 }
 

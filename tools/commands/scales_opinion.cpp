@@ -147,7 +147,8 @@ Outcome second_opinion_on_scales(const DiagramClaim& claim, const PointCloud& po
     if (complex) {
         const std::vector<Bar> truth = complex->bars(*claim.made.max_degree, false);
         Outcome outcome = judge_ratio(file, truth, ratio);
-        text = "second opinion: by the Cech complex of the points, of " + counted(complex->count(), "simplex", "simplices") + ", all bars are within the ratio of true ones";
+        text = "second opinion: by the Cech complex of the points, of " +
+               counted(complex->count(), "simplex", "simplices") + ", all bars are within the ratio of true ones";
         if (outcome.good()) outcome = judge_real(file, truth, &text);
         if (!outcome.good()) return outcome;
     } else {

@@ -223,8 +223,11 @@ Outcome judge_pairs(const DiagramClaim& claim, const SimplexList& simplices, dou
                     std::vector<std::string>* checked) {
     if (!simplices) {
         if (!claim.cycles_path.empty())
-            return usage_error("--representatives: the complex has more than " + counted(opinion_simplices_max, "simplex", "simplices") + ", which are too many to check cycles");
-        checked->push_back("no second opinion on the pairs: more than " + counted(opinion_simplices_max, "simplex", "simplices"));
+            return usage_error("--representatives: the complex has more than " +
+                               counted(opinion_simplices_max, "simplex", "simplices") +
+                               ", which are too many to check cycles");
+        checked->push_back("no second opinion on the pairs: more than " +
+                           counted(opinion_simplices_max, "simplex", "simplices"));
         return {};
     }
     const FilteredComplex complex(*simplices, slack);
@@ -232,7 +235,8 @@ Outcome judge_pairs(const DiagramClaim& claim, const SimplexList& simplices, dou
     const std::string complaint = complex.bars_complaint(claim.file.bars, *claim.made.max_degree, claim.made.all, &at);
     if (!complaint.empty())
         return claim.file.wrong(claim.file.line_of(at), bar_text(claim.file.bars, at) + ": " + complaint);
-    checked->push_back("second opinion: " + counted(claim.file.bars.size(), "bar", "bars") + " are the pairs of a plain reduction of " + counted(complex.count(), "simplex", "simplices"));
+    checked->push_back("second opinion: " + counted(claim.file.bars.size(), "bar", "bars") +
+                       " are the pairs of a plain reduction of " + counted(complex.count(), "simplex", "simplices"));
     return judge_cycles(claim, complex, checked);
 }
 
@@ -358,6 +362,10 @@ Outcome second_opinion_on_points(const DiagramClaim& claim, const PointCloud& po
     const bool rips = filter == NETMESH_FILTER_RIPS;
     return judge_pairs(claim, complex_of_points(points, rips, *claim.made.max_degree + 1), radius_tolerance,
                        &*run->checked);
+}
+
+Outcome second_opinion_on_complex(const DiagramClaim& claim, const SimplexList& simplices, RunReport* run) {
+    return judge_pairs(claim, simplices, radius_tolerance, &*run->checked);
 }
 
 }  // namespace netmesh::tool

@@ -58,8 +58,8 @@ Outcome explain_fault(const SimplexFile& file, const double* values, const netme
         return file.lines.fault(at, it + "its face " + simplex_text(file, at, detail.index_b) + " is missing");
     case NETMESH_FAULT_FACE_LATER:
         return file.lines.fault(at, it + "enters at " + number_text(values[at]) + ", before its face " +
-                          simplex_text(file, detail.index_b) + " of " + file.lines.place(detail.index_b) + " at " +
-                          number_text(values[detail.index_b]));
+                                        simplex_text(file, detail.index_b) + " of " + file.lines.place(detail.index_b) +
+                                        " at " + number_text(values[detail.index_b]));
     case NETMESH_FAULT_LISTED_TWICE:
         return file.lines.fault(at, it + "is listed in " + file.lines.place(detail.index_b) + " already");
     default: return file.lines.fault(at, it + detail.message);

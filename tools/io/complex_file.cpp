@@ -57,8 +57,8 @@ Outcome parse_values(std::string_view content, const SimplexFile& complex, Value
             first ? numbers.size() == complex.count() || numbers.size() == vertices : numbers.size() == file->width;
         if (complaint.empty() && !fits) {
             complaint = counted(numbers.size(), "value", "values") + "; ";
-            complaint += first ? complex.lines.name + " has " + counted(complex.count(), "simplex", "simplices") + ", " +
-                                     grouped_text(vertices) + " of them vertices"
+            complaint += first ? complex.lines.name + " has " + counted(complex.count(), "simplex", "simplices") +
+                                     ", " + grouped_text(vertices) + " of them vertices"
                                : "line " + std::to_string(file->lines.lines[0]) + " has " + grouped_text(file->width);
         }
         if (!complaint.empty()) return line_error(file->lines.name, reader.number(), complaint);

@@ -35,8 +35,9 @@ private:
 using Complaint = std::string;
 
 // All numbers of a content line into *values (cleared first). Separators: blanks, and commas or semicolons with or
-// without blanks around; nothing between two of them is an error, as is one at an end of the line.
-Complaint parse_numbers(std::string_view line, std::vector<double>* values);
+// without blanks around; nothing between two of them is an error, as is one at an end of the line. The words `inf` and
+// `infinity` are numbers only where `infinities` are.
+Complaint parse_numbers(std::string_view line, std::vector<double>* values, bool infinities = false);
 
 // True when every field is a word and none is a number (nan and inf are numbers).
 bool is_header(std::string_view line);

@@ -9,7 +9,8 @@ namespace netmesh::tool {
 enum class NumberKind { finite, not_finite, not_a_number };
 
 // One decimal number at the start of [at, end): on success at moves behind it. A leading + is allowed; hexadecimal is
-// not. 1e400 is not_finite, 1e-400 is 0; -0 is read as +0. nan, inf and infinity in any case are not_finite.
+// not. 1e400 is not_finite; 1e-400 and -1e-400 are 0, the nearest double; -0 is read as +0. nan, inf and infinity in
+// any case are not_finite.
 NumberKind parse_double(const char*& at, const char* end, double* value);
 
 // The whole of `text` as an unsigned decimal number; false otherwise, also when it does not fit.

@@ -171,13 +171,13 @@ Outcome settle(bool packed, Source* source) {
     const bool pdb = std::string(found.ending) == ".pdb" && (ending == ".ent" || ending == ".pqr");
     if (*found.ending != 0 && ending != found.ending && !pdb)
         return file_error(source->name, std::string("holds ") + found.called + ", which its ending " + ending +
-                          " does not say: name it " + found.ending);
+                                            " does not say: name it " + found.ending);
     if (*found.ending != 0 || content.empty()) return {};
     const std::string other = foreign(content);
     if (!other.empty()) return line_error(source->name, 1, other);
     if (ending == ".npy" || ending == ".npz")
         return file_error(source->name, std::string("not a NumPy ") + (ending == ".npy" ? "array" : "archive") +
-                          " (bytes 0 to 5); if it is text, name it .txt or .csv");
+                                            " (bytes 0 to 5); if it is text, name it .txt or .csv");
     if (!is_table_ending(ending)) return {};
     const bool wide = starts(content, "\xFF\xFE") || starts(content, "\xFE\xFF");
     const std::size_t zero = wide ? std::string::npos : content.find('\0');
@@ -246,21 +246,41 @@ Outcome read_table(const std::string& path, const TableOptions& options, Table* 
     return outcome.good() ? parse_source(source, options, table) : outcome;
 }
 
-Outcome read_points(const std::string& path, const TableOptions& options, PointCloud* cloud) {
+Outcome read_numbers(const std::string& path, Table* table, std::string* text) {
+    *table = {};
+    Source source;
+    const Outcome outcome = read_source(path, &source);
+    table->name = source.name;
+    if (!outcome.good()) return outcome;
+    TableOptions options;
+    options.distances = true;
+    if (source.ending == ".npy") return parse_npy_table(source.content, options, table);
+    if (source.ending == ".npz") return parse_npz_table(source.content, source.array, options, table);
+    if (!is_table_ending(source.ending))
+        return file_error(source.name, "distances are read from a table in text, .npy or .npz");
+    *text = std::move(source.content);
+    return {};
+}
+
+Outcome read_points(const std::string& path, const TableOptions& options, PointCloud* cloud,
+                    std::uint32_t columns_max) {
     *cloud = {};
     Table table;
     const Outcome outcome = read_table(path, options, &table);
-    return outcome.good() ? take_table(std::move(table), cloud) : outcome;
+    return outcome.good() ? take_table(std::move(table), cloud, columns_max) : outcome;
 }
 
-Outcome take_table(Table table, PointCloud* cloud) {
+Outcome take_table(Table table, PointCloud* cloud, std::uint32_t columns_max) {
     cloud->name = table.name;
-    if (table.width < dim_min || table.width > dim_max) {
-        const std::string complaint = columns_text(table.width) + "; points have 2 to 6 coordinates";
+    if (table.width < dim_min || table.width > columns_max) {
+        const std::string complaint =
+            columns_text(table.width) +
+            (columns_max > dim_max ? "; points have 2 to 65,536 coordinates here" : "; points have 2 to 6 coordinates");
         if (table.lines.empty()) return file_error(table.name, complaint);
         return line_error(table.name, table.lines[0],
-                          complaint + (table.width < dim_min ? "; --delimiter says what stands between them"
-                                                             : "; --columns chooses some"));
+                          complaint + (table.width < dim_min   ? "; --delimiter says what stands between them"
+                                       : columns_max > dim_max ? "; --columns chooses some"
+                                                               : "; --columns chooses some, --filter rips takes all"));
     }
     cloud->dim = static_cast<std::uint32_t>(table.width);
     cloud->coordinates = std::move(table.values);

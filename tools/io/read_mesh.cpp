@@ -169,7 +169,8 @@ Outcome parse_node(std::string_view content, NodeFile* node) {
     if (!header.known) return line_error(node->cloud.name, last, "the input ends without a point");
     if (row < header.count) {
         return line_error(node->cloud.name, last,
-                          "the file ends after " + std::to_string(row) + " of " + counted(header.count, "vertex", "vertices"));
+                          "the file ends after " + std::to_string(row) + " of " +
+                              counted(header.count, "vertex", "vertices"));
     }
     for (netmesh_cage& cage : node->cages) {
         if (cage.centre < node->first_id || cage.centre - node->first_id >= header.count || node->domain.empty()) {
@@ -258,7 +259,8 @@ Outcome parse_cell_table(std::string_view content, const EntryRange& range, Cell
     const std::uint64_t rows = table->lines.size();
     if (!header.known || rows < header.count) {
         return line_error(table->name, reader.number() == 0 ? 1 : reader.number(),
-                          "the file ends after " + std::to_string(rows) + " of " + counted(header.count, "row", "rows"));
+                          "the file ends after " + std::to_string(rows) + " of " +
+                              counted(header.count, "row", "rows"));
     }
     return {};
 }

@@ -57,7 +57,8 @@ Outcome parse_binary_stl(std::string_view content, PointCloud* cloud) {
                 std::memcpy(&value, &bits, sizeof value);
                 if (!std::isfinite(value))
                     return file_error(cloud->name, "triangle " + std::to_string(i + 1) + " (byte " +
-                                      std::to_string(at) + "): " + not_finite(std::isnan(value) ? "nan" : "inf"));
+                                                       std::to_string(at) +
+                                                       "): " + not_finite(std::isnan(value) ? "nan" : "inf"));
                 corner[c] = static_cast<double>(value) + 0.0;
             }
             corners.add(corner);

@@ -80,6 +80,12 @@ std::string remedy_for(std::string_view text) {
     return {};
 }
 
+// 1e-400: digits that are not all 0, of a number that is 0 as a double.
+bool is_below_doubles(std::string_view text) {
+    const std::string_view digits = text.substr(0, text.find_first_of("eE"));
+    return digits.find_first_of("123456789") != std::string_view::npos;
+}
+
 // A table on its way from lines to numbers.
 class TableParser {
 public:
@@ -97,6 +103,7 @@ private:
     Outcome find_columns();
     Outcome find_index();
     Outcome check_column_numbers() const;
+    void note_whole_first_row();
     Outcome parse_rows();
     Outcome explain_field(const TableLine& line, std::size_t column) const;
     Outcome explain_width(const TableLine& line) const;
@@ -118,6 +125,7 @@ private:
     std::size_t width_ = 0;           // fields of a row
     std::size_t dropped_ = 0;         // empty fields at the end of every row
     std::vector<std::size_t> columns_;
+    std::uint64_t too_small_ = 0;  // numbers that are 0 as doubles alone
 };
 
 // Excel's `sep=;`.
@@ -254,10 +262,30 @@ Outcome TableParser::check_column_numbers() const {
                                        delimiter_option(dialect_.delimiter) + " reads it as a point");
 }
 
+// 2019 2020 2021 above numbers that all have decimals: names, it may be, but read as a point.
+void TableParser::note_whole_first_row() {
+    if (!names_.empty() || lines_.size() < 3 || width_ < 2) return;
+    std::vector<Field> fields;
+    double last = 0;
+    for (std::size_t i = 0; i < lines_.size(); i++) {
+        if (!cut(lines_[i], &fields) || fields.size() < width_) return;
+        for (std::size_t k = 0; k < width_; k++) {
+            double value;
+            if (read_field(fields[k], dialect_.decimal_comma, &value) != FieldKind::number) return;
+            const bool whole = fields[k].text.find_first_of(".,eE") == std::string_view::npos;
+            if (i > 0 ? whole : !whole || (k > 0 && value <= last)) return;
+            last = value;
+        }
+    }
+    add_note("read " + quoted(without_blanks(lines_[0].text)) + " of line " + std::to_string(lines_[0].number) +
+             " as a point; if it names columns, --skip " + std::to_string(lines_[0].number) + " leaves it out");
+}
+
 Outcome TableParser::find_columns() {
     for (std::size_t k = 0; k < width_; k++) columns_.push_back(k);
     if (options_.columns.empty()) {
         const Outcome outcome = check_column_numbers();
+        if (outcome.good()) note_whole_first_row();
         return outcome.good() ? find_index() : outcome;
     }
     std::vector<std::string> names = names_;
@@ -317,8 +345,9 @@ Outcome TableParser::explain_field(const TableLine& line, std::size_t column) co
     if (kind == FieldKind::empty && !field.quoted && options_.columns.empty() && dialect_.delimiter != '\t')
         return explain_width(line);
     if (kind == FieldKind::empty)
-        return fault(line.number, "nothing in column " + std::to_string(column + 1) +
-                                      "; a row with a missing value has to be left out or filled in",
+        return fault(line.number,
+                     "nothing in column " + std::to_string(column + 1) +
+                         "; a row with a missing value has to be left out or filled in",
                      column + 1);
     std::string remedy;
     if (lines_.size() > 1 && kind == FieldKind::word && is_word_column(column)) {
@@ -352,10 +381,12 @@ Outcome TableParser::parse_rows() {
             const FieldKind kind = read_field(fields[column], dialect_.decimal_comma, &value);
             if (kind != FieldKind::number && !(ragged && kind == FieldKind::empty)) return explain_field(line, column);
             if (kind == FieldKind::number) table_->values.push_back(value);
+            if (kind == FieldKind::number && value == 0 && is_below_doubles(fields[column].text)) too_small_++;
         }
         if (ragged) return explain_width(line);
         table_->lines.push_back(line.number);
     }
+    if (too_small_ > 0) add_note("read " + counted(too_small_, "number", "numbers") + " below 4.9e-324 as 0");
     return {};
 }
 

@@ -175,10 +175,12 @@ Outcome sample_points(const SampleRequest& request, std::vector<double>* coordin
     }
     *dim = request.dim == 0 ? entry->dim : request.dim;
     if (*dim < entry->dim_least) {
-        return usage_error("--dim: " + request.shape + " needs " + counted(entry->dim_least, "dimension", "dimensions") + " or more");
+        return usage_error("--dim: " + request.shape + " needs " +
+                           counted(entry->dim_least, "dimension", "dimensions") + " or more");
     }
     if (entry->count_most != 0 && request.count > entry->count_most) {
-        return usage_error("-n: " + request.shape + " has " + counted(entry->count_most, "point", "points") + " at most");
+        return usage_error("-n: " + request.shape + " has " + counted(entry->count_most, "point", "points") +
+                           " at most");
     }
     Sampler sampler{request, *dim, Random(request.seed), side_for(request.count, *dim)};
     coordinates->assign(request.count * *dim, 0.0);
