@@ -131,6 +131,7 @@ Outcome Session::explain(netmesh_status status, const PointCloud& cloud, std::si
         return cloud.fault(detail.index_a,
                            "outside the range that meshing admits: coordinates up to 2^500 (3.3e150), distances from "
                            "2^-500 (3.1e-151)");
+    case NETMESH_NOT_BUILT:
     case NETMESH_INVALID_ARGUMENT: return explain_argument(detail, cloud, said);
     case NETMESH_FLAT:
         return file_error(cloud.name,

@@ -168,7 +168,8 @@ Outcome check_vines(const Options& options, RunReport* run) {
     const bool with_values = !options.complex_path.empty() && !options.values_path.empty();
     const bool with_points = !options.mesh_path.empty() || !options.points_path.empty();
     if (file.of_values && with_points)
-        return usage_error(name + " is of a complex: --complex and --values FILE say which");
+        return usage_error(std::string(options.mesh_path.empty() ? "--points" : "--mesh") + ": " + name +
+                           " is of a complex: --complex and --values FILE say which");
     if (!file.of_values && with_values) return usage_error(name + " is of points or a mesh");
     if (!options.mesh_path.empty() && is_on_points(file.choice.filter))
         return usage_error(name + " is of points: --points FILE says which");

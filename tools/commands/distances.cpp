@@ -1,5 +1,6 @@
 // persist of distances, and of points that are joined up to a threshold: Rips complexes, which need nothing else.
 #include "platform/clock.hpp"
+#include "tools/asked_function.hpp"
 #include "tools/commands/commands.hpp"
 #include "tools/commands/cycles.hpp"
 #include "tools/commands/output.hpp"
@@ -17,7 +18,10 @@ Outcome check_given(const Options& options) {
     for (const bool given : {options.bounds, !options.mesh_out.empty()})
         if (given)
             return usage_error(std::string(options.bounds ? "--bounds" : "--mesh") + " does not apply to filter rips");
-    return check_max_degree(options);
+    Outcome outcome = check_accuracy(options);
+    if (outcome.good()) outcome = check_ratio(options);
+    if (outcome.good()) outcome = check_function(options);
+    return outcome.good() ? check_max_degree(options) : outcome;
 }
 
 // With dim 0 before the input is read.

@@ -220,8 +220,10 @@ Outcome parse_ply_binary(std::string_view content, std::size_t offset, const Ply
                 const std::size_t column = static_cast<std::size_t>(header.columns[k]);
                 const double value = read_scalar(element.properties[column].type, content.data() + starts[column]);
                 if (!std::isfinite(value)) {
-                    return cloud->fault(row, "byte " + std::to_string(starts[column]) + ": " +
-                                                 not_finite(std::isnan(value) ? "nan" : "inf"));
+                    return {Exit::data,
+                            cloud->where(row) + " (byte " + std::to_string(starts[column]) +
+                                "): " + not_finite(std::isnan(value) ? "nan" : "inf"),
+                            cloud->name};
                 }
                 cloud->coordinates.push_back(value + 0.0);  // -0.0 becomes 0.0
             }
@@ -251,10 +253,9 @@ std::string row_complaint(const Element& element, const std::vector<double>& row
         }
         at += length;
     }
-    return at == row.size()
-               ? ""
-               : "a line of element " + element.name + " with " + counted(row.size(), "number", "numbers") + " where " +
-                     std::to_string(at) + " are due";
+    if (at == row.size()) return {};
+    return (element.name == "vertex" ? "a vertex of " : "a line of element " + element.name + " with ") +
+           counted(row.size(), "number", "numbers") + " where " + std::to_string(at) + " are due";
 }
 
 Outcome parse_ply_ascii(LineReader& reader, const PlyHeader& header, PointCloud* cloud) {

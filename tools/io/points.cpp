@@ -278,9 +278,8 @@ Outcome take_table(Table table, PointCloud* cloud, std::uint32_t columns_max) {
             (columns_max > dim_max ? "; points have 2 to 65,536 coordinates here" : "; points have 2 to 6 coordinates");
         if (table.lines.empty()) return file_error(table.name, complaint);
         return line_error(table.name, table.lines[0],
-                          complaint + (table.width < dim_min   ? "; --delimiter says what stands between them"
-                                       : columns_max > dim_max ? "; --columns chooses some"
-                                                               : "; --columns chooses some, --filter rips takes all"));
+                          complaint + (table.width < dim_min ? "; --delimiter says what stands between them"
+                                                             : "; --columns chooses some"));
     }
     cloud->dim = static_cast<std::uint32_t>(table.width);
     cloud->coordinates = std::move(table.values);

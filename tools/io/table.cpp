@@ -233,7 +233,9 @@ Outcome TableParser::find_index() {
     const bool good = counts(true) || (!one_short && counts(false)) || is_word_column(0);
     if (!good) {
         const std::string others = "--columns 2-" + std::to_string(width_) + " leaves it out, --columns 1-" +
-                                   std::to_string(width_) + " takes it for coordinates";
+                                   std::to_string(width_) +
+                                   " takes it for coordinates; if this line is part of a title, --skip " +
+                                   std::to_string(lines_[0].number) + " leaves it out";
         return fault(lines_[0].number, "the header gives the first column " +
                                            (first.empty() || one_short ? "no name" : "the name " + quoted(names_[0])) +
                                            ", but it does not count rows: " + others);
@@ -352,7 +354,7 @@ Outcome TableParser::explain_field(const TableLine& line, std::size_t column) co
     std::string remedy;
     if (lines_.size() > 1 && kind == FieldKind::word && is_word_column(column)) {
         std::string others;
-        for (std::size_t k = 0; k < width_; k++)
+        for (const std::size_t k : columns_)
             if (!is_word_column(k)) others += (others.empty() ? "" : ",") + std::to_string(k + 1);
         if (!others.empty()) remedy = "; --columns " + others + " leaves such columns out";
     }
