@@ -274,9 +274,10 @@ Outcome check_ratio(const Options& options) {
     if (options.command == Command::persist && (options.ratio || focused || (options.fit && !fits_error(options))) &&
         !refines_by_certificate(options)) {
         return usage_error(
-            options.fit ? "--fit is for filters on a mesh but tight, without --method"
-                        : "--ratio and --focus are for the complete filter, and with --ratio for tight and scales; "
-                          "with certified values, without --method");
+            options.fit
+                ? "--fit is for filters on a mesh but tight, without --method"
+                : "--ratio, --focus, --from and --to are for the complete filter, and with --ratio for tight and scales; "
+                  "with certified values, without --method");
     }
     if (options.command == Command::persist && options.whole_cells && !clips_cells(options))
         return usage_error("--whole-cells is for meshes refined by the certificate for the complete or basic filter");
