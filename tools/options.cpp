@@ -276,7 +276,7 @@ Outcome check_ratio(const Options& options) {
         return usage_error(
             options.fit
                 ? "--fit is for filters on a mesh but tight, without --method"
-                : "--ratio, --focus, --from and --to are for the complete filter, and with --ratio for tight and scales; "
+                : "--ratio, --focus, --from and --to are for the complete filter, --ratio for tight and scales; "
                   "with certified values, without --method");
     }
     if (options.command == Command::persist && options.whole_cells && !clips_cells(options))
