@@ -108,8 +108,8 @@ Outcome check_coordinates(const Options& options, std::uint32_t dim) {
     if (!options.function || options.function->coordinates() <= dim) return {};
     return usage_error("--function " + options.function->text() + ": column " +
                        std::to_string(options.function->coordinate_column()) + ": coordinate " +
-                       std::to_string(options.function->coordinates()) + " of points in " + std::to_string(dim) +
-                       " dimensions");
+                       std::to_string(options.function->coordinates()) + " of points in " +
+                       counted(dim, "dimension", "dimensions"));
 }
 
 namespace {

@@ -1,5 +1,5 @@
 // netmesh, the command-line tool.
-#include <cstdio>
+#include <exception>
 #include <new>
 #include <string>
 #include <vector>
@@ -7,16 +7,23 @@
 #include "platform/interrupt.hpp"
 #include "tools/commands/commands.hpp"
 #include "tools/commands/output.hpp"
+#include "tools/completion.hpp"
+#include "tools/option_use.hpp"
 
 namespace {
 
 using namespace netmesh::tool;
 
 Outcome run(const Options& options) {
-    if (options.version || options.help) {
-        const std::string text = options.version ? version_text() : help_text(options.command);
+    if (options.version || options.help || !options.completion.empty()) {
+        std::string text = options.version ? version_text() : help_text(options.command);
+        if (!options.completion.empty()) text = completion_text(options.completion);
+        const char* const key = options.version ? nullptr : options.help ? "help" : "completion";
+        if (options.json) text = json_text(options.command, key, text);
         return write_files({{"", [&](TextWriter& out) { out << text; }}});
     }
+    const Outcome used = check_use(options);
+    if (!used.good()) return used;
     switch (options.command) {
     case Command::homology: return run_homology(options);
     case Command::distance: return run_distance(options);
@@ -32,9 +39,12 @@ Outcome run(const Options& options) {
 
 int main(int count, char** arguments) {
     Outcome outcome;
+    Options options;
     try {
-        Options options;
-        outcome = parse_options(std::vector<std::string>(arguments + (count > 0), arguments + count), &options);
+        const std::vector<std::string> given(arguments + (count > 0), arguments + count);
+        outcome = parse_options(given, &options);
+        if (!outcome.good() || options.help || options.version || !options.completion.empty())
+            options.json = asks_for_json(given);
         if (outcome.good()) {
             netmesh::platform::catch_interrupts();
             outcome = run(options);
@@ -42,7 +52,9 @@ int main(int count, char** arguments) {
     } catch (const std::bad_alloc&) {
         // Not the engine, which has its own block: the tool's copy of the input or of the diagram.
         outcome = {Exit::memory, "netmesh: no memory left to hold the input"};
+    } catch (const std::exception& thrown) {
+        outcome = {Exit::internal, std::string("netmesh: internal error: ") + thrown.what()};
     }
-    if (!outcome.message.empty()) std::fprintf(stderr, "%s\n", outcome.message.c_str());
+    tell_error(outcome, options.command, options.json);
     return static_cast<int>(outcome.exit);
 }

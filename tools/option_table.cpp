@@ -10,25 +10,38 @@ const std::vector<CommandEntry>& command_entries() {
     static const std::vector<CommandEntry> table = {
         {Command::mesh, "mesh", "POINTS...", 1, "quality mesh",
          "Every vertex but the boundary's gets a Voronoi cell whose aspect ratio, clipped to the domain, is at most "
-         "tau.\n"},
-        {Command::delaunay, "delaunay", "POINTS...", 1, "Delaunay triangulation", ""},
+         "tau.\n",
+         "sample circle -n 60 --noise .05 -o points.csv\n"
+         "mesh points.csv -o mesh.vtu\n"
+         "mesh points.csv --tau 3 --check --svg mesh.svg -o mesh.node\n"},
+        {Command::delaunay, "delaunay", "POINTS...", 1, "Delaunay triangulation", "",
+         "delaunay points.csv -o triangles.off\n"
+         "delaunay points.csv -o triangles.node --analyse --json\n"},
         {Command::persist, "persist", "POINTS... | MESH.node --values-at FILE | FILE --distances", 1,
          "persistence diagram",
          "Prints lines `degree birth death`, radii, inf for the essential class, behind comments `# name value` that "
          "say how\n"
          "the diagram was made, by the names of these options, of what points, and what is certified of it.\n"
          "With --values-at FILE it is that of a function that is known at the vertices of MESH.node, a mesh that the\n"
-         "command mesh has made; cells no larger than E / L (--cell-size) are for an error of E.\n"},
+         "command mesh has made; cells no larger than E / L (--cell-size) are for an error of E.\n",
+         "persist points.csv -o diagram.pers --svg diagram.svg\n"
+         "persist points.csv --filter alpha --top 3\n"
+         "persist points.csv --fit --memory 2M --bounds -o bounded.pers\n"
+         "persist distances.txt --distances --threshold 0.5\n"},
         {Command::homology, "homology", "FILE", 1, "persistent homology of a filtered complex",
          "One simplex a line: its vertices, whole numbers from 0, then the value at which it enters: `3 1 4 0.5` is a\n"
          "triangle. Any order; # starts a comment. Every face must be listed and enter no later. Prints `degree birth "
          "death`;\n"
-         "the bars that never die are the Betti numbers.\n"},
+         "the bars that never die are the Betti numbers.\n",
+         "homology complex.txt\n"
+         "homology complex.txt --representatives cycles.txt -o complex.pers\n"},
         {Command::distance, "distance", "A.pers B.pers", 2, "bottleneck or Wasserstein distance between two diagrams",
          "Prints a line `degree distance` for every degree of either diagram, inf where the numbers of essential "
          "classes\n"
          "differ. The bottleneck distance is exact; that of Wasserstein is what a matching costs, at most --error\n"
-         "above what is proven to be the least; --json has both numbers.\n"},
+         "above what is proven to be the least; --json has both numbers.\n",
+         "distance a.pers b.pers\n"
+         "distance a.pers b.pers --wasserstein 2 --error 0.01\n"},
         {Command::vineyard, "vineyard", "POINTS | COMPLEX --values FILE", 1,
          "diagrams of d_k for a range of k, or of a complex for any sequence of values, and their vines",
          "One mesh for all k. Prints lines `vine degree k birth death` behind comments with the certified ratio of "
@@ -36,10 +49,14 @@ const std::vector<CommandEntry>& command_entries() {
          "vine\nfollows one class from k to k. Of barycentric filters it joins bars that the inclusion of k + 1 in k "
          "matches: where it\nis at (b, d) and then at (b', d'), the image has the bar (b', d). With --values FILE the "
          "complex is one as homology\nreads them, k numbers the lines of FILE, whose values take the place of its "
-         "own, and all ratios are 1; between two\nlines all values move at once on straight lines.\n"},
+         "own, and all ratios are 1; between two\nlines all values move at once on straight lines.\n",
+         "vineyard points.csv --k 1..5 -o points.vines --svg vines.svg\n"
+         "vineyard complex.txt --values values.txt\n"},
         {Command::size, "size", nullptr, 0, "bytes of memory to plan for",
          "One integer: enough for N uniform points, an estimate for others. Without --filter it covers mesh and "
-         "persist.\n"},
+         "persist.\n",
+         "size --dim 3 --points 10000\n"
+         "size --dim 2 --points 500 --filter rips --max-degree 1\n"},
         {Command::check, "check", "MESH.node | DIAGRAM.pers | FILE.vines", 1,
          "recompute every certificate from the files alone",
          "MESH.node is read with its .ele and .neigh; --points says which inputs it must hold. A diagram or a vineyard "
@@ -51,8 +68,12 @@ const std::vector<CommandEntry>& command_entries() {
          "unless options say it. With --mesh, for rips and cech with --points, other code gives a second opinion: "
          "filter\n"
          "values and ratios from the Voronoi cells, the pairs by a plain reduction, cycles' births and deaths.\n"
-         "Alone, a file is only looked at for what every diagram must satisfy.\n"},
-        {Command::sample, "sample", "SHAPE", 1, "point sets by formula", nullptr},
+         "Alone, a file is only looked at for what every diagram must satisfy.\n",
+         "check mesh.node --points points.csv\n"
+         "check diagram.pers --points points.csv\n"},
+        {Command::sample, "sample", "SHAPE", 1, "point sets by formula", nullptr,
+         "sample torus -n 500 --noise 0.02 -o torus.csv\n"
+         "sample clifford -n 100 --turns 1,5\n"},
     };
     return table;
 }
@@ -236,7 +257,8 @@ std::string apply_cut(Options& options, const std::string& text) {
 }
 std::string apply_order(Options& options, const std::string& text) {
     std::uint64_t order;
-    if (!parse_unsigned(text, &order) || order < 1 || order > NETMESH_ORDER_MAX) return "must be an order from 1 to 16";
+    if (!parse_unsigned(text, &order) || order < 1 || order > NETMESH_ORDER_MAX)
+        return "must be a whole number, the order, from 1 to 16";
     options.order = static_cast<std::uint32_t>(order);
     return {};
 }
@@ -399,11 +421,11 @@ const std::vector<OptionEntry>& option_entries() {
          "bound on the aspect ratio of Voronoi cells, above 2 (2.5 for D = 2, 3; 3.08; 4 for D = 5, 6)"},
         {"--eps", mesh | size | check, "E", apply_eps,
          "also refine until no cell reaches farther than E times the distance to the second nearest input"},
-        {"--cell-size", mesh | size | check, "A[,B]", apply_cell_size,
+        {"--cell-size", mesh | check, "A[,B]", apply_cell_size,
          "also refine until no cell reaches farther than A plus B times its vertex's distance to the nearest input"},
-        {"--domain", mesh | size, "F", apply_domain_factor,
+        {"--domain", mesh, "F", apply_domain_factor,
          "radius of the ball that is meshed over that of the smallest one that holds the points, 1 to 8 (1)"},
-        {"--net", mesh | size | check, "S", apply_net,
+        {"--net", mesh | check, "S", apply_net,
          "spacing of the boundary net of refine over the diameter of the smallest ball around the points (1)"},
         {"--eps", persist, "E", apply_eps,
          "log distance that tight promises, above 0 and at most 1/2 (1/2; D > 3: --ratio); scales: 3 theta more"},
@@ -414,7 +436,7 @@ const std::vector<OptionEntry>& option_entries() {
          "with --pace: only inputs that are not T-medial, T above 0 and at most 1"},
         {"--weighted-cells", mesh, "FILE", apply_path<&Options::weighted_path>,
          "each cage's weight, in-radius, feature size and epsilon as an additively weighted cell (4.6)"},
-        {"--theta", persist | size | check, "T", apply_theta,
+        {"--theta", persist | check, "T", apply_theta,
          "how medial points of one scale are, above 0 and at most 1/9 (1/9)"},
         {"--ratio", persist | check, "C", apply_ratio,
          "refine by the certificate until this ratio is certified, above 1.4142 (sqrt(2 + tau)): complete filter; in\n"
@@ -449,17 +471,18 @@ const std::vector<OptionEntry>& option_entries() {
         {"--filter", persist | size, "F", apply_filter, auto_filter_help()},
         {"--filter", check, "F", apply_filter, with_default(filter_help(), default_filter(Command::check))},
         {"--distances", persist, nullptr, apply_switch<&Options::distances>,
-         "POINTS is a file of distances, for --filter rips: a symmetric matrix, or a lower triangle as ripser has it"},
+         "POINTS is a file of distances, for --filter rips: a symmetric matrix, a lower triangle as ripser has it, or "
+         ".npy or .npz of a matrix or of what scipy's pdist gives; inf: never joined"},
         {"--sparse", persist, nullptr, apply_switch<&Options::sparse>,
          "with --distances: lines `i j distance` of points from 0 on; pairs that are not listed are never joined"},
         {"--threshold", persist, "R", apply_threshold,
-         "with --distances: points are joined to radius R, which is half of their distance; ripser's are diameters, "
+         "of filter rips: points are joined to radius R, which is half of their distance; ripser's are diameters, "
          "2 R"},
         {"--k", persist | size | check, "K", apply_k,
          "neighbours of knn and kdistance, the point itself counted (1); kdistance is their root mean square; points "
          "in\n"
          "                    every set of a barycentric filter, at least"},
-        {"--values", persist | size, "V", apply_values, "certified (default) or thesis: the filter's own"},
+        {"--values", persist, "V", apply_values, "certified (default) or thesis: the filter's own"},
         {"--values", vineyard, "V|FILE", apply_values,
          "certified (default) or thesis: the filter's own; or a file of vectors of values, one a line, each a value\n"
          "                    for every simplex of COMPLEX, or for every vertex, in the order of its lines"},
@@ -491,9 +514,9 @@ const std::vector<OptionEntry>& option_entries() {
         {"--representatives", check, "FILE", apply_path<&Options::representatives>,
          "the diagram's cycles, as persist wrote them: with --mesh, or with --points for scales, rips and cech, each\n"
          "                    is one, is born with its bar and dies with it"},
-        {"--memory", engine | vineyard | homology | size | check, "SIZE", apply_memory,
+        {"--memory", engine | vineyard | homology | check, "SIZE", apply_memory,
          "the block that the engine works in: 64K, 512M, 2G; reserved lazily until the job fits if not given"},
-        {"--seed", engine | vineyard | size | check | sample, "S", apply_seed, "of every random choice (1)"},
+        {"--seed", engine | vineyard | check | sample, "S", apply_seed, "of every random choice (1)"},
         {"--noise", sample, "X", apply_noise, "standard deviation of a normal offset of every coordinate (0)"},
         {"--turns", sample, "A,B", apply_turns, "of the Clifford winding about its two circles (1,10)"},
         {"--svg", mesh | delaunay, "FILE", apply_path<&Options::svg>,
@@ -521,13 +544,38 @@ const std::vector<OptionEntry>& option_entries() {
          "where each birth and death surely is and which bars surely are real, behind the bars, and the certified "
          "ratio by\n"
          "                    scale, in front of them; both in JSON and in the picture"},
-        {"--all", persist | homology | size | check, nullptr, apply_switch<&Options::all>, "keep bars of length zero"},
+        {"--all", persist | homology | check, nullptr, apply_switch<&Options::all>, "keep bars of length zero"},
         {"--json", engine | vineyard | homology | distance | size | check, nullptr, apply_switch<&Options::json>,
          "report as JSON on stdout; data then goes to -o only, but bars without -o stand in the JSON"},
         {"--quiet", engine | vineyard | homology | distance | size | check | sample, nullptr,
          apply_switch<&Options::quiet>, "no progress, no summary"},
     };
     return table;
+}
+
+std::vector<std::string> words_of(const OptionEntry& option, Command command) {
+    const std::string name = option.name;
+    if (name == "--method") return {"svr", "netmesh", "refine"};
+    if (name == "--cages") return {"compact", "thesis"};
+    if (name == "--values") return {"certified", "thesis"};
+    if (name == "--audit") return {"location", "quality", "all"};
+    if (name == "--delimiter") return {"tab", "blank", "comma", "semicolon"};
+    if (name == "--axis") return {"log", "linear"};
+    if (name == "--focus" && command == Command::persist) return {"auto"};
+    std::vector<std::string> words;
+    if (name != "--filter") return words;
+    if (command == Command::persist || command == Command::size) words.push_back("auto");
+    for (const netmesh_filter_info& filter : filters())
+        if (command != Command::vineyard || has_vineyard(filter)) words.push_back(filter.name);
+    return words;
+}
+
+bool names_file(const OptionEntry& option) {
+    if (option.value == nullptr) return false;
+    const std::string value = option.value;
+    for (const char* const file : {"FILE", "OUT", "OUT.vines", "MESH.node", "COMPLEX", "V|FILE"})
+        if (value == file) return true;
+    return false;
 }
 
 const char* option_name(netmesh_field field) {

@@ -16,6 +16,7 @@ struct CommandEntry {
     std::size_t positional_count;
     const char* summary;
     const char* details;
+    const char* examples;  // lines behind `netmesh`; the files that they name are those of the test that runs them
 };
 
 struct OptionEntry {
@@ -33,6 +34,11 @@ const std::vector<OptionEntry>& option_entries();
 
 // Not of Command::none.
 const CommandEntry& entry_of(Command command);
+
+// The words that an option of a command takes, where it takes words; of --values and --focus they are some of all.
+std::vector<std::string> words_of(const OptionEntry& option, Command command);
+// Whether its value is the name of a file.
+bool names_file(const OptionEntry& option);
 
 // The option that a field of the library's requests comes from; null for those that come from none.
 const char* option_name(netmesh_field field);

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "tools/closest.hpp"
 #include "tools/option_table.hpp"
 
 namespace netmesh::tool {
@@ -25,7 +26,11 @@ Outcome find_option(const std::string& name, Command command, const OptionEntry*
         return {};
     }
     if (elsewhere) return usage_error("option " + name + " does not apply to " + command_name(command));
-    return usage_error("unknown option " + name + "; `netmesh " + command_name(command) + " --help` lists them");
+    std::vector<std::string> names;
+    for (const OptionEntry& entry : option_entries())
+        if ((entry.commands & bit(command)) != 0) names.emplace_back(entry.name);
+    return usage_error("unknown option " + name + did_you_mean(name, names) + "; `netmesh " + command_name(command) +
+                       " --help` lists them");
 }
 
 // One option with its value, at arguments[*at]; steps *at over both.
@@ -37,6 +42,7 @@ Outcome parse_option(const std::vector<std::string>& arguments, std::size_t* at,
         value = name.substr(equals + 1);
         name.resize(equals);
     }
+    if (name == "-q") name = "--quiet";
     const OptionEntry* entry = nullptr;
     const Outcome outcome = find_option(name, options->command, &entry);
     if (!outcome.good()) return outcome;
@@ -49,7 +55,32 @@ Outcome parse_option(const std::vector<std::string>& arguments, std::size_t* at,
     const std::string complaint = entry->apply(*options, value);
     options->given.emplace_back(name, value);
     if (complaint.empty()) return {};
-    return usage_error(name + " " + value + ": " + complaint);
+    return usage_error(name + " " + value + ": " + complaint + did_you_mean(value, words_of(*entry, options->command)));
+}
+
+Outcome unknown_command(const std::string& name) {
+    std::vector<std::string> names = {"help"};
+    for (const CommandEntry& entry : command_entries()) names.emplace_back(entry.name);
+    return usage_error("unknown command '" + name + "'" + did_you_mean(name, names) + "; `netmesh --help` lists them");
+}
+
+// help, help COMMAND; --completion SHELL.
+Outcome take_words(const std::vector<std::string>& arguments, Options* options, bool* taken) {
+    *taken = !arguments.empty() && (arguments[0] == "help" || arguments[0] == "--completion");
+    if (!*taken) return {};
+    std::vector<std::string> rest;
+    for (std::size_t i = 1; i < arguments.size(); i++)
+        if (arguments[i] != "--json") rest.push_back(arguments[i]);
+    if (arguments[0] == "--completion") {
+        if (rest.size() == 1 && (rest[0] == "bash" || rest[0] == "zsh"))
+            return options->completion = rest[0], Outcome{};
+        return usage_error("--completion takes bash or zsh");
+    }
+    options->help = true;
+    if (rest.size() > 1) return usage_error("help takes one command; unexpected argument " + rest[1]);
+    const CommandEntry* const command = rest.empty() ? nullptr : find_command(rest[0]);
+    if (command != nullptr) options->command = command->command;
+    return rest.empty() || command != nullptr ? Outcome{} : unknown_command(rest[0]);
 }
 
 // Finds the command, --help and --version; the other arguments go to *rest. The command is the first argument, or, when
@@ -64,10 +95,10 @@ Outcome take_command(const std::vector<std::string>& arguments, Options* options
         if (found != nullptr) {
             command = found;
         } else if (rest->empty() && may_be_command && argument.rfind('-', 0) != 0) {
-            return usage_error("unknown command '" + argument + "'; `netmesh --help` lists them");
+            return unknown_command(argument);
         } else if (!only_positionals && (argument == "--help" || argument == "-h")) {
             options->help = true;
-        } else if (may_be_command && rest->empty() && argument == "--version") {
+        } else if (may_be_command && rest->empty() && (argument == "--version" || argument == "-V")) {
             options->version = true;
             return {};
         } else {
@@ -143,8 +174,9 @@ Outcome check_together(const Options& options) {
     if (options.order > 0 && options.log) return usage_error("--log goes with the bottleneck distance alone");
     if (options.command == Command::distance && options.error > 0 && options.order == 0)
         return usage_error("--error goes with --wasserstein; the bottleneck distance is exact");
-    if (!options.distances && (options.sparse || options.threshold))
-        return usage_error(options.sparse ? "--sparse goes with --distances" : "--threshold goes with --distances");
+    if (options.sparse && !options.distances) return usage_error("--sparse goes with --distances");
+    if (options.threshold && !options.distances && options.filter != NETMESH_FILTER_RIPS)
+        return usage_error("--threshold goes with --filter rips or --distances");
     if (options.finish && !hierarchical) return usage_error("--finish goes with --method netmesh");
     if (options.command == Command::persist && hierarchical && !options.finish)
         return usage_error("--method netmesh leaves cages, which have no filter; --finish removes them");
@@ -154,7 +186,10 @@ Outcome check_together(const Options& options) {
 Outcome parse_options(const std::vector<std::string>& arguments, Options* options) {
     *options = {};
     std::vector<std::string> rest;
-    Outcome outcome = take_command(arguments, options, &rest);
+    bool taken = false;
+    Outcome outcome = take_words(arguments, options, &taken);
+    if (taken) return outcome;
+    outcome = take_command(arguments, options, &rest);
     if (!outcome.good() || options->help || options->version) return outcome;
     std::size_t at = 0;
     bool only_positionals = false;
@@ -173,6 +208,11 @@ Outcome parse_options(const std::vector<std::string>& arguments, Options* option
     settle_auto(options);
     outcome = check_together(*options);
     return outcome.good() ? check_positionals(*options) : outcome;
+}
+
+bool asks_for_json(const std::vector<std::string>& arguments) {
+    const auto end = std::find(arguments.begin(), arguments.end(), "--");
+    return std::find(arguments.begin(), end, "--json") != end;
 }
 
 std::string option_of(const Options& options, netmesh_field field) {
@@ -249,9 +289,10 @@ Outcome check_ratio(const Options& options) {
     if (options.command == Command::persist && (options.ratio || focused || (options.fit && !fits_error(options))) &&
         !refines_by_certificate(options)) {
         return usage_error(
-            options.fit ? "--fit is for filters on a mesh but tight, without --method"
-                        : "--ratio and --focus are for the complete filter, and with --ratio for tight and scales; "
-                          "with certified values, without --method");
+            options.fit
+                ? "--fit is for filters on a mesh but tight, without --method"
+                : "--ratio, --focus, --from and --to are for the complete filter, --ratio for tight and scales; "
+                  "with certified values, without --method");
     }
     if (options.command == Command::persist && options.whole_cells && !clips_cells(options))
         return usage_error("--whole-cells is for meshes refined by the certificate for the complete or basic filter");

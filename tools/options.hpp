@@ -26,6 +26,7 @@ struct Options {
     std::vector<std::string> positionals;
     std::vector<std::pair<std::string, std::string>> given;  // options and their values, as they were written
     bool help = false, version = false;
+    std::string completion;  // the shell whose completion file is asked for
 
     TableOptions table;  // how points are read
     std::string out;     // empty: stdout
@@ -88,6 +89,9 @@ struct Options {
 // Fills *options from the arguments behind the program's name. Exit::usage with a sentence that names the argument at
 // fault. Positionals are counted; whether required options are there is for the command to say.
 Outcome parse_options(const std::vector<std::string>& arguments, Options* options);
+
+// Whether --json is among the arguments, also where they cannot be parsed.
+bool asks_for_json(const std::vector<std::string>& arguments);
 
 // The effect of one option of options->command on *options: a complaint, or empty.
 std::string apply_option(Options* options, const std::string& name, const std::string& value);

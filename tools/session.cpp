@@ -2,6 +2,7 @@
 
 #include "platform/interrupt.hpp"
 #include "tools/io/numbers.hpp"
+#include "tools/memory_advice.hpp"
 #include "tools/requests.hpp"
 
 namespace netmesh::tool {
@@ -65,25 +66,26 @@ Outcome Session::run(std::size_t plan, const PointCloud& cloud, const Work& work
     return explain(status, cloud, plan);
 }
 
-std::string Session::memory_message(std::size_t plan) const {
+std::string Session::memory_message(const PointCloud& cloud, std::size_t plan) const {
     std::string text = "netmesh: ";
     if (block_.base() == nullptr) {
-        text += options_.memory_bytes == 0
-                    ? "the system refuses to reserve memory"
-                    : "the system refuses to reserve " + std::to_string(options_.memory_bytes) + " bytes";
+        text += options_.memory_bytes == 0 ? "the system refuses to reserve memory"
+                                           : "the system refuses to reserve " + bytes_text(options_.memory_bytes);
     } else {
-        text += std::to_string(block_.bytes()) + " bytes of memory are too few";
+        text += bytes_text(block_.bytes()) + " of memory are too few";
     }
     const std::uint64_t wanted = engine_.detail().bytes_wanted;
     if (last_.stage != NETMESH_STAGE_NONE) {
         text += "; it got to " + grouped_text(last_.done);
         if (last_.total > 0) text += " of " + grouped_text(last_.total);
         text += std::string(" in stage ") + stage_name(last_.stage);
-        if (last_.vertices > 0) text += " with " + grouped_text(last_.vertices) + " vertices";
+        if (last_.vertices > 0) text += " with " + counted(last_.vertices, "vertex", "vertices");
     }
-    if (wanted > 0) text += "; it takes more than " + std::to_string(wanted - 1) + " bytes";
-    if (plan != SIZE_MAX && plan > block_.bytes()) text += "; plan for " + std::to_string(plan) + " bytes";
-    return text;
+    if (wanted > 0) text += "; it takes more than " + bytes_text(wanted - 1);
+    if (plan != SIZE_MAX && plan > block_.bytes())
+        text += "; plan for " + bytes_text_up(plan) + ": --memory " + memory_option_text(plan);
+    const std::string advice = memory_advice(options_, cloud.dim, cloud.rows(), block_.bytes());
+    return advice.empty() ? text : text + "; or " + advice;
 }
 
 // What the points do not allow is bad data; what no points would, bad usage.
@@ -92,20 +94,18 @@ Outcome Session::explain_argument(const netmesh_detail& detail, const PointCloud
     const std::string option = option_of(options_, detail.field);
     switch (detail.field) {
     case NETMESH_FIELD_DIM:  // of a library built without it: the tool itself takes 2..6 only
-        return data_error(cloud.name + ": dimension " + std::to_string(mesh_.dim) + ": " + said);
-    case NETMESH_FIELD_POINT_COUNT: return data_error(cloud.name + ": " + said);
+        return file_error(cloud.name, "dimension " + std::to_string(mesh_.dim) + ": " + said);
+    case NETMESH_FIELD_POINT_COUNT: return file_error(cloud.name, said);
     case NETMESH_FIELD_NET_SPACING:
     case NETMESH_FIELD_TAU:
     case NETMESH_FIELD_K:
     case NETMESH_FIELD_K_FIRST:
-    case NETMESH_FIELD_K_LAST: return data_error(cloud.name + ": " + option + ": " + said);
+    case NETMESH_FIELD_K_LAST: return file_error(cloud.name, option + ": " + said);
     case NETMESH_FIELD_SIZES:
         if (options_.error > 0)
-            return data_error(cloud.where(detail.index_a) + ": --error " + number_text(options_.error) +
-                              ": near this point " + said);
+            return cloud.fault(detail.index_a, "--error " + number_text(options_.error) + ": near this point " + said);
         [[fallthrough]];
-    case NETMESH_FIELD_SIZE_AT_INPUTS:
-        return data_error(cloud.where(detail.index_a) + ": " + option + ": near this point " + said);
+    case NETMESH_FIELD_SIZE_AT_INPUTS: return cloud.fault(detail.index_a, option + ": near this point " + said);
     default: break;
     }
     return option.empty() ? Outcome{Exit::internal, "netmesh: internal error: " + said}
@@ -118,30 +118,33 @@ Outcome Session::explain(netmesh_status status, const PointCloud& cloud, std::si
         detail.message == nullptr || detail.message[0] == '\0' ? netmesh_status_text(status) : detail.message;
     switch (status) {
     case NETMESH_OK: return {};
-    case NETMESH_OUT_OF_MEMORY: return {Exit::memory, memory_message(plan)};
+    case NETMESH_OUT_OF_MEMORY: return {Exit::memory, memory_message(cloud, plan)};
     case NETMESH_CANCELLED: return {Exit::cancelled, "netmesh: cancelled"};
     case NETMESH_NOT_FINITE:
         if (said.rfind("the function", 0) == 0)
             return usage_error(option_of(options_, NETMESH_FIELD_FUNCTION) + ": not finite at a vertex of the mesh");
-        return data_error(cloud.where(detail.index_a) + ": a coordinate is not finite");
+        return cloud.fault(detail.index_a, "a coordinate is not finite");
     case NETMESH_OUT_OF_RANGE:
         if (options_.filter == NETMESH_FILTER_ALPHA)
-            return data_error(cloud.name +
-                              ": coordinates too far apart in size for an exact alpha complex: it has room "
-                              "for 2^1670 in the plane, 2^1190 in space, 2^640 in R^6");
-        return data_error(cloud.where(detail.index_a) +
-                          ": outside the range that meshing admits: coordinates up to 2^500 (3.3e150), distances from "
-                          "2^-500 (3.1e-151)");
+            return file_error(cloud.name, "coordinates too far apart in size for an exact alpha complex: it has room "
+                                          "for 2^1670 in the plane, 2^1190 in space, 2^640 in R^6");
+        return cloud.fault(detail.index_a,
+                           "outside the range that meshing admits: coordinates up to 2^500 (3.3e150), distances from "
+                           "2^-500 (3.1e-151)");
+    case NETMESH_NOT_BUILT:
     case NETMESH_INVALID_ARGUMENT: return explain_argument(detail, cloud, said);
     case NETMESH_FLAT:
-        return {Exit::degenerate, cloud.name + ": flat: fewer than " + std::to_string(mesh_.dim + 1) +
-                                      " affinely independent points in dimension " + std::to_string(mesh_.dim) +
-                                      ", so there is no Delaunay triangulation"};
+        return file_error(cloud.name,
+                          "flat: fewer than " + std::to_string(mesh_.dim + 1) +
+                              " affinely independent points in dimension " + std::to_string(mesh_.dim) +
+                              ", so there is no Delaunay triangulation",
+                          Exit::degenerate);
     case NETMESH_TOO_CLOSE:
-        return {Exit::degenerate, cloud.where(detail.index_b) + ": this point and the one of " +
-                                      cloud.place(detail.index_a) +
-                                      " are distinct but closer than coordinates resolve for this mesh: 64 units in "
-                                      "the last place, more when tau is near 2 or the ratio below 2"};
+        return cloud.fault(detail.index_b,
+                           "this point and the one of " + cloud.place(detail.index_a) +
+                               " are distinct but closer than coordinates resolve for this mesh: 64 units in the "
+                               "last place, more when tau is near 2 or the ratio below 2",
+                           Exit::degenerate);
     case NETMESH_CHECK_FAILED: return {Exit::check, "netmesh: check failed: " + said};
     default: return {Exit::internal, "netmesh: internal error: " + said};
     }

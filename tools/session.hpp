@@ -54,7 +54,7 @@ private:
     netmesh_status attempt(std::size_t bytes, const Work& work);
     Outcome explain(netmesh_status status, const PointCloud& cloud, std::size_t plan) const;
     Outcome explain_argument(const netmesh_detail& detail, const PointCloud& cloud, const std::string& said) const;
-    std::string memory_message(std::size_t plan) const;
+    std::string memory_message(const PointCloud& cloud, std::size_t plan) const;
 
     const Options& options_;
     platform::Reservation block_;

@@ -14,11 +14,11 @@ Outcome parse_vertex_values(std::string_view content, const std::string& name, c
     LineReader reader(content);
     std::string_view line;
     std::vector<double> numbers;
-    const std::string due = cloud.name + " has " + grouped_text(cloud.rows()) + " vertices";
+    const std::string due = cloud.name + " has " + counted(cloud.rows(), "vertex", "vertices");
     while (reader.next_content(&line)) {
         Complaint complaint = parse_numbers(line, &numbers);
         if (complaint.empty() && numbers.size() != 1)
-            complaint = grouped_text(numbers.size()) + " values; a line is the value at one vertex";
+            complaint = counted(numbers.size(), "value", "values") + "; a line is the value at one vertex";
         if (complaint.empty() && values->size() == cloud.rows()) complaint = "a value too many; " + due;
         if (!complaint.empty()) return line_error(name, reader.number(), complaint);
         values->push_back(numbers[0]);
@@ -26,7 +26,7 @@ Outcome parse_vertex_values(std::string_view content, const std::string& name, c
     }
     if (values->size() == cloud.rows()) return {};
     return line_error(name, std::max<std::uint64_t>(reader.number(), 1),
-                      "the input ends after " + grouped_text(values->size()) + " values; " + due);
+                      "the input ends after " + counted(values->size(), "value", "values") + "; " + due);
 }
 
 Outcome VertexFunction::read(const std::string& path, const PointCloud& cloud, VertexFunction* function) {

@@ -4,10 +4,13 @@
 #include "tools/commands/cycles.hpp"
 #include "tools/commands/diagram_checks.hpp"
 #include "tools/commands/output.hpp"
+#include "tools/commands/rips_input.hpp"
 #include "tools/commands/steps.hpp"
 #include "tools/io/cycle_file.hpp"
 #include "tools/io/lines.hpp"
+#include "tools/io/numbers.hpp"
 #include "tools/io/provenance.hpp"
+#include "tools/option_use.hpp"
 #include "tools/vertex_function.hpp"
 
 namespace netmesh::tool {
@@ -40,8 +43,9 @@ Outcome read_diagram(const std::string& path, const Options& options, DiagramFil
     if (!outcome.good()) return outcome;
     file->bounds = bound_lines(content);
     std::size_t at = 0;
-    const bool any_sign = filter_of(file->head ? file->head->options : options) == NETMESH_FILTER_FUNCTION;
-    const std::string complaint = diagram_complaint(file->bars, &at, any_sign);
+    const Options& made = file->head ? file->head->options : options;
+    const bool any_sign = filter_of(made) == NETMESH_FILTER_FUNCTION;
+    const std::string complaint = diagram_complaint(file->bars, &at, any_sign, goes_by_distances(made));
     if (!complaint.empty()) return file->wrong(file->line_of(at), complaint);
     return file->head ? check_with_head(*file) : Outcome{};
 }
@@ -50,7 +54,11 @@ Outcome read_diagram(const std::string& path, const Options& options, DiagramFil
 class Reproduction {
 public:
     Reproduction(const DiagramFile& file, const PointCloud& cloud, const Options& made, const Session& session)
-        : file_(file), cloud_(cloud), made_(made), engine_(session.engine()) {}
+        : Reproduction(file, cloud, made, session, session.engine().report()) {}
+    // The same, where the engine's report is not all that there is to say.
+    Reproduction(const DiagramFile& file, const PointCloud& cloud, const Options& made, const Session& session,
+                 const netmesh_report& report)
+        : file_(file), cloud_(cloud), made_(made), engine_(session.engine()), report_(report) {}
 
     // Bars, what is certified, and bounds; `facts` are the lines of the head that this run can tell.
     Outcome compare(const std::vector<const char*>& facts) const;
@@ -64,6 +72,7 @@ private:
     const PointCloud& cloud_;
     const Options& made_;
     const Engine& engine_;
+    const netmesh_report report_;
 };
 
 Outcome compare_line(const DiagramFile& file, const char* name, const Head& due) {
@@ -79,7 +88,7 @@ Outcome compare_line(const DiagramFile& file, const char* name, const Head& due)
 Outcome Reproduction::compare(const std::vector<const char*>& facts) const {
     Outcome outcome = compare_bars();
     if (file_.head) {
-        const Head due = head_of(made_, engine_.report());
+        const Head due = head_of(made_, report_);
         for (const char* name : facts) {
             if (outcome.good()) outcome = compare_line(file_, name, due);
         }
@@ -116,15 +125,14 @@ Outcome Reproduction::compare_bounds() const {
 }
 
 std::string Reproduction::said() const {
-    const netmesh_report report = engine_.report();
-    const netmesh_diagram_report& diagram = report.diagram;
+    const netmesh_diagram_report& diagram = report_.diagram;
     std::string text = "reproduced: the engine makes the same bars";
     if (!file_.bounds.empty()) text += ", bounds and ratios by scale";
     text += " of " + cloud_.name + " for " + choice_text(choice_of(made_)) + "; certified ratio " +
             rounded_text(diagram.certified_ratio, 6);
     if (diagram.certified_from > 0) text += " from radius " + rounded_text(diagram.certified_from, 6);
     if (diagram.filter == NETMESH_FILTER_FUNCTION) text += ", error " + rounded_text(diagram.certified_error, 6);
-    if (report.mesh.is_mesh != 0) text += "; aspect ratio at most " + rounded_text(report.mesh.aspect_ratio_max, 6);
+    if (report_.mesh.is_mesh != 0) text += "; aspect ratio at most " + rounded_text(report_.mesh.aspect_ratio_max, 6);
     return text;
 }
 
@@ -143,8 +151,10 @@ Outcome compare_cycles(const std::string& path, const Engine& engine) {
         if (i < have.size() && i < due.size() && have[i].bar == due[i].bar && have[i].simplices == due[i].simplices)
             continue;
         const std::uint64_t line = i < have.size() ? have[i].line : have.empty() ? 1 : have.back().line;
-        return {Exit::check, name + ":" + std::to_string(line) + ": check failed: " +
-                                 (i < due.size() ? "not the cycle that the engine makes" : "there is no such bar")};
+        return line_error(name, line,
+                          std::string("check failed: ") +
+                              (i < due.size() ? "not the cycle that the engine makes" : "there is no such bar"),
+                          0, Exit::check);
     }
     return {};
 }
@@ -162,21 +172,55 @@ void add_report(const Session& session, RunReport* run) {
     run->clock = session.clock();
 }
 
+// Points or distances against what the head says of them.
+Outcome compare_count(const DiagramFile& file, const char* name, std::uint64_t count, const std::string& of,
+                      const std::pair<const char*, const char*>& what) {
+    const HeadLine* const line = file.head ? file.head->find(name) : nullptr;
+    if (line == nullptr || line->value == std::to_string(count)) return {};
+    return file.wrong(line->number, of + " has " + counted(count, what.first, what.second));
+}
+
+// Rips complexes of distances, or with a threshold.
+Outcome check_with_distances(const Options& open, const DiagramFile& file, const std::string& cycles, RunReport* run) {
+    RipsInput input;
+    Outcome outcome = read_rips_input(open, open.points_path, &input);
+    if (!outcome.good()) return outcome;
+    const Options made = settled(open, input.of_points() ? input.cloud.dim : dim_min);
+    if (input.of_points())
+        outcome = compare_count(file, "dim", input.cloud.dim, input.name(), {"dimension", "dimensions"});
+    if (outcome.good()) outcome = compare_count(file, "points", input.rows, input.name(), {"point", "points"});
+    if (!outcome.good()) return outcome;
+    Session session(made, dim_min);
+    netmesh_report report;
+    outcome = persist_rips(made, input, false, session, &report);
+    if (!outcome.good()) return explain_refusal(file, outcome);
+    PointCloud named;
+    named.name = input.name();
+    const Reproduction again(file, named, made, session, report);
+    if (file.head) {
+        const Head due = head_of(made, report);
+        if (input.of_points()) outcome = compare_line(file, "duplicates", due);
+        if (outcome.good()) outcome = compare_line(file, "input", due);
+    }
+    if (outcome.good()) outcome = again.compare({"certified-ratio", "value-error", "reference"});
+    if (!outcome.good()) return outcome;
+    add_report(session, run);
+    run->engine->input = report.input;
+    run->checked->push_back(again.said());
+    return second_opinion_on_complex({file, made, cycles}, complex_of(input, made, *made.max_degree + 1), run);
+}
+
 Outcome check_with_points(const Options& open, const DiagramFile& file, const std::string& cycles, RunReport* run) {
+    if (goes_by_distances(open)) return check_with_distances(open, file, cycles, run);
     PointCloud points;
     Outcome outcome = read_cloud(open, open.points_path, &points);
     if (!outcome.good()) return outcome;
     Options made = settled(open, points.dim);
     const bool by_scales = about(filter_of(made)).source == NETMESH_SOURCE_SCALES;
     if (by_scales) made.representatives = cycles;  // so that they are made again
-    if (file.head) {
-        const HeadLine& dim = *file.head->find("dim");
-        const HeadLine& count = *file.head->find("points");
-        if (dim.value != std::to_string(points.dim))
-            return file.wrong(dim.number, points.name + " has " + std::to_string(points.dim) + " dimensions");
-        if (count.value != std::to_string(points.rows()))
-            return file.wrong(count.number, points.name + " has " + std::to_string(points.rows()) + " points");
-    }
+    outcome = compare_count(file, "dim", points.dim, points.name, {"dimension", "dimensions"});
+    if (outcome.good()) outcome = compare_count(file, "points", points.rows(), points.name, {"point", "points"});
+    if (!outcome.good()) return outcome;
     outcome = check_coordinates(made, points.dim);
     if (!outcome.good()) return explain_refusal(file, outcome);
     Session session(made, points.dim);
@@ -209,10 +253,10 @@ Outcome compare_inputs_with(const DiagramFile& file, const NodeFile& node) {
     parse_unsigned(file.head->find("points")->value, &points);
     parse_unsigned(file.head->find("duplicates")->value, &duplicates);
     if (points - duplicates == static_cast<std::uint64_t>(inputs)) return {};
-    return file.wrong(file.head->find("points")->number, std::to_string(points) + " points, " +
+    return file.wrong(file.head->find("points")->number, counted(points, "point", "points") + ", " +
                                                              std::to_string(duplicates) +
                                                              " of them duplicates, where " + node.cloud.name + " has " +
-                                                             std::to_string(inputs) + " inputs");
+                                                             counted(inputs, "input", "inputs"));
 }
 
 // Are they the values and vertices that the head speaks of? Other ones have other bars, so this comes first.
@@ -294,13 +338,18 @@ Outcome check_diagram(const Options& options, RunReport* run) {
     Outcome outcome = read_diagram(options.positionals[0], options, &file);
     if (outcome.good() && file.head) outcome = check_contradiction(*file.head, file.name, options);
     if (!outcome.good()) return outcome;
-    run->checked->push_back(file.name + " has " + grouped_text(file.bars.size()) +
-                            " bars, sorted, with one essential class");
+    run->checked->push_back(file.name + " has " + counted(file.bars.size(), "bar", "bars") +
+                            ", sorted, with one essential class");
     if (!file.head && !says_how(options)) {
+        outcome = refuse_options(options, {"--representatives", "--memory", "--columns", "--delimiter", "--skip"},
+                                 "nothing says how " + file.name + " was made, so nothing is made again");
+        if (!outcome.good()) return outcome;
         run->checked->push_back(file.name + " carries no certificate: it does not say how it was made, nor do options");
         return {};
     }
     const Options made = making_of(options, file);
+    if (!file.head) outcome = check_use_in_diagram(made);
+    if (!outcome.good()) return outcome;
     const bool is_of_values = file.head && !file.head->options.values_at.empty();
     if (is_of_values && made.values_at.empty()) {
         if (made.mesh_path.empty() && made.points_path.empty()) {

@@ -6,6 +6,8 @@
 #include "tools/commands/output.hpp"
 #include "tools/commands/steps.hpp"
 #include "tools/io/lines.hpp"
+#include "tools/io/numbers.hpp"
+#include "tools/option_use.hpp"
 #include "tools/vertex_function.hpp"
 
 namespace netmesh::tool {
@@ -61,9 +63,9 @@ Outcome compare_neighbours(const MeshFiles& files, const EngineMesh& mesh) {
             std::uint32_t j = 0;
             while (j + 1 < columns && cell.vertices[j] != opposite) j++;
             if (files.neighbours.entries[c * columns + i] == cell.neighbours[j]) continue;
-            return {Exit::check, files.neighbours.name + ":" + std::to_string(files.neighbours.lines[c]) +
-                                     ": check failed: neighbour " + std::to_string(i) +
-                                     " is not the cell behind that facet"};
+            return line_error(files.neighbours.name, files.neighbours.lines[c],
+                              "check failed: neighbour " + std::to_string(i) + " is not the cell behind that facet", 0,
+                              Exit::check);
         }
     }
     return {};
@@ -120,8 +122,8 @@ void add_findings(const MeshFiles& files, const requests::Mesh& mesh, double err
                            rounded_text(tau(mesh), 6) + ")");
     }
     if (!files.node.cages.empty()) {
-        checked->push_back(grouped_text(files.node.cages.size()) +
-                           " cages nested about inputs, none encroached; their cells and all others " +
+        checked->push_back(counted(files.node.cages.size(), "cage", "cages") +
+                           " nested about inputs, none encroached; their cells and all others " +
                            (mesh.cage_kind == NETMESH_CAGES_THESIS ? "whole" : "in their domains") +
                            "; in-radii and feature sizes as in 4.6");
     }
@@ -142,6 +144,13 @@ void add_findings(const MeshFiles& files, const requests::Mesh& mesh, double err
                                              : "degrees within the bounds of fat cells (chapter 5)");
 }
 
+// Options that say of what filter the values are, where there are no values. Of a diagram they are about other things.
+Outcome refuse_value_options(const Options& options, const std::string& name) {
+    if (options.command != Command::check) return {};
+    return refuse_options(options, {"--filter", "--values", "--k", "--function", "--lipschitz", "--cut"},
+                          name + " has no values at its vertices");
+}
+
 }  // namespace
 
 Outcome settle_mesh(const Options& options, MeshFiles* files, Session* session) {
@@ -149,8 +158,12 @@ Outcome settle_mesh(const Options& options, MeshFiles* files, Session* session) 
     const Outcome outcome = settle_markers(files);
     if (!outcome.good()) return outcome;
     if (node.cage_kind == NETMESH_CAGES_THESIS && node.cloud.dim > 4)
-        return data_error(node.cloud.name + ": there are cages of the thesis in dimensions 2, 3 and 4 only");
+        return file_error(node.cloud.name, "there are cages of the thesis in dimensions 2, 3 and 4 only");
     set_promises(options, node, &session->mesh());
+    const bool by_ratio = session->mesh().certificate.ratio > 0;
+    if (options.command == Command::check && options.whole_cells && (!node.clipped || !by_ratio))
+        return usage_error("--whole-cells does nothing here: " + node.cloud.name +
+                           (by_ratio ? " is certified for whole cells" : " is of no certified ratio"));
     return {};
 }
 
@@ -189,7 +202,7 @@ Outcome check_mesh(const Options& options, MeshFiles& files, RunReport* run, Ses
 
 Outcome check_vertex_values(const Options& options, const MeshFiles& files, RunReport* run, Session& session) {
     const NodeFile& node = files.node;
-    if (node.attribute_count != 1 || node.domain.empty()) return {};
+    if (node.attribute_count != 1 || node.domain.empty()) return refuse_value_options(options, node.cloud.name);
     for (const FilterChoice& choice : candidates(options)) {
         requests::Persist persist = persist_request(options, {choice}, node.cloud.dim);
         persist.max_degree = 0;

@@ -7,6 +7,7 @@
 #include "tools/io/cycle_file.hpp"
 #include "tools/io/mesh_files.hpp"
 #include "tools/io/provenance.hpp"
+#include "tools/opinion/complexes.hpp"
 #include "tools/options.hpp"
 #include "tools/outcome.hpp"
 #include "tools/report/report.hpp"
@@ -49,7 +50,7 @@ struct DiagramFile {
         return bar < lines.size() ? lines[bar] : lines.empty() ? 1 : lines.back();
     }
     Outcome wrong(std::uint64_t line, const std::string& why) const {  // Exit::check
-        return {Exit::check, name + ":" + std::to_string(line) + ": check failed: " + why};
+        return line_error(name, line, "check failed: " + why, 0, Exit::check);
     }
 };
 
@@ -70,6 +71,9 @@ Outcome cycle_refused(const DiagramClaim& claim, const std::vector<CycleEntry>& 
 // each cycle's birth and death. What was found to hold, and what is too large to be looked at, goes to run->checked.
 Outcome second_opinion_on_mesh(const DiagramClaim& claim, const MeshFiles& files, RunReport* run);
 Outcome second_opinion_on_points(const DiagramClaim& claim, const PointCloud& points, RunReport* run);
+
+// The same for a complex that was listed, or is too large for that.
+Outcome second_opinion_on_complex(const DiagramClaim& claim, const SimplexList& simplices, RunReport* run);
 
 // Of a diagram that is joined of scales: bars, what is real, and cycles of points against the exact diagram.
 Outcome second_opinion_on_scales(const DiagramClaim& claim, const PointCloud& points, RunReport* run);

@@ -6,6 +6,7 @@
 #include "tools/commands/output.hpp"
 #include "tools/commands/steps.hpp"
 #include "tools/commands/value_vineyard.hpp"
+#include "tools/io/numbers.hpp"
 #include "tools/io/vine_file.hpp"
 
 namespace netmesh::tool {
@@ -117,7 +118,7 @@ Outcome check_with_values(const Options& options, const VineFile& file, const st
     if (!outcome.good()) return outcome;
     std::string complaint = difference(file, due);
     if (complaint.empty() && file.vines.ratios.size() != due.ratios.size())
-        complaint = "it has " + std::to_string(file.vines.ratios.size()) + " steps where " +
+        complaint = "it has " + counted(file.vines.ratios.size(), "step", "steps") + " where " +
                     std::to_string(due.ratios.size()) + " are due";
     const std::string of = input.complex.lines.name + " with the values of " + input.values.lines.name;
     if (!complaint.empty()) return mismatch(name + " is not the vineyard of " + of + ": " + complaint);
@@ -160,13 +161,15 @@ Outcome check_vines(const Options& options, RunReport* run) {
     if (outcome.good()) outcome = parse_vines(content, name, &file);
     if (outcome.good()) outcome = check_form(file, name);
     if (!outcome.good()) return outcome;
-    run->checked->push_back(name + " has " + grouped_text(file.vines.points.size()) + " points of " +
-                            grouped_text(file.vines.points.empty() ? 0 : file.vines.points.back().vine + 1) + " vines" +
-                            (file.of_values ? "" : ", each diagram with one essential class"));
+    run->checked->push_back(
+        name + " has " + counted(file.vines.points.size(), "point", "points") + " of " +
+        counted(file.vines.points.empty() ? 0 : file.vines.points.back().vine + 1, "vine", "vines") +
+        (file.of_values ? "" : ", each diagram with one essential class"));
     const bool with_values = !options.complex_path.empty() && !options.values_path.empty();
     const bool with_points = !options.mesh_path.empty() || !options.points_path.empty();
     if (file.of_values && with_points)
-        return usage_error(name + " is of a complex: --complex and --values FILE say which");
+        return usage_error(std::string(options.mesh_path.empty() ? "--points" : "--mesh") + ": " + name +
+                           " is of a complex: --complex and --values FILE say which");
     if (!file.of_values && with_values) return usage_error(name + " is of points or a mesh");
     if (!options.mesh_path.empty() && is_on_points(file.choice.filter))
         return usage_error(name + " is of points: --points FILE says which");

@@ -118,8 +118,8 @@ std::string cycles_complaint(const Engine& engine, const SimplexList& complex, d
 
 std::string cycles_checked(const SimplexList& complex) {
     if (complex) return "every bar has a cycle that is born with it and dies with it";
-    return "every bar has a cycle that is born with it; more than " + grouped_text(opinion_simplices_max) +
-           " simplices, so nobody looked when it dies";
+    return "every bar has a cycle that is born with it; more than " +
+           counted(opinion_simplices_max, "simplex", "simplices") + ", so nobody looked when it dies";
 }
 
 }  // namespace netmesh::tool

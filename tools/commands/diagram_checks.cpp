@@ -6,7 +6,7 @@
 
 namespace netmesh::tool {
 
-std::string diagram_complaint(const std::vector<Bar>& bars, std::size_t* at, bool any_sign) {
+std::string diagram_complaint(const std::vector<Bar>& bars, std::size_t* at, bool any_sign, bool any_essential) {
     std::size_t essential = 0;
     double least = bars.empty() ? 0 : bars[0].birth;
     for (const Bar& bar : bars) least = bar.birth < least ? bar.birth : least;
@@ -18,11 +18,12 @@ std::string diagram_complaint(const std::vector<Bar>& bars, std::size_t* at, boo
         if (i > 0 && comes_before(bar, bars[i - 1])) return "bars that are not sorted by degree, birth, death";
         if (std::isfinite(bar.death)) continue;
         essential++;
+        if (any_essential) continue;
         if (bar.degree != 0 || bar.birth != least) return "an essential class that is not of degree 0, born first";
         if (essential > 1) return "more than one essential class";
     }
     if (at != nullptr) *at = bars.size();
-    return essential == 1 ? "" : "no essential class";
+    return essential == 1 || any_essential ? "" : "no essential class";
 }
 
 std::size_t first_difference(const std::vector<Bar>& a, const std::vector<Bar>& b) {

@@ -10,9 +10,10 @@
 namespace netmesh::tool {
 
 // Empty when the bars are sorted, births are finite and not negative unless they may have any sign, deaths not before
-// births, and the only essential class is one of degree 0, born first; otherwise the first thing that is wrong. *at,
-// when asked for, is the bar at fault.
-std::string diagram_complaint(const std::vector<Bar>& bars, std::size_t* at = nullptr, bool any_sign = false);
+// births, and the only essential class, unless any may be, is one of degree 0, born first; otherwise the first thing
+// that is wrong. *at, when asked for, is the bar at fault.
+std::string diagram_complaint(const std::vector<Bar>& bars, std::size_t* at = nullptr, bool any_sign = false,
+                              bool any_essential = false);
 
 // Index of the first bar in which two sorted diagrams differ, the length of the shorter one included; SIZE_MAX when
 // they are equal.

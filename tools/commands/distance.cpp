@@ -8,6 +8,7 @@
 #include "tools/commands/commands.hpp"
 #include "tools/commands/logarithm.hpp"
 #include "tools/commands/output.hpp"
+#include "tools/io/numbers.hpp"
 
 namespace netmesh::tool {
 
@@ -57,7 +58,7 @@ Outcome measure(Request request, const std::vector<netmesh_pair> (&pairs)[2], co
     platform::Reservation scratch;
     if (request.scratch_bytes == SIZE_MAX || !scratch.reserve(request.scratch_bytes)) {
         return {Exit::memory, "netmesh: no memory to compare diagrams of " + grouped_text(pairs[0].size()) + " and " +
-                                  grouped_text(pairs[1].size()) + " bars"};
+                                  counted(pairs[1].size(), "bar", "bars")};
     }
     request.scratch = scratch.base();
     for (const std::uint32_t degree : degrees) {
@@ -99,8 +100,8 @@ Outcome run_distance(const Options& options) {
         if (!outcome.good()) return outcome;
         for (const netmesh_pair& pair : pairs[i])
             if (options.log && pair.birth < 0)
-                return data_error(options.positionals[i] + ": a birth at " + number_text(pair.birth) +
-                                  " has no logarithm; leave --log out");
+                return file_error(shown_name(options.positionals[i]),
+                                  "a birth at " + number_text(pair.birth) + " has no logarithm; leave --log out");
     }
     RunReport run;
     run.options = &options;

@@ -1,5 +1,4 @@
 // mesh, delaunay and persist: points in, a few calls of the engine, files out.
-#include <cstdio>
 #include <set>
 
 #include "platform/clock.hpp"
@@ -68,7 +67,7 @@ Outcome check_outputs(const Options& options, std::uint32_t dim) {
         outcome = check_mesh_ending(options.out, dim);
         if (!options.svg.empty() && dim > 3) {
             return usage_error("--svg " + options.svg + ": draws meshes in 2 or 3 dimensions, these points have " +
-                               std::to_string(dim));
+                               counted(dim, "dimension", "dimensions"));
         }
         if (options.voronoi && dim > 2) return usage_error("--voronoi: draws cells in 2 dimensions");
         if (options.voronoi && options.svg.empty()) return usage_error("--voronoi goes with --svg");
@@ -91,9 +90,9 @@ Outcome read_mesh(Options* options, Input* input) {
     if (!outcome.good()) return outcome;
     const NodeFile& node = input->mesh.node;
     if (node.domain.empty())
-        return data_error(node.cloud.name + ": no mesh with a domain, as `netmesh mesh` makes it: no line `# domain`");
+        return file_error(node.cloud.name, "no mesh with a domain, as `netmesh mesh` makes it: no line `# domain`");
     if (!node.cages.empty())
-        return data_error(node.cloud.name + ": a mesh with cages, which have no filter; --finish removes them");
+        return file_error(node.cloud.name, "a mesh with cages, which have no filter; --finish removes them");
     input->cloud = node.cloud;
     return read_values_at(node, options);
 }
@@ -332,6 +331,7 @@ void take_filter(const netmesh_diagram_report& diagram, Options* options) {
 }
 
 Outcome run_one(const Options& from) {
+    if (from.threshold) return run_distances(from);
     const double start = platform::seconds_now();
     Options given = from;
     Input input;
@@ -426,7 +426,7 @@ Outcome run_engine_command(const Options& options) {
     for (const std::string& path : options.positionals) {
         const Outcome outcome = run_one(for_input(options, path));
         if (outcome.exit == Exit::usage || outcome.exit == Exit::cancelled) return outcome;
-        if (!outcome.message.empty()) std::fprintf(stderr, "%s\n", outcome.message.c_str());
+        tell_error(outcome, options.command, options.json);
         if (ended.good()) ended.exit = outcome.exit;
     }
     return ended;

@@ -7,6 +7,7 @@
 #include "platform/clock.hpp"
 #include "platform/files.hpp"
 #include "platform/interrupt.hpp"
+#include "platform/terminal.hpp"
 
 namespace netmesh::tool {
 
@@ -16,10 +17,32 @@ std::string stem_of(const std::string& path) { return path.substr(0, path.size()
 
 Outcome write_fault(const std::string& path, const std::string& why) {
     if (platform::interrupted()) return {Exit::cancelled, "netmesh: cancelled while writing"};
-    return data_error((path.empty() ? "<stdout>" : path) + ": " + why);
+    return file_error(path.empty() ? "<stdout>" : path, why);
+}
+
+// On stderr, on a terminal in colour: `escape` for what comes before the first `stop`, or for all.
+void print_message(const std::string& text, const char* escape, const char* stop = nullptr) {
+    if (!platform::stderr_has_colours()) {
+        std::fputs(text.c_str(), stderr);
+        return;
+    }
+    std::size_t at = 0;
+    while (at < text.size()) {  // line by line
+        const std::size_t end = std::min(text.find('\n', at), text.size());
+        const std::size_t plain = stop == nullptr ? end : std::min(text.find_first_of(stop, at), end);
+        std::fprintf(stderr, "\x1b[%sm%s\x1b[0m%s\n", escape, text.substr(at, plain - at).c_str(),
+                     text.substr(plain, end - plain).c_str());
+        at = end + 1;
+    }
 }
 
 }  // namespace
+
+void tell_error(const Outcome& outcome, Command command, bool json) {
+    if (outcome.good() || outcome.message.empty()) return;
+    if (json) write_files({{"", [&](TextWriter& out) { out << json_error(command, outcome); }}});
+    print_message(outcome.message + "\n", "31");
+}
 
 Outcome write_files(const std::vector<FileJob>& jobs) {
     std::vector<std::unique_ptr<platform::OutputFile>> files;
@@ -47,7 +70,7 @@ Outcome check_writable(const std::vector<std::string>& paths) {
     for (const std::string& path : paths) {
         std::string why;
         if (!path.empty() && path != "-" && !platform::can_write(path, &why))
-            return data_error(path + ": cannot write: " + why);
+            return file_error(path, "cannot write: " + why);
     }
     return {};
 }
@@ -59,7 +82,7 @@ Outcome finish_run(const std::vector<FileJob>& jobs, double start, RunReport* ru
     run->write_seconds = platform::seconds_now() - computed;
     run->total_seconds = platform::seconds_now() - start;
     if (run->options->json) return write_files({{"", [&](TextWriter& out) { out << json_report(*run); }}});
-    if (!run->options->quiet) std::fputs(text_report(*run).c_str(), stderr);
+    if (!run->options->quiet) print_message(text_report(*run), "1", " ");
     return {};
 }
 
@@ -133,10 +156,14 @@ Bounds bounds_of(const Engine& engine, const netmesh_report& report) {
     return bounds;
 }
 
+void tell_note(const Options& options, const std::string& file, const std::string& note) {
+    if (!note.empty() && !options.quiet) print_message(file + ": " + note + "\n", "33");
+}
+
 Outcome read_cloud(const Options& options, const std::string& path, PointCloud* cloud) {
-    const Outcome outcome = read_points(path, options.table, cloud);
-    if (outcome.good() && !cloud->note.empty() && !options.quiet)
-        std::fputs((cloud->name + ": " + cloud->note + "\n").c_str(), stderr);
+    const bool any = options.command == Command::persist && filter_of(options) == NETMESH_FILTER_RIPS;
+    const Outcome outcome = read_points(path, options.table, cloud, any ? NETMESH_RIPS_DIM_MAX : dim_max);
+    if (outcome.good()) tell_note(options, cloud->name, cloud->note);
     return outcome;
 }
 

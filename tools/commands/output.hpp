@@ -19,6 +19,10 @@ struct FileJob {
     std::function<void(TextWriter&)> write;
 };
 
+// How a run that fails ends: its message on stderr and, with --json, an object on stdout. Nothing where all has been
+// said.
+void tell_error(const Outcome& outcome, Command command, bool json);
+
 // All of them or, on the first fault or signal, none: the files get their names only when each is complete.
 Outcome write_files(const std::vector<FileJob>& jobs);
 
@@ -50,7 +54,10 @@ std::vector<Bar> bars_of(const Engine& engine);
 Bounds bounds_of(const Engine& engine, const netmesh_report& report);
 inline Bounds bounds_of(const Engine& engine) { return bounds_of(engine, engine.report()); }
 
-// read_points, and on stderr its note unless --quiet was given.
+// "FILE: note" on stderr, unless there is none or --quiet was given.
+void tell_note(const Options& options, const std::string& file, const std::string& note);
+
+// read_points, and on stderr its note unless --quiet was given. Of filter rips with any number of columns.
 Outcome read_cloud(const Options& options, const std::string& path, PointCloud* cloud);
 
 // Exit::usage unless `path` is empty or has the ending: "FILE: WHAT is written to ENDING".

@@ -9,6 +9,7 @@
 #include "tools/commands/diagram_checks.hpp"
 #include "tools/io/cycle_file.hpp"
 #include "tools/io/lines.hpp"
+#include "tools/io/numbers.hpp"
 #include "tools/opinion/bar_matching.hpp"
 #include "tools/opinion/filtered_complex.hpp"
 
@@ -146,13 +147,13 @@ Outcome second_opinion_on_scales(const DiagramClaim& claim, const PointCloud& po
     if (complex) {
         const std::vector<Bar> truth = complex->bars(*claim.made.max_degree, false);
         Outcome outcome = judge_ratio(file, truth, ratio);
-        text = "second opinion: by the Cech complex of the points, of " + grouped_text(complex->count()) +
-               " simplices, all bars are within the ratio of true ones";
+        text = "second opinion: by the Cech complex of the points, of " +
+               counted(complex->count(), "simplex", "simplices") + ", all bars are within the ratio of true ones";
         if (outcome.good()) outcome = judge_real(file, truth, &text);
         if (!outcome.good()) return outcome;
     } else {
         text = "no second opinion on the bars: the Cech complex of the points has more than " +
-               grouped_text(joined_simplices_max) + " simplices";
+               counted(joined_simplices_max, "simplex", "simplices");
     }
     run->checked->push_back(text);
     if (claim.cycles_path.empty()) return {};

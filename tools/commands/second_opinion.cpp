@@ -7,6 +7,7 @@
 #include "tools/commands/diagram_checks.hpp"
 #include "tools/io/cycle_file.hpp"
 #include "tools/io/lines.hpp"
+#include "tools/io/numbers.hpp"
 #include "tools/opinion/cell_values.hpp"
 #include "tools/opinion/complexes.hpp"
 #include "tools/opinion/filtered_complex.hpp"
@@ -23,18 +24,18 @@ Outcome read_cycles(const DiagramClaim& claim, std::vector<CycleEntry>* cycles) 
     if (!outcome.good()) return outcome;
     for (std::size_t i = 0; i < cycles->size(); i++)
         if (i >= bars.size() || !((*cycles)[i].bar == bars[i]))
-            return {Exit::check, name + ":" + std::to_string((*cycles)[i].line) +
-                                     ": check failed: its bar is not bar " + std::to_string(i) + " of " +
-                                     claim.file.name};
+            return line_error(name, (*cycles)[i].line,
+                              "check failed: its bar is not bar " + std::to_string(i) + " of " + claim.file.name, 0,
+                              Exit::check);
     if (cycles->size() < bars.size())
-        return {Exit::check, name + ": check failed: bar " + bar_text(bars, cycles->size()) + " has no cycle"};
+        return file_error(name, "check failed: bar " + bar_text(bars, cycles->size()) + " has no cycle", Exit::check);
     return {};
 }
 
 Outcome cycle_refused(const DiagramClaim& claim, const std::vector<CycleEntry>& cycles, std::size_t at,
                       const std::string& why) {
-    return {Exit::check, shown_name(claim.cycles_path) + ":" + std::to_string(cycles[at].line) +
-                             ": check failed: bar " + bar_text(claim.file.bars, at) + " " + why};
+    return line_error(shown_name(claim.cycles_path), cycles[at].line,
+                      "check failed: bar " + bar_text(claim.file.bars, at) + " " + why, 0, Exit::check);
 }
 
 namespace {
@@ -68,7 +69,7 @@ private:
     Outcome judge_step(const std::vector<double>& step, const std::string& line, double next, std::uint64_t number);
     Outcome judge_steps(std::size_t* steps);
     Outcome bad_vertex(std::size_t v, const std::string& why) const {
-        return {Exit::check, files_.node.cloud.where(v) + ": check failed: " + why};
+        return files_.node.cloud.fault(v, "check failed: " + why, Exit::check);
     }
 
     const DiagramClaim& claim_;
@@ -222,10 +223,11 @@ Outcome judge_pairs(const DiagramClaim& claim, const SimplexList& simplices, dou
                     std::vector<std::string>* checked) {
     if (!simplices) {
         if (!claim.cycles_path.empty())
-            return usage_error("--representatives: the complex has more than " + grouped_text(opinion_simplices_max) +
-                               " simplices, which are too many to check cycles");
-        checked->push_back("no second opinion on the pairs: more than " + grouped_text(opinion_simplices_max) +
-                           " simplices");
+            return usage_error("--representatives: the complex has more than " +
+                               counted(opinion_simplices_max, "simplex", "simplices") +
+                               ", which are too many to check cycles");
+        checked->push_back("no second opinion on the pairs: more than " +
+                           counted(opinion_simplices_max, "simplex", "simplices"));
         return {};
     }
     const FilteredComplex complex(*simplices, slack);
@@ -233,8 +235,8 @@ Outcome judge_pairs(const DiagramClaim& claim, const SimplexList& simplices, dou
     const std::string complaint = complex.bars_complaint(claim.file.bars, *claim.made.max_degree, claim.made.all, &at);
     if (!complaint.empty())
         return claim.file.wrong(claim.file.line_of(at), bar_text(claim.file.bars, at) + ": " + complaint);
-    checked->push_back("second opinion: " + grouped_text(claim.file.bars.size()) +
-                       " bars are the pairs of a plain reduction of " + grouped_text(complex.count()) + " simplices");
+    checked->push_back("second opinion: " + counted(claim.file.bars.size(), "bar", "bars") +
+                       " are the pairs of a plain reduction of " + counted(complex.count(), "simplex", "simplices"));
     return judge_cycles(claim, complex, checked);
 }
 
@@ -303,11 +305,13 @@ Outcome judge_function(const DiagramClaim& claim, const MeshFiles& files, RunRep
     if (!has_values) values.assign(opinion.values.begin(), opinion.values.end());
     std::size_t at = 0;
     const std::string complaint = error_complaint(opinion, said, values, &at);
-    if (!complaint.empty()) return {Exit::check, files.node.cloud.where(at) + ": check failed: " + complaint};
+    if (!complaint.empty()) return files.node.cloud.fault(at, "check failed: " + complaint, Exit::check);
     for (at = 0; at < values.size() && are_own; at++)
         if (values[at] != static_cast<double>(opinion.values[at]))
-            return {Exit::check, files.node.cloud.where(at) + ": check failed: filter value " +
-                                     number_text(values[at]) + " where the function is " + shown(opinion.values[at])};
+            return files.node.cloud.fault(at,
+                                          "check failed: filter value " + number_text(values[at]) +
+                                              " where the function is " + shown(opinion.values[at]),
+                                          Exit::check);
     std::size_t steps = 0;
     const Outcome outcome = judge_error_steps(claim, opinion, values, &steps);
     if (!outcome.good()) return outcome;
@@ -358,6 +362,10 @@ Outcome second_opinion_on_points(const DiagramClaim& claim, const PointCloud& po
     const bool rips = filter == NETMESH_FILTER_RIPS;
     return judge_pairs(claim, complex_of_points(points, rips, *claim.made.max_degree + 1), radius_tolerance,
                        &*run->checked);
+}
+
+Outcome second_opinion_on_complex(const DiagramClaim& claim, const SimplexList& simplices, RunReport* run) {
+    return judge_pairs(claim, simplices, radius_tolerance, &*run->checked);
 }
 
 }  // namespace netmesh::tool

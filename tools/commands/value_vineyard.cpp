@@ -52,17 +52,17 @@ std::vector<double> values_at(const ValueInput& input, std::size_t step) {
 
 Outcome explain_fault(const SimplexFile& file, const double* values, const netmesh_detail& detail) {
     const std::uint64_t at = detail.index_a;
-    const std::string where = file.lines.where(at) + ": simplex " + simplex_text(file, at) + ": ";
+    const std::string it = "simplex " + simplex_text(file, at) + ": ";
     switch (detail.fault) {
     case NETMESH_FAULT_FACE_MISSING:
-        return data_error(where + "its face " + simplex_text(file, at, detail.index_b) + " is missing");
+        return file.lines.fault(at, it + "its face " + simplex_text(file, at, detail.index_b) + " is missing");
     case NETMESH_FAULT_FACE_LATER:
-        return data_error(where + "enters at " + number_text(values[at]) + ", before its face " +
-                          simplex_text(file, detail.index_b) + " of " + file.lines.place(detail.index_b) + " at " +
-                          number_text(values[detail.index_b]));
+        return file.lines.fault(at, it + "enters at " + number_text(values[at]) + ", before its face " +
+                                        simplex_text(file, detail.index_b) + " of " + file.lines.place(detail.index_b) +
+                                        " at " + number_text(values[detail.index_b]));
     case NETMESH_FAULT_LISTED_TWICE:
-        return data_error(where + "is listed in " + file.lines.place(detail.index_b) + " already");
-    default: return data_error(where + detail.message);
+        return file.lines.fault(at, it + "is listed in " + file.lines.place(detail.index_b) + " already");
+    default: return file.lines.fault(at, it + detail.message);
     }
 }
 

@@ -82,8 +82,8 @@ Outcome parse_xyz_atoms(std::string_view content, PointCloud* cloud) {
     for (std::uint64_t i = 0; i < count; i++) {
         if (!reader.next(&line))
             return line_error(cloud->name, reader.number(),
-                              "the file ends after " + std::to_string(i) + " of " + std::to_string(count) +
-                                  " atoms; line 1 has to say how many there are");
+                              "the file ends after " + std::to_string(i) + " of " + counted(count, "atom", "atoms") +
+                                  "; line 1 has to say how many there are");
         const std::vector<std::string_view> words = split_blanks(line);
         if (words.size() < 4 || !is_element(words[0]))
             return line_error(cloud->name, reader.number(),
@@ -93,8 +93,8 @@ Outcome parse_xyz_atoms(std::string_view content, PointCloud* cloud) {
     }
     if (reader.next_content(&line))
         return line_error(cloud->name, reader.number(),
-                          "more than the " + std::to_string(count) +
-                              " atoms that line 1 speaks of; of several frames cut one out: head -n " +
+                          "more than the " + counted(count, "atom", "atoms") +
+                              " that line 1 speaks of; of several frames cut one out: head -n " +
                               std::to_string(count + 2));
     note_atoms(".xyz", 0, 1, cloud);
     return {};

@@ -13,7 +13,7 @@ namespace {
 Complaint add_simplex(const std::vector<double>& numbers, SimplexFile* file) {
     if (numbers.size() < 2) return "a line is: a simplex's vertices, then its value";
     if (numbers.size() > NETMESH_DEGREE_MAX + 2) {
-        return std::to_string(numbers.size() - 1) + " vertices; a simplex has at most 32";
+        return counted(numbers.size() - 1, "vertex", "vertices") + "; a simplex has at most 32";
     }
     for (std::size_t i = 0; i + 1 < numbers.size(); i++) {
         if (!is_count(numbers[i]) || numbers[i] >= 4294967296.0) {
@@ -56,9 +56,9 @@ Outcome parse_values(std::string_view content, const SimplexFile& complex, Value
         const bool fits =
             first ? numbers.size() == complex.count() || numbers.size() == vertices : numbers.size() == file->width;
         if (complaint.empty() && !fits) {
-            complaint = grouped_text(numbers.size()) + " values; ";
-            complaint += first ? complex.lines.name + " has " + grouped_text(complex.count()) + " simplices, " +
-                                     grouped_text(vertices) + " of them vertices"
+            complaint = counted(numbers.size(), "value", "values") + "; ";
+            complaint += first ? complex.lines.name + " has " + counted(complex.count(), "simplex", "simplices") +
+                                     ", " + grouped_text(vertices) + " of them vertices"
                                : "line " + std::to_string(file->lines.lines[0]) + " has " + grouped_text(file->width);
         }
         if (!complaint.empty()) return line_error(file->lines.name, reader.number(), complaint);

@@ -18,7 +18,8 @@ Complaint parse_simplex(std::string_view line, std::uint32_t degree, std::vector
         vertices->push_back(static_cast<std::uint32_t>(vertex));
     }
     if (vertices->size() != degree + std::size_t{1})
-        return std::to_string(vertices->size()) + " vertices; a simplex of this bar has " + std::to_string(degree + 1);
+        return counted(vertices->size(), "vertex", "vertices") + "; a simplex of this bar has " +
+               std::to_string(degree + 1);
     if (std::is_sorted(vertices->begin(), vertices->end())) return "";
     return "the vertices do not ascend";
 }

@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "tools/io/lines.hpp"
+#include "tools/io/numbers.hpp"
 
 namespace netmesh::tool {
 
@@ -47,7 +48,7 @@ std::vector<BoundLine> bound_lines(std::string_view content) {
 
 std::string parse_bar(std::string_view line, Bar* bar) {
     const std::vector<std::string_view> words = split_blanks(line);
-    if (words.size() != 3) return std::to_string(words.size()) + " fields; a line is: degree birth death";
+    if (words.size() != 3) return counted(words.size(), "field", "fields") + "; a line is: degree birth death";
     std::uint64_t degree;
     if (!parse_unsigned(std::string(words[0]), &degree) || degree > 1000) {
         return quoted(words[0]) + " is not a degree";

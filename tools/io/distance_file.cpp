@@ -13,25 +13,48 @@ namespace {
 constexpr std::uint64_t points_max = 65536;
 
 struct Row {
-    std::uint64_t line;
+    std::uint64_t line;        // 0: of an array, which has none
     std::size_t first, count;  // in numbers
 };
+using Rows = std::vector<Row>;
 
-std::string count_text(std::size_t count) { return std::to_string(count) + (count == 1 ? " number" : " numbers"); }
+std::string count_text(std::size_t count) { return counted(count, "number", "numbers"); }
 
 std::string flaw_of(double distance) { return distance < 0 ? "a distance is negative: " + number_text(distance) : ""; }
 
-Outcome read_rows(std::string_view content, bool sparse, DistanceFile* file, std::vector<Row>* rows) {
+void add_note(const std::string& sentence, DistanceFile* file) {
+    file->note += (file->note.empty() ? "" : "; ") + sentence;
+}
+
+Outcome wrong(const DistanceFile& file, const Rows& rows, std::size_t r, const std::string& complaint,
+              std::size_t field = 0) {
+    const std::string text = (field > 0 ? "field " + std::to_string(field) + ": " : "") + complaint;
+    if (rows[r].line > 0) return line_error(file.place.name, rows[r].line, text, field);
+    return file_error(file.place.name, "row " + std::to_string(r + 1) + ": " + text);
+}
+
+// What the rows hold is no distance.
+Outcome check_numbers(const DistanceFile& file, const Rows& rows, bool sparse) {
+    for (std::size_t r = 0; r < rows.size(); r++)
+        for (std::size_t f = sparse ? 2 : 0; f < rows[r].count; f++) {
+            const std::string flaw = flaw_of(file.numbers[rows[r].first + f]);
+            if (!flaw.empty()) return wrong(file, rows, r, flaw, f + 1);
+        }
+    return {};
+}
+
+Outcome read_rows(std::string_view content, DistanceFile* file, Rows* rows) {
     LineReader reader(content);
     std::string_view line;
     std::vector<double> row;
     bool may_be_header = true;
     std::optional<bool> parted_by_commas;  // or by blanks alone, in all rows of two numbers and more
     while (reader.next_content(&line)) {
-        const Complaint complaint = parse_numbers(line, &row);
+        const Complaint complaint = parse_numbers(line, &row, true);
         if (!complaint.empty()) {
             if (may_be_header && is_header(line)) {
                 may_be_header = false;
+                add_note("skipped header " + quoted(line), file);
                 continue;
             }
             return line_error(file->place.name, reader.number(), complaint);
@@ -45,11 +68,6 @@ Outcome read_rows(std::string_view content, bool sparse, DistanceFile* file, std
             return line_error(file->place.name, reader.number(),
                               "commas part some numbers and blanks others; write decimals with a point");
         if (row.size() > 1) parted_by_commas = commas > 0;
-        for (std::size_t f = sparse ? 2 : 0; f < row.size(); f++) {
-            const std::string flaw = flaw_of(row[f]);
-            if (!flaw.empty())
-                return line_error(file->place.name, reader.number(), "field " + std::to_string(f + 1) + ": " + flaw);
-        }
         rows->push_back({reader.number(), file->numbers.size(), row.size()});
         file->numbers.insert(file->numbers.end(), row.begin(), row.end());
     }
@@ -60,68 +78,113 @@ Outcome read_rows(std::string_view content, bool sparse, DistanceFile* file, std
 }
 
 // Where row r must have `due` numbers.
-Outcome wrong_count(const DistanceFile& file, const Row& row, std::size_t due, const char* what) {
-    return line_error(file.place.name, row.line,
-                      count_text(row.count) + " where " + what + " has " + std::to_string(due));
+Outcome wrong_count(const DistanceFile& file, const Rows& rows, std::size_t r, std::size_t due, const char* what) {
+    return wrong(file, rows, r, count_text(rows[r].count) + " where " + what + " has " + std::to_string(due));
 }
 
-Outcome take_square(const std::vector<Row>& rows, DistanceFile* file) {
-    for (const Row& row : rows) {
-        if (row.count != rows[0].count) return wrong_count(*file, row, rows[0].count, "the first row of the matrix");
-        file->place.lines.push_back(row.line);
-    }
-    if (rows.size() != rows[0].count)
-        return line_error(file->place.name, rows.back().line,
-                          "a matrix of " + std::to_string(rows.size()) + " rows and " + std::to_string(rows[0].count) +
-                              " columns; one of distances is square");
-    file->layout = NETMESH_DISTANCES_FULL;
-    file->points = rows.size();
-    return {};
+void add_line(const Row& row, DistanceFile* file) {
+    if (row.line > 0) file->place.lines.push_back(row.line);
 }
 
-// The first row has one number: the distance of the second point to the first one, or of the first one to itself.
-Outcome take_triangle(const std::vector<Row>& rows, DistanceFile* file) {
-    const bool has_diagonal =
-        rows.back().count == rows.size() && file->numbers[0] == 0 && (rows.size() == 1 || rows[1].count == 2);
-    std::vector<double> lower;
-    bool ends_in_zeros = has_diagonal;
-    for (const Row& row : rows) ends_in_zeros = ends_in_zeros && file->numbers[row.first + row.count - 1] == 0;
-    if (!ends_in_zeros) file->place.lines.push_back(rows[0].line);  // the first point has no row
-    for (std::size_t r = 0; r < rows.size(); r++) {
-        if (rows[r].count != r + 1) return wrong_count(*file, rows[r], r + 1, "a lower triangle");
-        const std::size_t own = ends_in_zeros ? 1 : 0;
-        const auto first = file->numbers.begin() + static_cast<std::ptrdiff_t>(rows[r].first);
-        lower.insert(lower.end(), first, first + static_cast<std::ptrdiff_t>(rows[r].count - own));
-        file->place.lines.push_back(rows[r].line);
-    }
+void set_lower(std::vector<double> lower, std::uint64_t points, DistanceFile* file) {
     file->numbers = std::move(lower);
     file->layout = NETMESH_DISTANCES_LOWER;
-    file->points = file->place.lines.size();
+    file->points = points;
+}
+
+// numpy's tril and triu: zeros on one side of the diagonal alone.
+void take_half(DistanceFile* file) {
+    const std::size_t n = file->points;
+    bool upper = false, lower = false, diagonal = false;  // is something else than 0 there?
+    for (std::size_t i = 0; i < n; i++)
+        for (std::size_t j = 0; j < n; j++) (i < j ? upper : i > j ? lower : diagonal) |= file->numbers[i * n + j] != 0;
+    if (diagonal || upper == lower) return;
+    std::vector<double> half;
+    for (std::size_t i = 0; i < n; i++)
+        for (std::size_t j = 0; j < i; j++) half.push_back(file->numbers[lower ? i * n + j : j * n + i]);
+    add_note(lower ? "read as a lower triangle: all above its diagonal is 0"
+                   : "read as an upper triangle: all below its diagonal is 0",
+             file);
+    set_lower(std::move(half), n, file);
+}
+
+Outcome take_square(const Rows& rows, DistanceFile* file) {
+    for (std::size_t r = 0; r < rows.size(); r++) {
+        if (rows[r].count != rows[0].count)
+            return wrong_count(*file, rows, r, rows[0].count, "the first row of the matrix");
+        add_line(rows[r], file);
+    }
+    if (rows.size() != rows[0].count)
+        return wrong(*file, rows, rows.size() - 1,
+                     "a matrix of " + counted(rows.size(), "row", "rows") + " and " +
+                         counted(rows[0].count, "column", "columns") + "; one of distances is square");
+    file->layout = NETMESH_DISTANCES_FULL;
+    file->points = rows.size();
+    take_half(file);
     return {};
 }
 
-Outcome take_entries(const std::vector<Row>& rows, DistanceFile* file) {
-    file->layout = NETMESH_DISTANCES_SPARSE;
+// The first row has one number: the distance of the second point to the first one, or of the first one to itself. Rows
+// that all end in 0 have their diagonal: without one each point would be at the place of the one before it.
+Outcome take_triangle(const Rows& rows, DistanceFile* file) {
+    bool has_diagonal = rows.size() > 1, all_zero = true;
+    for (const Row& row : rows) has_diagonal = has_diagonal && file->numbers[row.first + row.count - 1] == 0;
+    for (const double number : file->numbers) all_zero = all_zero && number == 0;
+    for (std::size_t r = 0; r < rows.size(); r++)
+        if (rows[r].count != r + 1) return wrong_count(*file, rows, r, r + 1, "a lower triangle");
+    if (all_zero)
+        return wrong(*file, rows, 0, "a lower triangle of zeros may have its diagonal or not; write the whole matrix");
+    if (!has_diagonal) add_line(rows[0], file);  // the first point has no row
+    std::vector<double> lower;
     for (const Row& row : rows) {
-        if (row.count != 3) return wrong_count(*file, row, 3, "an entry, `i j d`,");
-        const double* const field = file->numbers.data() + row.first;
-        for (int f = 0; f < 2; f++) {
+        const auto first = file->numbers.begin() + static_cast<std::ptrdiff_t>(row.first);
+        lower.insert(lower.end(), first, first + static_cast<std::ptrdiff_t>(row.count - (has_diagonal ? 1 : 0)));
+        add_line(row, file);
+    }
+    if (has_diagonal) add_note("read as a lower triangle with its diagonal", file);
+    set_lower(std::move(lower), rows.size() + (has_diagonal ? 0 : 1), file);
+    return {};
+}
+
+// The upper triangle row by row.
+Outcome take_condensed(DistanceFile* file) {
+    const std::uint64_t count = file->numbers.size();
+    std::uint64_t n = 1;
+    while (n * (n - 1) / 2 < count && n <= 2 * points_max) n++;
+    if (n * (n - 1) / 2 != count)
+        return file_error(file->place.name, "an array of " + counted(count, "number", "numbers") +
+                                                "; one axis of distances of n points has n (n - 1) / 2");
+    std::vector<double> lower;
+    lower.reserve(count);
+    for (std::uint64_t i = 0; i < n; i++)
+        for (std::uint64_t j = 0; j < i; j++) lower.push_back(file->numbers[n * j - j * (j + 1) / 2 + i - j - 1]);
+    add_note("read as the upper triangle row by row, as scipy's pdist and R's dist have it", file);
+    set_lower(std::move(lower), n, file);
+    return {};
+}
+
+Outcome take_entries(const Rows& rows, DistanceFile* file) {
+    file->layout = NETMESH_DISTANCES_SPARSE;
+    for (std::size_t r = 0; r < rows.size(); r++) {
+        if (rows[r].count != 3) return wrong_count(*file, rows, r, 3, "an entry, `i j d`,");
+        const double* const field = file->numbers.data() + rows[r].first;
+        for (std::size_t f = 0; f < 2; f++) {
             if (is_count(field[f]) && field[f] < static_cast<double>(points_max)) continue;
-            return line_error(file->place.name, row.line,
-                              "field " + std::to_string(f + 1) + ": " + number_text(field[f]) +
-                                  "; points are numbered from 0, to 65535");
+            return wrong(*file, rows, r, number_text(field[f]) + "; points are numbered from 0, to 65535", f + 1);
         }
         const netmesh_distance_entry entry = {static_cast<std::uint32_t>(field[0]),
                                               static_cast<std::uint32_t>(field[1]), field[2]};
         file->entries.push_back(entry);
         file->points = std::max<std::uint64_t>(file->points, std::max(entry.i, entry.j) + std::uint64_t{1});
-        file->place.lines.push_back(row.line);
+        add_line(rows[r], file);
     }
     file->numbers.clear();
     return {};
 }
 
-Outcome take_rows(const std::vector<Row>& rows, bool sparse, DistanceFile* file) {
+Outcome take_rows(const Rows& rows, bool sparse, DistanceFile* file) {
+    const Outcome outcome = check_numbers(*file, rows, sparse);
+    if (!outcome.good()) return outcome;
     if (sparse) return take_entries(rows, file);
     const bool is_triangle = rows[0].count == 1 && (rows.size() > 1 || file->numbers[0] != 0);
     return is_triangle ? take_triangle(rows, file) : take_square(rows, file);
@@ -137,21 +200,39 @@ std::string DistanceFile::where(std::uint64_t a, std::uint64_t b) const {
     return place.where(a) + ", field " + std::to_string(b + 1);
 }
 
+Outcome DistanceFile::fault(std::uint64_t a, std::uint64_t b, const std::string& complaint) const {
+    const bool has_line = a < place.lines.size();
+    const std::uint64_t field = layout == NETMESH_DISTANCES_SPARSE ? 0 : b + 1;
+    return {Exit::data, where(a, b) + ": " + complaint, place.name, has_line ? place.lines[a] : 0,
+            has_line ? field : 0};
+}
+
 Outcome parse_distances(std::string_view content, bool sparse, DistanceFile* file) {
-    std::vector<Row> rows;
-    const Outcome outcome = read_rows(content, sparse, file, &rows);
+    Rows rows;
+    const Outcome outcome = read_rows(content, file, &rows);
     return outcome.good() ? take_rows(rows, sparse, file) : outcome;
+}
+
+Outcome take_distances(const Table& table, bool sparse, DistanceFile* file) {
+    file->place.name = table.name;
+    file->note = table.note;
+    file->numbers = table.values;
+    Rows rows;
+    for (std::size_t r = 0; r < table.rows(); r++) rows.push_back({0, r * table.width, table.width});
+    if (table.width != 1 || table.rows() == 1 || sparse) return take_rows(rows, sparse, file);
+    const Outcome outcome = check_numbers(*file, rows, false);
+    return outcome.good() ? take_condensed(file) : outcome;
 }
 
 Outcome read_distances(const std::string& path, bool sparse, DistanceFile* file) {
     *file = {};
-    file->place.name = shown_name(path);
-    std::string content;
-    const Outcome read = read_content(path, &content);
-    if (!read.good()) return read;
-    if (path != "-" && ending_of(path) == ".npy")
-        return data_error(file->place.name + ": distances are read from text: numpy.savetxt writes it");
-    return parse_distances(content, sparse, file);
+    Table table;
+    std::string text;
+    const Outcome outcome = read_numbers(path, &table, &text);
+    if (!outcome.good()) return outcome;
+    if (table.width > 0) return take_distances(table, sparse, file);
+    file->place.name = table.name;
+    return parse_distances(text, sparse, file);
 }
 
 }  // namespace netmesh::tool

@@ -1,5 +1,6 @@
 #include "tools/io/lines.hpp"
 
+#include <cmath>
 #include <cstring>
 
 #include "tools/io/numbers.hpp"
@@ -59,7 +60,17 @@ bool LineReader::next_content(std::string_view* line) {
     return false;
 }
 
-Complaint parse_numbers(std::string_view line, std::vector<double>* values) {
+namespace {
+
+bool is_infinity(std::string_view word) {
+    std::string lower;
+    for (const char c : word) lower += c >= 'A' && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : c;
+    return lower == "inf" || lower == "+inf" || lower == "infinity" || lower == "+infinity";
+}
+
+}  // namespace
+
+Complaint parse_numbers(std::string_view line, std::vector<double>* values, bool infinities) {
     values->clear();
     const char* at = line.data();
     const char* const end = at + line.size();
@@ -74,8 +85,9 @@ Complaint parse_numbers(std::string_view line, std::vector<double>* values) {
         const char* const stop = field_end(at, end);
         const std::string_view word(field, static_cast<std::size_t>(stop - field));
         if (kind == NumberKind::not_a_number || stop != at) return not_a_number(word);
-        if (kind == NumberKind::not_finite) return not_finite(word);
-        values->push_back(value);
+        const bool infinite = kind == NumberKind::not_finite;
+        if (infinite && !(infinities && is_infinity(word))) return not_finite(word);
+        values->push_back(infinite ? HUGE_VAL : value);
         while (at != end && is_blank(*at)) ++at;
         comma = at != end && is_comma(*at) ? *at++ : char{0};
     }
@@ -126,10 +138,6 @@ std::string quoted(std::string_view piece) {
     }
     text += piece.size() > longest ? "...\"" : "\"";
     return text;
-}
-
-Outcome line_error(const std::string& file, std::uint64_t line, const std::string& complaint) {
-    return data_error(file + ":" + std::to_string(line) + ": " + complaint);
 }
 
 Complaint not_a_number(std::string_view field) { return quoted(field) + " is not a number"; }

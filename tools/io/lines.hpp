@@ -35,8 +35,9 @@ private:
 using Complaint = std::string;
 
 // All numbers of a content line into *values (cleared first). Separators: blanks, and commas or semicolons with or
-// without blanks around; nothing between two of them is an error, as is one at an end of the line.
-Complaint parse_numbers(std::string_view line, std::vector<double>* values);
+// without blanks around; nothing between two of them is an error, as is one at an end of the line. The words `inf` and
+// `infinity` are numbers only where `infinities` are.
+Complaint parse_numbers(std::string_view line, std::vector<double>* values, bool infinities = false);
 
 // True when every field is a word and none is a number (nan and inf are numbers).
 bool is_header(std::string_view line);
@@ -46,9 +47,6 @@ std::vector<std::string_view> split_blanks(std::string_view line);
 
 // A piece of input fit for a message: quoted, shortened, control characters replaced.
 std::string quoted(std::string_view piece);
-
-// FILE:LINE: complaint
-Outcome line_error(const std::string& file, std::uint64_t line, const std::string& complaint);
 
 // What a complaint about a number says, shared by all readers. `field` is the text at fault.
 Complaint not_a_number(std::string_view field);

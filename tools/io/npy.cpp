@@ -18,7 +18,7 @@ struct Array {
     std::size_t data_offset = 0;
 };
 
-Outcome wrong(const Table& table, const std::string& what) { return data_error(table.name + ": " + what); }
+Outcome wrong(const Table& table, const std::string& what) { return file_error(table.name, what); }
 
 // The text of a value in the header's dictionary, from behind `'key':` up to the comma that ends it (brackets count).
 bool find_value(std::string_view header, std::string_view key, std::string_view* value) {
@@ -85,7 +85,7 @@ std::string parse_descr(std::string_view text, Array* array) {
 }
 
 // Everything before the data. A complaint, or empty.
-std::string parse_header(std::string_view content, Array* array) {
+std::string parse_header(std::string_view content, bool distances, Array* array) {
     if (content.size() < 10 || content.substr(0, 6) != "\x93NUMPY") return "not a NumPy array (bytes 0 to 5)";
     const unsigned char* const bytes = reinterpret_cast<const unsigned char*>(content.data());
     const unsigned version = bytes[6];
@@ -109,6 +109,9 @@ std::string parse_header(std::string_view content, Array* array) {
     if (!complaint.empty()) return complaint;
     std::vector<std::uint64_t> shape;
     if (!parse_shape(shape_text, &shape)) return "shape " + quoted(shape_text) + " is not understood";
+    if (shape.size() == 1 && distances) shape.push_back(1);
+    if (shape.size() != 2 && distances)
+        return "an array of " + std::to_string(shape.size()) + " axes; distances are one or two";
     if (shape.size() != 2)
         return "an array of " + std::to_string(shape.size()) + " axes; points need two: a.reshape(-1, D)";
     if (order != "False" && order != "True") return "fortran_order " + quoted(order) + " is not understood";
@@ -173,7 +176,7 @@ bool read_item(const Array& array, const unsigned char* source, double* value) {
 
 Outcome parse_npy_table(std::string_view content, const TableOptions& options, Table* table) {
     Array array;
-    const std::string complaint = parse_header(content, &array);
+    const std::string complaint = parse_header(content, options.distances, &array);
     if (!complaint.empty()) return wrong(*table, complaint);
     if (array.rows == 0) return wrong(*table, "the array has no rows: no point");
     if (array.columns == 0) return wrong(*table, "the array has no columns: no point");
@@ -204,11 +207,12 @@ Outcome parse_npy_table(std::string_view content, const TableOptions& options, T
             const std::uint64_t at = array.fortran ? column * array.rows + row : row * array.columns + column;
             double value;
             const bool exact = read_item(array, data + at * array.item_bytes, &value);
-            const char* const fault = !exact                  ? "an integer beyond 2^53, which a double need not hold; "
-                                                                "write floats, or subtract a common offset"
-                                      : std::isnan(value)     ? "\"nan\" is not a finite double"
-                                      : !std::isfinite(value) ? "\"inf\" is not a finite double"
-                                                              : nullptr;
+            const char* const fault = !exact              ? "an integer beyond 2^53, which a double need not hold; "
+                                                            "write floats, or subtract a common offset"
+                                      : std::isnan(value) ? "\"nan\" is not a finite double"
+                                      : !std::isfinite(value) && !(options.distances && value > 0)
+                                          ? "\"inf\" is not a finite double"
+                                          : nullptr;
             if (fault != nullptr) {
                 return wrong(*table, "row " + std::to_string(row + 1) + " (byte " +
                                          std::to_string(array.data_offset + at * array.item_bytes) + "): " + fault);

@@ -68,13 +68,19 @@ std::string grouped_text(std::uint64_t value) {
     return text;
 }
 
+std::string counted(std::uint64_t count, const char* one, const char* many) {
+    return grouped_text(count) + " " + (count == 1 ? one : many);
+}
+
 std::string hexadecimal(std::uint64_t value) {
     std::string text(16, '0');
     for (std::size_t i = 16; i-- > 0; value /= 16) text[i] = "0123456789abcdef"[value % 16];
     return text;
 }
 
-std::string bytes_text(std::uint64_t bytes) {
+namespace {
+
+std::string bytes_text(std::uint64_t bytes, bool up) {
     const char* const units[] = {"bytes", "KiB", "MiB", "GiB", "TiB", "PiB", "EiB"};
     double amount = static_cast<double>(bytes);
     int unit = 0;
@@ -82,9 +88,24 @@ std::string bytes_text(std::uint64_t bytes) {
         amount /= 1024;
         unit++;
     }
+    if (up && unit > 0) amount = std::ceil(amount * 10) / 10;
     char text[40];
-    std::snprintf(text, sizeof text, unit == 0 ? "%.0f %s" : "%.1f %s", amount, units[unit]);
+    std::snprintf(text, sizeof text, unit == 0 ? "%.0f %s" : "%.1f %s", amount, bytes == 1 ? "byte" : units[unit]);
     return text;
+}
+
+}  // namespace
+
+std::string bytes_text(std::uint64_t bytes) { return bytes_text(bytes, false); }
+std::string bytes_text_up(std::uint64_t bytes) { return bytes_text(bytes, true); }
+
+std::string memory_option_text(std::uint64_t bytes) {
+    std::size_t unit = 0;
+    while (bytes >= 8192 && unit < 4) {
+        bytes = bytes / 1024 + (bytes % 1024 != 0 ? 1 : 0);
+        unit++;
+    }
+    return std::to_string(bytes) + (unit == 0 ? "" : std::string("KMGT").substr(unit - 1, 1));
 }
 
 }  // namespace netmesh::tool

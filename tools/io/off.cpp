@@ -9,8 +9,14 @@ namespace {
 
 struct OffHeader {
     std::uint32_t dim = 3;
-    std::uint64_t vertex_count = 0;
-    bool more_columns = false;  // colours, normals or texture coordinates follow the point
+    std::uint64_t vertex_count = 0, face_count = 0;
+    // Numbers behind the point: normals, colours of three or four, texture coordinates.
+    bool normals = false, colours = false, textures = false;
+
+    bool may_have(std::size_t numbers) const {
+        const std::size_t least = dim + (normals ? dim : 0) + (colours ? 3 : 0) + (textures ? 2 : 0);
+        return numbers == least || (colours && numbers == least + 1);
+    }
 };
 
 // The keyword at the start of *line, cut off there; false when it is none.
@@ -20,11 +26,14 @@ bool take_keyword(std::string_view* line, bool* wide, OffHeader* header) {
     std::string_view prefix = line->substr(0, at);
     *wide = !prefix.empty() && prefix.back() == 'n';
     if (*wide) prefix.remove_suffix(1);
-    for (const std::string_view piece : {std::string_view("ST"), std::string_view("C"), std::string_view("N")}) {
-        if (prefix.substr(0, piece.size()) != piece) continue;
-        prefix.remove_prefix(piece.size());
-        header->more_columns = true;
-    }
+    const auto take = [&](std::string_view piece) {
+        const bool there = prefix.substr(0, piece.size()) == piece;
+        if (there) prefix.remove_prefix(piece.size());
+        return there;
+    };
+    header->textures = take("ST");
+    header->colours = take("C");
+    header->normals = take("N");
     line->remove_prefix(at + 3);
     return prefix.empty();
 }
@@ -63,7 +72,37 @@ Outcome parse_off_header(LineReader& reader, const PointCloud& cloud, OffHeader*
         header->dim = static_cast<std::uint32_t>(numbers[0]);
     }
     header->vertex_count = static_cast<std::uint64_t>(numbers[wide ? 1 : 0]);
+    header->face_count = static_cast<std::uint64_t>(numbers[wide ? 2 : 1]);
     if (header->vertex_count == 0) return line_error(cloud.name, reader.number(), "no vertices: no point");
+    return {};
+}
+
+// The faces that the header counts, `N i1 .. iN` and colours, and nothing behind them: else the header's number of
+// vertices cannot be trusted.
+Outcome check_faces(LineReader& reader, const OffHeader& header, const PointCloud& cloud) {
+    std::string_view line;
+    std::vector<double> row;
+    const std::string counts = "the header speaks of " + counted(header.vertex_count, "vertex", "vertices") + " and " +
+                               counted(header.face_count, "face", "faces");
+    for (std::uint64_t i = 0; i < header.face_count; i++) {
+        if (!reader.next_content(&line))
+            return line_error(cloud.name, reader.number(),
+                              "the file ends after " + counted(i, "face", "faces") + "; " + counts);
+        const Complaint complaint = parse_numbers(line, &row);
+        if (!complaint.empty()) return line_error(cloud.name, reader.number(), complaint);
+        const bool has_count = is_count(row[0]) && row[0] >= 1 && row[0] < static_cast<double>(row.size());
+        if (!has_count)
+            return line_error(cloud.name, reader.number(),
+                              "not a face, a number of vertices and these; a vertex too many? " + counts);
+        for (std::size_t k = 1; k <= static_cast<std::size_t>(row[0]); k++)
+            if (!is_count(row[k]) || row[k] >= static_cast<double>(header.vertex_count))
+                return line_error(cloud.name, reader.number(),
+                                  "a face with vertex " + number_text(row[k]) + "; vertices are numbered from 0 to " +
+                                      std::to_string(header.vertex_count - 1),
+                                  k + 1);
+    }
+    if (reader.next_content(&line))
+        return line_error(cloud.name, reader.number(), "a line more than the header says: " + counts);
     return {};
 }
 
@@ -84,19 +123,19 @@ Outcome parse_off_points(std::string_view content, PointCloud* cloud) {
         if (!reader.next_content(&line)) {
             return line_error(cloud->name, reader.number(),
                               "the file ends after " + std::to_string(i) + " of " +
-                                  std::to_string(header.vertex_count) + " vertices");
+                                  counted(header.vertex_count, "vertex", "vertices"));
         }
         const Complaint complaint = parse_numbers(line, &row);
         if (!complaint.empty()) return line_error(cloud->name, reader.number(), complaint);
-        if (row.size() < header.dim || (row.size() > header.dim && !header.more_columns)) {
+        if (!header.may_have(row.size())) {
             return line_error(cloud->name, reader.number(),
-                              "a vertex of " + std::to_string(row.size()) + " numbers where " +
+                              "a vertex of " + counted(row.size(), "number", "numbers") + " where " +
                                   std::to_string(header.dim) + " are due");
         }
         cloud->coordinates.insert(cloud->coordinates.end(), row.begin(), row.begin() + header.dim);
         cloud->lines.push_back(reader.number());
     }
-    return {};
+    return check_faces(reader, header, *cloud);
 }
 
 }  // namespace netmesh::tool

@@ -171,62 +171,121 @@ bool walk_element(const Element& element, std::string_view content, std::size_t*
     return true;
 }
 
+bool is_face_list(const Element& element, const Property& property) {
+    return element.name == "face" && property.is_list &&
+           (property.name == "vertex_indices" || property.name == "vertex_index");
+}
+
+std::string no_such_vertex(double vertex, std::uint64_t count) {
+    return "a face with vertex " + number_text(vertex) + "; vertices are numbered from 0 to " +
+           std::to_string(count - 1);
+}
+
+// A vertex of the face in a row of bytes that does not exist, -1 for all below 0; 0 where all exist.
+double foreign_vertex(const Element& element, std::string_view content, const std::vector<std::size_t>& starts,
+                      std::uint64_t count) {
+    for (std::size_t p = 0; p < element.properties.size(); p++) {
+        const Property& property = element.properties[p];
+        if (!is_face_list(element, property)) continue;
+        const char* const at = content.data() + starts[p];
+        const auto length = static_cast<std::uint64_t>(read_scalar(property.count_type, at));
+        for (std::uint64_t i = 0; i < length; i++) {
+            const double vertex =
+                read_scalar(property.type, at + bytes_of(property.count_type) + i * bytes_of(property.type));
+            if (!(vertex >= 0 && vertex < static_cast<double>(count))) return vertex < 0 ? -1 : vertex;
+        }
+    }
+    return 0;
+}
+
 Outcome parse_ply_binary(std::string_view content, std::size_t offset, const PlyHeader& header, PointCloud* cloud) {
     std::vector<std::size_t> starts;
-    for (std::size_t e = 0; e <= header.vertex_element; e++) {
+    const std::uint64_t vertices = header.elements[header.vertex_element].count;
+    for (std::size_t e = 0; e < header.elements.size(); e++) {
         const Element& element = header.elements[e];
         if (element.properties.empty()) continue;
         for (std::uint64_t row = 0; row < element.count; row++) {
             if (!walk_element(element, content, &offset, &starts)) {
-                return data_error(cloud->name + ": ends at byte " + std::to_string(content.size()) + ", inside " +
-                                  element.name + " " + std::to_string(row + 1) + " of " +
-                                  std::to_string(element.count));
+                return file_error(cloud->name, "ends at byte " + std::to_string(content.size()) + ", inside " +
+                                                   element.name + " " + std::to_string(row + 1) + " of " +
+                                                   std::to_string(element.count));
             }
+            const double vertex = foreign_vertex(element, content, starts, vertices);
+            if (vertex < 0 || vertex >= static_cast<double>(vertices))
+                return file_error(cloud->name, "face " + std::to_string(row + 1) + " (byte " +
+                                                   std::to_string(starts[0]) +
+                                                   "): " + no_such_vertex(vertex, vertices));
             if (e != header.vertex_element) continue;
             for (std::uint32_t k = 0; k < header.dim; k++) {
                 const std::size_t column = static_cast<std::size_t>(header.columns[k]);
                 const double value = read_scalar(element.properties[column].type, content.data() + starts[column]);
                 if (!std::isfinite(value)) {
-                    return data_error(cloud->where(row) + " (byte " + std::to_string(starts[column]) +
-                                      "): " + not_finite(std::isnan(value) ? "nan" : "inf"));
+                    return {Exit::data,
+                            cloud->where(row) + " (byte " + std::to_string(starts[column]) +
+                                "): " + not_finite(std::isnan(value) ? "nan" : "inf"),
+                            cloud->name};
                 }
                 cloud->coordinates.push_back(value + 0.0);  // -0.0 becomes 0.0
             }
         }
     }
-    return {};
+    const std::string_view rest = content.substr(offset);
+    if (rest.find_first_not_of("\r\n") == std::string_view::npos) return {};
+    return file_error(cloud->name, counted(rest.size(), "byte", "bytes") +
+                                       " behind all elements that its header counts "
+                                       "(byte " +
+                                       std::to_string(offset) + ")");
+}
+
+// What is wrong with a row of an element in text; empty when nothing is.
+std::string row_complaint(const Element& element, const std::vector<double>& row, std::uint64_t vertices) {
+    std::size_t at = 0;
+    for (const Property& property : element.properties) {
+        std::size_t length = 1;
+        if (property.is_list) {
+            if (at >= row.size() || !is_count(row[at]) || row[at] > static_cast<double>(row.size()))
+                return "a list that does not begin with its length";
+            length = static_cast<std::size_t>(row[at++]);
+        }
+        for (std::size_t i = 0; i < length && at + i < row.size() && is_face_list(element, property); i++) {
+            const double vertex = row[at + i];
+            if (!is_count(vertex) || vertex >= static_cast<double>(vertices)) return no_such_vertex(vertex, vertices);
+        }
+        at += length;
+    }
+    if (at == row.size()) return {};
+    return (element.name == "vertex" ? "a vertex of " : "a line of element " + element.name + " with ") +
+           counted(row.size(), "number", "numbers") + " where " + std::to_string(at) + " are due";
 }
 
 Outcome parse_ply_ascii(LineReader& reader, const PlyHeader& header, PointCloud* cloud) {
     std::string_view line;
     std::vector<double> row;
-    for (std::size_t e = 0; e <= header.vertex_element; e++) {
+    const std::uint64_t vertices = header.elements[header.vertex_element].count;
+    for (std::size_t e = 0; e < header.elements.size(); e++) {
         const Element& element = header.elements[e];
+        bool lists = false;
+        for (const Property& property : element.properties) lists = lists || property.is_list;
         for (std::uint64_t i = 0; i < element.count; i++) {
             if (!reader.next_content(&line)) {
                 return line_error(cloud->name, reader.number(),
                                   "the file ends after " + std::to_string(i) + " of " + std::to_string(element.count) +
                                       " lines of element " + element.name);
             }
-            if (e != header.vertex_element) continue;
-            const Complaint complaint = parse_numbers(line, &row);
+            Complaint complaint = parse_numbers(line, &row);
+            if (complaint.empty() && e == header.vertex_element && lists)
+                complaint = "vertices with lists are read from binary files only";
+            if (complaint.empty()) complaint = row_complaint(element, row, vertices);
             if (!complaint.empty()) return line_error(cloud->name, reader.number(), complaint);
-            bool lists = false;
-            for (const Property& property : element.properties) lists = lists || property.is_list;
-            const std::size_t due = element.properties.size();
-            if (lists || row.size() != due) {
-                return line_error(cloud->name, reader.number(),
-                                  lists ? "vertices with lists are read from binary files only"
-                                        : "a vertex of " + std::to_string(row.size()) + " numbers where " +
-                                              std::to_string(due) + " are due");
-            }
+            if (e != header.vertex_element) continue;
             for (std::uint32_t k = 0; k < header.dim; k++) {
                 cloud->coordinates.push_back(row[static_cast<std::size_t>(header.columns[k])]);
             }
             cloud->lines.push_back(reader.number());
         }
     }
-    return {};
+    if (!reader.next_content(&line)) return {};
+    return line_error(cloud->name, reader.number(), "a line behind all elements that the header counts");
 }
 
 }  // namespace

@@ -41,11 +41,11 @@ Outcome read_content(const std::string& path, std::string* content, bool* packed
         std::string unpacked;
         const std::string complaint = gunzip(*content, &unpacked);
         *content = std::move(unpacked);
-        return complaint.empty() ? Outcome{} : data_error(shown_name(path) + ": " + complaint);
+        return complaint.empty() ? Outcome{} : file_error(shown_name(path), complaint);
     }
     if (good) return {};
     if (platform::interrupted()) return {Exit::cancelled, "netmesh: cancelled while reading " + shown_name(path)};
-    return data_error(shown_name(path) + ": " + why);
+    return file_error(shown_name(path), why);
 }
 
 namespace {
@@ -164,20 +164,20 @@ Outcome settle(bool packed, Source* source) {
     const std::string& content = source->content;
     std::string& ending = source->ending;
     if (ending == ".gz" && !packed)
-        return data_error(source->name + ": not compressed by gzip (bytes 0 and 1): take .gz off its name");
+        return file_error(source->name, "not compressed by gzip (bytes 0 and 1): take .gz off its name");
     if (ending == ".gz") ending = ending_of(source->name.substr(0, source->name.size() - 3));
     const Format found = format_of(content);
     if (*found.ending != 0 && (ending.empty() || ending == ".dat")) ending = found.ending;
     const bool pdb = std::string(found.ending) == ".pdb" && (ending == ".ent" || ending == ".pqr");
     if (*found.ending != 0 && ending != found.ending && !pdb)
-        return data_error(source->name + ": holds " + found.called + ", which its ending " + ending +
-                          " does not say: name it " + found.ending);
+        return file_error(source->name, std::string("holds ") + found.called + ", which its ending " + ending +
+                                            " does not say: name it " + found.ending);
     if (*found.ending != 0 || content.empty()) return {};
     const std::string other = foreign(content);
     if (!other.empty()) return line_error(source->name, 1, other);
     if (ending == ".npy" || ending == ".npz")
-        return data_error(source->name + ": not a NumPy " + (ending == ".npy" ? "array" : "archive") +
-                          " (bytes 0 to 5); if it is text, name it .txt or .csv");
+        return file_error(source->name, std::string("not a NumPy ") + (ending == ".npy" ? "array" : "archive") +
+                                            " (bytes 0 to 5); if it is text, name it .txt or .csv");
     if (!is_table_ending(ending)) return {};
     const bool wide = starts(content, "\xFF\xFE") || starts(content, "\xFE\xFF");
     const std::size_t zero = wide ? std::string::npos : content.find('\0');
@@ -246,18 +246,37 @@ Outcome read_table(const std::string& path, const TableOptions& options, Table* 
     return outcome.good() ? parse_source(source, options, table) : outcome;
 }
 
-Outcome read_points(const std::string& path, const TableOptions& options, PointCloud* cloud) {
+Outcome read_numbers(const std::string& path, Table* table, std::string* text) {
+    *table = {};
+    Source source;
+    const Outcome outcome = read_source(path, &source);
+    table->name = source.name;
+    if (!outcome.good()) return outcome;
+    TableOptions options;
+    options.distances = true;
+    if (source.ending == ".npy") return parse_npy_table(source.content, options, table);
+    if (source.ending == ".npz") return parse_npz_table(source.content, source.array, options, table);
+    if (!is_table_ending(source.ending))
+        return file_error(source.name, "distances are read from a table in text, .npy or .npz");
+    *text = std::move(source.content);
+    return {};
+}
+
+Outcome read_points(const std::string& path, const TableOptions& options, PointCloud* cloud,
+                    std::uint32_t columns_max) {
     *cloud = {};
     Table table;
     const Outcome outcome = read_table(path, options, &table);
-    return outcome.good() ? take_table(std::move(table), cloud) : outcome;
+    return outcome.good() ? take_table(std::move(table), cloud, columns_max) : outcome;
 }
 
-Outcome take_table(Table table, PointCloud* cloud) {
+Outcome take_table(Table table, PointCloud* cloud, std::uint32_t columns_max) {
     cloud->name = table.name;
-    if (table.width < dim_min || table.width > dim_max) {
-        const std::string complaint = columns_text(table.width) + "; points have 2 to 6 coordinates";
-        if (table.lines.empty()) return data_error(table.name + ": " + complaint);
+    if (table.width < dim_min || table.width > columns_max) {
+        const std::string complaint =
+            columns_text(table.width) +
+            (columns_max > dim_max ? "; points have 2 to 65,536 coordinates here" : "; points have 2 to 6 coordinates");
+        if (table.lines.empty()) return file_error(table.name, complaint);
         return line_error(table.name, table.lines[0],
                           complaint + (table.width < dim_min ? "; --delimiter says what stands between them"
                                                              : "; --columns chooses some"));

@@ -16,7 +16,7 @@ constexpr std::uint32_t dim_min = NETMESH_DIM_MIN, dim_max = NETMESH_DIM_MAX;
 
 struct PointCloud {
     std::string name;                  // the file as the user wrote it, <stdin> for "-"
-    std::uint32_t dim = 0;             // 2..6
+    std::uint32_t dim = 0;             // 2..6; more where these were asked for
     std::vector<double> coordinates;   // [rows][dim], finite, no -0.0
     std::vector<std::uint64_t> lines;  // physical line of each row, counted from 1; empty for binary formats
     std::string note;                  // what was left out or understood; empty when nothing
@@ -24,6 +24,10 @@ struct PointCloud {
     std::size_t rows() const { return dim == 0 ? 0 : coordinates.size() / dim; }
     // FILE:LINE of a row, or "FILE: row N" (counted from 1) where rows are not lines.
     std::string where(std::uint64_t row) const;
+    // What is wrong there.
+    Outcome fault(std::uint64_t row, const std::string& complaint, Exit exit = Exit::data) const {
+        return {exit, where(row) + ": " + complaint, name, row < lines.size() ? lines[row] : 0};
+    }
     // "line 7" or "row 7".
     std::string place(std::uint64_t row) const;
 };
@@ -34,12 +38,16 @@ struct PointCloud {
 // no ending, and refused where the ending says something else. Every fault is Exit::data with file and line and, where
 // there is one, what to do; options of tables for something else are Exit::usage; an interrupt while reading is
 // Exit::cancelled.
-Outcome read_points(const std::string& path, const TableOptions& options, PointCloud* cloud);
+Outcome read_points(const std::string& path, const TableOptions& options, PointCloud* cloud,
+                    std::uint32_t columns_max = dim_max);
 inline Outcome read_points(const std::string& path, PointCloud* cloud) { return read_points(path, {}, cloud); }
 // The same with any number of columns.
 Outcome read_table(const std::string& path, const TableOptions& options, Table* table);
-// A table as points: Exit::data unless it has 2 to 6 columns.
-Outcome take_table(Table table, PointCloud* cloud);
+// Distances: an array of NumPy, of one axis or two, into *table, the content of anything else into *text. The table's
+// name is set in both cases.
+Outcome read_numbers(const std::string& path, Table* table, std::string* text);
+// A table as points: Exit::data unless it has 2 to `columns_max` columns.
+Outcome take_table(Table table, PointCloud* cloud, std::uint32_t columns_max = dim_max);
 
 // The formats one by one, on content that is already in memory. cloud->name is used for messages only.
 Outcome parse_text_points(std::string_view content, const TableOptions& options, PointCloud* cloud);

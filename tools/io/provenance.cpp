@@ -5,6 +5,7 @@
 
 #include "tools/asked_function.hpp"
 #include "tools/io/lines.hpp"
+#include "tools/io/points.hpp"
 #include "tools/requests.hpp"
 #include "tools/vertex_function.hpp"
 
@@ -16,10 +17,10 @@ constexpr std::string_view marker = "# netmesh diagram 1: degree birth death";
 constexpr std::string_view any_marker = "# netmesh diagram ";
 
 // In the order of the file.
-constexpr const char* option_names[] = {"filter", "k",     "values",      "function", "values-at", "lipschitz",
-                                        "cut",    "error", "method",      "finish",   "tau",       "fit",
-                                        "memory", "ratio", "whole-cells", "focus",    "from",      "to",
-                                        "eps",    "theta", "max-degree",  "all",      "bounds",    "seed"};
+constexpr const char* option_names[] = {
+    "filter", "distances", "sparse", "threshold", "k",     "values",     "function", "values-at", "lipschitz",
+    "cut",    "error",     "method", "finish",    "tau",   "fit",        "memory",   "ratio",     "whole-cells",
+    "focus",  "from",      "to",     "eps",       "theta", "max-degree", "all",      "bounds",    "seed"};
 
 bool is_option(std::string_view name) {
     return std::any_of(std::begin(option_names), std::end(option_names), [&](const char* o) { return name == o; });
@@ -81,7 +82,7 @@ Options settled(const Options& given, std::uint32_t dim) {
     if (!is_on_points(filter.filter)) all.max_degree = std::min(*all.max_degree, dim - 1);
     if (filter.has_eps != 0 && options.eps == 0 && !options.ratio) all.eps = default_eps;
     if (filter.has_theta != 0 && options.theta == 0) all.theta = default_theta;
-    const requests::Mesh mesh = mesh_request(options, dim);
+    const requests::Mesh mesh = mesh_request(options, std::min(dim, dim_max));
     all.tau = tau(mesh);
     if (!refines_by_certificate(options)) return all;
     if (!options.ratio) all.ratio = options.fit ? fit_request(options, dim).ratio : mesh.certificate.ratio;
@@ -92,6 +93,9 @@ Head option_head(const Options& options) {
     const netmesh_filter_info& filter = about(filter_of(options));
     HeadWriter head;
     head.add("filter", filter.name);
+    if (options.distances) head.add("distances");
+    if (options.sparse) head.add("sparse");
+    if (options.threshold) head.add("threshold", *options.threshold);
     if (filter.needs_k != 0) head.add_count("k", options.k.value_or(0));
     if (filter.has_values != 0) head.add("values", values_name(choice_of(options).values));
     if (filter.needs_function != 0) {
@@ -122,12 +126,12 @@ Head head_of(const Options& options, const netmesh_report& report) {
     const netmesh_input_report& input = report.input;
     HeadWriter head;
     head.add("version", netmesh_version_text());
-    Head lines = option_head(settled(options, input.dim));
+    Head lines = option_head(settled(options, options.distances ? dim_min : input.dim));
     Head all = head.take();
     all.insert(all.end(), lines.begin(), lines.end());
-    head.add_count("dim", input.dim);
+    if (!options.distances) head.add_count("dim", input.dim);
     head.add_count("points", input.points);
-    head.add_count("duplicates", input.duplicates);
+    if (!options.distances) head.add_count("duplicates", input.duplicates);
     if (options.vertex_function)
         head.add("mesh", options.vertex_function->mesh_fingerprint());
     else
@@ -239,9 +243,11 @@ Outcome HeadReader::take_options() {
 
 // Every line that is due once, and no other. Which are due is what the writer says.
 Outcome HeadReader::check_names() {
-    constexpr const char* facts[] = {"version", "dim", "points", "duplicates", "certified-ratio", "reference"};
+    constexpr const char* facts[] = {"version", "points", "certified-ratio", "reference"};
     Head due = option_head(found_.options);
     for (const char* fact : facts) due.push_back({fact, ""});
+    if (!found_.options.distances)
+        for (const char* fact : {"dim", "duplicates"}) due.push_back({fact, ""});
     if (is_meshed(found_.options)) due.push_back({"domain", ""});
     due.push_back({found_.options.values_at.empty() ? "input" : "mesh", ""});
     if (filter_of(found_.options) == NETMESH_FILTER_FUNCTION) due.push_back({"certified-error", ""});
@@ -251,7 +257,8 @@ Outcome HeadReader::check_names() {
         if (find_line(found_.lines, line.name) != &line)
             return fault(line, "the head says that twice; leave one of the two lines out");
         if (find_line(due, line.name) != nullptr || line.name == "certified-from") continue;
-        constexpr const char* others[] = {"domain", "input", "mesh", "certified-error", "fitted-error", "value-error"};
+        constexpr const char* others[] = {"dim",  "duplicates",      "domain",       "input",
+                                          "mesh", "certified-error", "fitted-error", "value-error"};
         if (!is_option(line.name) &&
             std::none_of(std::begin(others), std::end(others), [&](const char* other) { return line.name == other; }))
             return fault(line, "not a line of a head; comments of your own go behind the bars or before the head");
@@ -269,12 +276,14 @@ Outcome HeadReader::check_names() {
 Outcome HeadReader::check_facts() {
     for (const char* name : {"dim", "points", "duplicates"}) {
         std::uint64_t count;
-        const HeadLine& line = *found_.find(name);
-        if (!parse_unsigned(line.value, &count)) return fault(line, "must be a whole number");
+        const HeadLine* const line = found_.find(name);
+        if (line != nullptr && !parse_unsigned(line->value, &count)) return fault(*line, "must be a whole number");
     }
-    const std::uint64_t dim = count_of("dim");
-    if (dim < NETMESH_DIM_MIN || dim > NETMESH_DIM_MAX) return fault(*found_.find("dim"), "must be from 2 to 6");
-    if (count_of("duplicates") >= count_of("points"))
+    const bool has_points = !found_.options.distances, any = filter_of(found_.options) == NETMESH_FILTER_RIPS;
+    const std::uint64_t dim = has_points ? count_of("dim") : 0;
+    if (has_points && (dim < dim_min || dim > (any ? NETMESH_RIPS_DIM_MAX : dim_max)))
+        return fault(*found_.find("dim"), any ? "must be from 2 to 65536" : "must be from 2 to 6");
+    if (has_points && count_of("duplicates") >= count_of("points"))
         return fault(*found_.find("duplicates"), "contradicts the number of points: fewer of them are duplicates");
     for (const char* name : {"input", "values-at", "mesh"}) {
         const HeadLine* const line = found_.find(name);

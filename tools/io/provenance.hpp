@@ -3,18 +3,20 @@
 // are allowed. They come in this order; what does not apply is left out.
 //
 //   of the file         version
-//   options of persist  filter k values function values-at lipschitz cut error method finish tau fit memory ratio
+//   options of persist  filter distances sparse threshold k values function values-at lipschitz cut error method finish
+//   tau fit memory ratio
 //                       whole-cells focus from to eps theta max-degree all bounds seed
-//   of the input        dim points duplicates, input or mesh
+//   of the input        dim points duplicates, input or mesh; of distances points and input
 //   of the result       domain certified-ratio certified-from certified-error fitted-error value-error reference
 //
 // Options are what decides the bars, each with the value that was used, given or not: `netmesh persist POINTS` with all
-// of them makes the same file. `input` is the fingerprint of the coordinates, as in JSON; `values-at`, in place of the
-// file's name, and `mesh`, in place of `input`, those of the values at the vertices of a mesh and of the vertices'
-// coordinates; `domain` centre and radius of the ball that was meshed; `reference` the function that the ratio is
-// about, from the scale `certified-from` on; `certified-error`, of the filter function, how far births and deaths are
-// off at most, with --fit `fitted-error` the error that sizes of the mesh were asked for, 0 for none; `value-error`, of
-// alpha and filters on points, the share of themselves by which they are.
+// of them, but tau where there is a ratio, makes the same file. `input` is the fingerprint of the coordinates, or of
+// the distances, as in JSON; `values-at`, in place of the file's name, and `mesh`, in place of `input`, those of the
+// values at the vertices of a mesh and of the vertices' coordinates; `domain` centre and radius of the ball that was
+// meshed; `reference` the function that the ratio is about, from the scale `certified-from` on; `certified-error`, of
+// the filter function, how far births and deaths are off at most, with --fit `fitted-error` the error that sizes of the
+// mesh were asked for, 0 for none; `value-error`, of alpha and filters on points, the share of themselves by which they
+// are.
 #pragma once
 #include <cstdint>
 #include <optional>

@@ -3,6 +3,7 @@
 
 #include "tools/io/lines.hpp"
 #include "tools/io/mesh_files.hpp"
+#include "tools/io/numbers.hpp"
 
 namespace netmesh::tool {
 
@@ -122,7 +123,7 @@ Complaint parse_node_row(const std::vector<double>& numbers, std::uint64_t row, 
     const std::size_t dim = node->cloud.dim, attributes = node->attribute_count;
     const std::size_t due = 1 + dim + attributes + (node->has_markers ? 1 : 0);
     if (numbers.size() != due) {
-        return std::to_string(numbers.size()) + " numbers where " + std::to_string(due) + " are due";
+        return counted(numbers.size(), "number", "numbers") + " where " + std::to_string(due) + " are due";
     }
     if (row == 0) {
         if (numbers[0] != 0 && numbers[0] != 1) return "ids start at 0 or 1";
@@ -155,7 +156,7 @@ Outcome parse_node(std::string_view content, NodeFile* node) {
         if (complaint.empty() && !header.known) {
             complaint = parse_node_header(numbers, node, &header);
         } else if (complaint.empty() && row == header.count) {
-            complaint = "more than the " + std::to_string(header.count) + " vertices of the header";
+            complaint = "more than the " + counted(header.count, "vertex", "vertices") + " of the header";
         } else if (complaint.empty()) {
             complaint = parse_node_row(numbers, row, node);
             node->cloud.lines.push_back(reader.number());
@@ -168,8 +169,8 @@ Outcome parse_node(std::string_view content, NodeFile* node) {
     if (!header.known) return line_error(node->cloud.name, last, "the input ends without a point");
     if (row < header.count) {
         return line_error(node->cloud.name, last,
-                          "the file ends after " + std::to_string(row) + " of " + std::to_string(header.count) +
-                              " vertices");
+                          "the file ends after " + std::to_string(row) + " of " +
+                              counted(header.count, "vertex", "vertices"));
     }
     for (netmesh_cage& cage : node->cages) {
         if (cage.centre < node->first_id || cage.centre - node->first_id >= header.count || node->domain.empty()) {
@@ -217,10 +218,10 @@ Complaint parse_cell_header(const std::vector<double>& numbers, const EntryRange
 Complaint parse_cell_row(const std::vector<double>& numbers, const CellHeader& header, const EntryRange& range,
                          CellTable* table) {
     const std::uint64_t row = table->lines.size();
-    if (row == header.count) return "more than the " + std::to_string(header.count) + " rows of the header";
+    if (row == header.count) return "more than the " + counted(header.count, "row", "rows") + " of the header";
     const std::size_t due = 1 + table->columns + header.attributes;
     if (numbers.size() != due) {
-        return std::to_string(numbers.size()) + " numbers where " + std::to_string(due) + " are due";
+        return counted(numbers.size(), "number", "numbers") + " where " + std::to_string(due) + " are due";
     }
     if (numbers[0] != static_cast<double>(row + range.first_id)) {
         return "id " + number_text(numbers[0]) + " where " + std::to_string(row + range.first_id) + " is due";
@@ -258,8 +259,8 @@ Outcome parse_cell_table(std::string_view content, const EntryRange& range, Cell
     const std::uint64_t rows = table->lines.size();
     if (!header.known || rows < header.count) {
         return line_error(table->name, reader.number() == 0 ? 1 : reader.number(),
-                          "the file ends after " + std::to_string(rows) + " of " + std::to_string(header.count) +
-                              " rows");
+                          "the file ends after " + std::to_string(rows) + " of " +
+                              counted(header.count, "row", "rows"));
     }
     return {};
 }

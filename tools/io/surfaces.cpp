@@ -45,7 +45,7 @@ std::uint64_t binary_stl_count(std::string_view content) {
 Outcome parse_binary_stl(std::string_view content, PointCloud* cloud) {
     Corners corners(cloud);
     const std::uint64_t count = binary_stl_count(content);
-    if (count == 0) return data_error(cloud->name + ": no triangle: no point");
+    if (count == 0) return file_error(cloud->name, "no triangle: no point");
     for (std::uint64_t i = 0; i < count; i++) {
         for (unsigned k = 0; k < 3; k++) {
             std::array<double, 3> corner;
@@ -56,8 +56,9 @@ Outcome parse_binary_stl(std::string_view content, PointCloud* cloud) {
                 float value;
                 std::memcpy(&value, &bits, sizeof value);
                 if (!std::isfinite(value))
-                    return data_error(cloud->name + ": triangle " + std::to_string(i + 1) + " (byte " +
-                                      std::to_string(at) + "): " + not_finite(std::isnan(value) ? "nan" : "inf"));
+                    return file_error(cloud->name, "triangle " + std::to_string(i + 1) + " (byte " +
+                                                       std::to_string(at) +
+                                                       "): " + not_finite(std::isnan(value) ? "nan" : "inf"));
                 corner[c] = static_cast<double>(value) + 0.0;
             }
             corners.add(corner);
@@ -77,8 +78,8 @@ bool is_binary_stl(std::string_view content) {
 Outcome parse_stl_points(std::string_view content, PointCloud* cloud) {
     if (is_binary_stl(content)) return parse_binary_stl(content, cloud);
     if (!starts(content, "solid") || content.find('\0') != std::string_view::npos)
-        return data_error(cloud->name +
-                          ": neither a binary STL, whose size its number of triangles tells (bytes 80 to 83), nor one "
+        return file_error(cloud->name,
+                          "neither a binary STL, whose size its number of triangles tells (bytes 80 to 83), nor one "
                           "in text, which starts with solid; was it cut off?");
     Corners corners(cloud);
     LineReader reader(content, false);
@@ -120,7 +121,7 @@ Outcome parse_obj_points(std::string_view content, PointCloud* cloud) {
         const std::size_t count = numbers.size();
         if (count != 3 && count != 4 && count != 6 && count != 7)
             return line_error(cloud->name, reader.number(),
-                              "a vertex of " + std::to_string(count) + " numbers where 3 are due");
+                              "a vertex of " + counted(count, "number", "numbers") + " where 3 are due");
         if ((count == 4 || count == 7) && numbers[3] != 1)
             return line_error(cloud->name, reader.number(), "a vertex with a weight other than 1; write x y z alone");
         cloud->coordinates.insert(cloud->coordinates.end(), numbers.begin(), numbers.begin() + 3);

@@ -80,6 +80,12 @@ std::string remedy_for(std::string_view text) {
     return {};
 }
 
+// 1e-400: digits that are not all 0, of a number that is 0 as a double.
+bool is_below_doubles(std::string_view text) {
+    const std::string_view digits = text.substr(0, text.find_first_of("eE"));
+    return digits.find_first_of("123456789") != std::string_view::npos;
+}
+
 // A table on its way from lines to numbers.
 class TableParser {
 public:
@@ -87,8 +93,9 @@ public:
     Outcome parse(std::string_view content);
 
 private:
-    Outcome fault(std::uint64_t line, const std::string& complaint) const {
-        return line_error(table_->name, line, complaint);
+    // column: counted from 1; 0: no one
+    Outcome fault(std::uint64_t line, const std::string& complaint, std::size_t column = 0) const {
+        return line_error(table_->name, line, complaint, column);
     }
     void take_separator_line();
     Outcome find_header();
@@ -96,6 +103,7 @@ private:
     Outcome find_columns();
     Outcome find_index();
     Outcome check_column_numbers() const;
+    void note_whole_first_row();
     Outcome parse_rows();
     Outcome explain_field(const TableLine& line, std::size_t column) const;
     Outcome explain_width(const TableLine& line) const;
@@ -117,6 +125,7 @@ private:
     std::size_t width_ = 0;           // fields of a row
     std::size_t dropped_ = 0;         // empty fields at the end of every row
     std::vector<std::size_t> columns_;
+    std::uint64_t too_small_ = 0;  // numbers that are 0 as doubles alone
 };
 
 // Excel's `sep=;`.
@@ -224,7 +233,9 @@ Outcome TableParser::find_index() {
     const bool good = counts(true) || (!one_short && counts(false)) || is_word_column(0);
     if (!good) {
         const std::string others = "--columns 2-" + std::to_string(width_) + " leaves it out, --columns 1-" +
-                                   std::to_string(width_) + " takes it for coordinates";
+                                   std::to_string(width_) +
+                                   " takes it for coordinates; if this line is part of a title, --skip " +
+                                   std::to_string(lines_[0].number) + " leaves it out";
         return fault(lines_[0].number, "the header gives the first column " +
                                            (first.empty() || one_short ? "no name" : "the name " + quoted(names_[0])) +
                                            ", but it does not count rows: " + others);
@@ -253,10 +264,30 @@ Outcome TableParser::check_column_numbers() const {
                                        delimiter_option(dialect_.delimiter) + " reads it as a point");
 }
 
+// 2019 2020 2021 above numbers that all have decimals: names, it may be, but read as a point.
+void TableParser::note_whole_first_row() {
+    if (!names_.empty() || lines_.size() < 3 || width_ < 2) return;
+    std::vector<Field> fields;
+    double last = 0;
+    for (std::size_t i = 0; i < lines_.size(); i++) {
+        if (!cut(lines_[i], &fields) || fields.size() < width_) return;
+        for (std::size_t k = 0; k < width_; k++) {
+            double value;
+            if (read_field(fields[k], dialect_.decimal_comma, &value) != FieldKind::number) return;
+            const bool whole = fields[k].text.find_first_of(".,eE") == std::string_view::npos;
+            if (i > 0 ? whole : !whole || (k > 0 && value <= last)) return;
+            last = value;
+        }
+    }
+    add_note("read " + quoted(without_blanks(lines_[0].text)) + " of line " + std::to_string(lines_[0].number) +
+             " as a point; if it names columns, --skip " + std::to_string(lines_[0].number) + " leaves it out");
+}
+
 Outcome TableParser::find_columns() {
     for (std::size_t k = 0; k < width_; k++) columns_.push_back(k);
     if (options_.columns.empty()) {
         const Outcome outcome = check_column_numbers();
+        if (outcome.good()) note_whole_first_row();
         return outcome.good() ? find_index() : outcome;
     }
     std::vector<std::string> names = names_;
@@ -289,7 +320,8 @@ Outcome TableParser::explain_width(const TableLine& line) const {
                                                                          : without_blanks(line.text).back()) +
                                                 "'";
         return fault(line.number,
-                     i + 1 < fields.size() ? "nothing before a " + delimiter : "nothing after the last " + delimiter);
+                     i + 1 < fields.size() ? "nothing before a " + delimiter : "nothing after the last " + delimiter,
+                     i + 1);
     }
     const std::uint64_t first = lines_[0].number;
     std::string remedy;
@@ -315,12 +347,14 @@ Outcome TableParser::explain_field(const TableLine& line, std::size_t column) co
     if (kind == FieldKind::empty && !field.quoted && options_.columns.empty() && dialect_.delimiter != '\t')
         return explain_width(line);
     if (kind == FieldKind::empty)
-        return fault(line.number, "nothing in column " + std::to_string(column + 1) +
-                                      "; a row with a missing value has to be left out or filled in");
+        return fault(line.number,
+                     "nothing in column " + std::to_string(column + 1) +
+                         "; a row with a missing value has to be left out or filled in",
+                     column + 1);
     std::string remedy;
     if (lines_.size() > 1 && kind == FieldKind::word && is_word_column(column)) {
         std::string others;
-        for (std::size_t k = 0; k < width_; k++)
+        for (const std::size_t k : columns_)
             if (!is_word_column(k)) others += (others.empty() ? "" : ",") + std::to_string(k + 1);
         if (!others.empty()) remedy = "; --columns " + others + " leaves such columns out";
     }
@@ -330,7 +364,8 @@ Outcome TableParser::explain_field(const TableLine& line, std::size_t column) co
     if (remedy.empty() && above && lines_.size() > 1)
         remedy = "; --skip " + std::to_string(line.number) + " leaves the lines down to this one out";
     return fault(line.number,
-                 (kind == FieldKind::not_finite ? not_finite(field.text) : not_a_number(field.text)) + remedy);
+                 (kind == FieldKind::not_finite ? not_finite(field.text) : not_a_number(field.text)) + remedy,
+                 column + 1);
 }
 
 Outcome TableParser::parse_rows() {
@@ -348,10 +383,12 @@ Outcome TableParser::parse_rows() {
             const FieldKind kind = read_field(fields[column], dialect_.decimal_comma, &value);
             if (kind != FieldKind::number && !(ragged && kind == FieldKind::empty)) return explain_field(line, column);
             if (kind == FieldKind::number) table_->values.push_back(value);
+            if (kind == FieldKind::number && value == 0 && is_below_doubles(fields[column].text)) too_small_++;
         }
         if (ragged) return explain_width(line);
         table_->lines.push_back(line.number);
     }
+    if (too_small_ > 0) add_note("read " + counted(too_small_, "number", "numbers") + " below 4.9e-324 as 0");
     return {};
 }
 

@@ -14,6 +14,7 @@ struct TableOptions {
     char delimiter = 0;                // 0: told by the file; ' ': blanks; with one given, commas in fields are decimal
     std::uint64_t skip = 0;            // physical lines left out at the top
     std::vector<std::string> columns;  // numbers from 1, ranges 2-4, names of the header; none: all
+    bool distances = false;            // of arrays: one axis is taken as one column, and infinity is a number
 };
 
 struct Table {
@@ -30,8 +31,8 @@ struct Table {
 // that fits all lines: semicolons, tabs, bars, commas or blanks, and only where none fits alone are commas, semicolons
 // and blanks taken together. Numbers with decimal commas are read where nothing else can be meant. A header of words,
 // an index column that the header tells of, an empty last column and empty rows at the end are left out, and
-// table->note says so. What can be read in two ways is an error that names the option which decides.
-// Every fault is Exit::data with file, line and remedy.
+// table->note says so, as of numbers so small that they are 0 as doubles. What can be read in two ways is an error that
+// names the option which decides. Every fault is Exit::data with file, line and remedy.
 Outcome parse_table(std::string_view content, const TableOptions& options, Table* table);
 
 // What --columns holds, cut at commas: a complaint, or empty.

@@ -2,6 +2,7 @@
 #include <algorithm>
 
 #include "tools/io/lines.hpp"
+#include "tools/io/numbers.hpp"
 #include "tools/io/table_lines.hpp"
 
 namespace netmesh::tool {
@@ -166,7 +167,7 @@ std::size_t line_of_loose_decimals(const std::vector<TableLine>& lines, std::siz
 }
 
 std::string two_ways(std::size_t columns, char delimiter, std::size_t others) {
-    return "commas may be decimal (" + std::to_string(columns) + " columns, " + delimiter_option(delimiter) +
+    return "commas may be decimal (" + counted(columns, "column", "columns") + ", " + delimiter_option(delimiter) +
            ") or stand between columns (" + std::to_string(others) +
            "); one of them has to be chosen: write points in "
            "place of decimal commas, or one delimiter";

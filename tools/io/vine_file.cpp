@@ -4,6 +4,7 @@
 #include <string>
 
 #include "tools/io/lines.hpp"
+#include "tools/io/numbers.hpp"
 
 namespace netmesh::tool {
 
@@ -81,7 +82,7 @@ Complaint parse_comment(std::string_view line, VineFile* file) {
 Complaint parse_point(std::string_view line, const VineFile& file, netmesh_vine_point* point) {
     const Vines& vines = file.vines;
     const std::vector<std::string_view> words = split_blanks(line);
-    if (words.size() != 5) return std::to_string(words.size()) + " fields; a line is: vine degree k birth death";
+    if (words.size() != 5) return counted(words.size(), "field", "fields") + "; a line is: vine degree k birth death";
     if (!parse_index(words[0], &point->vine)) return quoted(words[0]) + " is not a vine";
     if (!parse_index(words[1], &point->degree)) return quoted(words[1]) + " is not a degree";
     if (!parse_index(words[2], &point->k) || point->k < vines.k_first ||

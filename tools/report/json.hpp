@@ -14,7 +14,7 @@ public:
     void close(char bracket);  // } or ]
     void key(std::string_view name);
 
-    void value(std::string_view text);
+    void value(std::string_view text);  // bytes that are no UTF-8 become U+FFFD
     void value(const char* text) { value(std::string_view(text)); }
     void value(std::uint64_t number);
     void value(std::uint32_t number) { value(static_cast<std::uint64_t>(number)); }

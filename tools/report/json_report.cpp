@@ -83,7 +83,7 @@ void add_to_diagram(Json& json, const RunReport& run, std::string_view path) {
     if (path == "diagram.certified_ratio") {
         json.entry("reference", reference_name(*run.engine));
     } else if (path == "diagram.from") {
-        json.entry("units", run.engine->input.dim == 0 ? "value" : "radius");
+        json.entry("units", run.engine->input.dim == 0 && !run.options->distances ? "value" : "radius");
         json.entry("field", "Z/2");
     } else if (path == "diagram.scales.extended_ball") {
         json.entry("extended_ball_needed", 2.0);
@@ -142,16 +142,48 @@ void write_seconds(Json& json, const RunReport& run) {
     json.close('}');
 }
 
+void open_report(Json& json, Command command) {
+    json.open('{');
+    json.entry("schema", std::uint64_t{1});
+    json.entry("version", netmesh_version_text());
+    write_known(json, "command", command != Command::none, command_name(command));
+}
+
 }  // namespace
+
+std::string json_error(Command command, const Outcome& outcome) {
+    constexpr std::string_view program = "netmesh: ";
+    std::string_view message = outcome.message;
+    if (message.substr(0, program.size()) == program) message.remove_prefix(program.size());
+    Json json;
+    open_report(json, command);
+    json.key("error");
+    json.open('{');
+    json.entry("code", static_cast<std::uint64_t>(outcome.exit));
+    json.entry("message", message);
+    write_known(json, "file", !outcome.file.empty(), std::string_view(outcome.file));
+    write_known(json, "line", outcome.line > 0, outcome.line);
+    write_known(json, "field", outcome.field > 0, outcome.field);
+    json.close('}');
+    json.close('}');
+    return json.text();
+}
+
+std::string json_text(Command command, const char* key, const std::string& text) {
+    Json json;
+    open_report(json, command);
+    json.null_entry("error");
+    if (key != nullptr) json.entry(key, std::string_view(text));
+    json.close('}');
+    return json.text();
+}
 
 std::string json_report(const RunReport& run) {
     const netmesh_report engine = run.engine.value_or(sized<netmesh_report>());
     const std::vector<netmesh_figure> figures = figures_of(engine);
     Json json;
-    json.open('{');
-    json.entry("schema", std::uint64_t{1});
-    json.entry("version", netmesh_version_text());
-    json.entry("command", command_name(run.options->command));
+    open_report(json, run.options->command);
+    json.null_entry("error");
     write_options(json, run, engine);
     write_part(json, figures, "input", [&](std::string_view path) {
         if (path != "input.dim" || engine.input.dim != 0) return;

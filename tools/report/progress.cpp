@@ -68,7 +68,7 @@ std::string progress_line(const netmesh_progress& progress, double elapsed, int 
         std::snprintf(percent, sizeof percent, "  %3.0f%%", 100 * share);
         numbers += percent;
     }
-    if (progress.vertices > 0) numbers += "  " + grouped_text(progress.vertices) + " vertices";
+    if (progress.vertices > 0) numbers += "  " + counted(progress.vertices, "vertex", "vertices");
     numbers += share > 0.01 && elapsed > 0.5 ? "  " + clock_text(elapsed * (1 - share) / share) + " left"
                                              : "  " + clock_text(elapsed);
     std::string line = name;

@@ -36,4 +36,10 @@ struct RunReport {
 std::string json_report(const RunReport& run);
 std::string text_report(const RunReport& run);
 
+// The object in place of a report where a run fails: the exit code, what is said on stderr, and the place in the input
+// that it is about, null where it is about none. `command` may be none.
+std::string json_error(Command command, const Outcome& outcome);
+// And in place of a help text; without a key, of the version.
+std::string json_text(Command command, const char* key, const std::string& text);
+
 }  // namespace netmesh::tool

@@ -7,10 +7,6 @@ namespace netmesh::tool {
 
 namespace {
 
-std::string counted(std::uint64_t count, const char* one, const char* many) {
-    return grouped_text(count) + " " + (count == 1 ? one : many);
-}
-
 std::string seconds_text(double seconds) {
     char text[40];
     std::snprintf(text, sizeof text, seconds < 0.0995 ? "%.3f" : "%.2f", seconds);
@@ -74,7 +70,7 @@ std::string range_text(double from, double to) { return rounded_text(from, 4) + 
 
 std::string size_lines(const netmesh_size_analysis& size) {
     const bool caged = size.domains > 1;
-    std::string text = "bounds   " + grouped_text(size.vertices) + " vertices, between " +
+    std::string text = "bounds   " + counted(size.vertices, "vertex", "vertices") + ", between " +
                        range_text(size.lower, size.upper) + ", " + rounded_text(size.upper_over_lower, 4) + " apart";
     if (caged) text += ", summed over " + grouped_text(size.domains) + " domains";
     text += "; feature size ratio " + rounded_text(size.feature_ratio, 4) +
@@ -169,7 +165,7 @@ std::string vineyard_lines(const netmesh_vineyard_report& vineyard) {
     std::string text = ": " + counted(vineyard.vines, "vine", "vines");
     if (!is_on_points(vineyard.filter))
         text += ", " + counted(vineyard.transpositions, "transposition", "transpositions");
-    text += " of " + grouped_text(vineyard.simplices) + " simplices";
+    text += " of " + counted(vineyard.simplices, "simplex", "simplices");
     if (vineyard.filter == NETMESH_FILTER_NONE)
         return "vineyard " + counted(vineyard.k_last, "step", "steps") + text + "\n";
     return "vineyard k = " + std::to_string(vineyard.k_first) + " to " + std::to_string(vineyard.k_last) + text + "; " +
@@ -194,9 +190,9 @@ std::string input_line(const netmesh_report& engine) {
 
 std::string cost_lines(const RunReport& run) {
     const netmesh_report& engine = *run.engine;
-    std::string text = "memory   peak " + bytes_text(engine.memory.peak_bytes) + " of " +
-                       bytes_text(engine.memory.block_bytes) +
-                       (run.options->memory_bytes == 0 ? " reserved\n" : " given\n");
+    // What is only reserved costs nothing, and is not said.
+    std::string text = "memory   peak " + bytes_text(engine.memory.peak_bytes) +
+                       (run.options->memory_bytes == 0 ? "\n" : " of " + bytes_text(run.options->memory_bytes) + "\n");
     text += "time     " + seconds_text(run.total_seconds) + " s: read " + seconds_text(run.read_seconds);
     for (int stage = 1; stage < NETMESH_STAGE_COUNT && run.clock; stage++) {
         const netmesh_stage which = static_cast<netmesh_stage>(stage);

@@ -1,4 +1,6 @@
 #include "tools/sample/shapes.hpp"
+#include "tools/closest.hpp"
+#include "tools/io/numbers.hpp"
 
 #include <cmath>
 
@@ -134,23 +136,24 @@ struct Entry {
     Shape shape;
     std::uint32_t dim, dim_least;
     std::uint64_t count_most;  // 0: no limit
+    bool is_random;
     const char* help;
 };
 
 constexpr Entry entries[] = {
-    {"annulus", annulus, 2, 2, 0, "uniform between the spheres of radius 0.6 and 1"},
-    {"ball", ball, 3, 2, 0, "uniform in the unit ball"},
-    {"circle", circle, 2, 2, 0, "evenly on the unit circle"},
-    {"clifford", clifford, 4, 4, 0, "evenly on a closed winding of the Clifford torus (--turns)"},
-    {"clusters", clusters, 2, 2, 0, "clusters of radius 1e-6 to 0.1 in the unit ball"},
-    {"cube", cube, 3, 2, 0, "uniform in the unit cube"},
-    {"curve", curve, 4, 2, 0, "evenly on (cos t, sin t, cos 2t, sin 2t, ..)"},
-    {"figure-eight", figure_eight, 2, 2, 0, "on (sin t, sin t cos t)"},
-    {"grid", grid, 3, 2, 0, "integer grid, lexicographic order"},
-    {"helix", helix, 3, 3, 0, "three turns of a helix"},
-    {"sphere", sphere, 3, 2, 0, "uniform on the unit sphere"},
-    {"torus", torus, 3, 3, 0, "uniform on the torus with radii 1 and 0.4"},
-    {"zoom", zoom, 2, 2, 1000, "point i at distance 2^-i from the origin"},
+    {"annulus", annulus, 2, 2, 0, true, "uniform between the spheres of radius 0.6 and 1"},
+    {"ball", ball, 3, 2, 0, true, "uniform in the unit ball"},
+    {"circle", circle, 2, 2, 0, false, "evenly on the unit circle"},
+    {"clifford", clifford, 4, 4, 0, false, "evenly on a closed winding of the Clifford torus (--turns)"},
+    {"clusters", clusters, 2, 2, 0, true, "clusters of radius 1e-6 to 0.1 in the unit ball"},
+    {"cube", cube, 3, 2, 0, true, "uniform in the unit cube"},
+    {"curve", curve, 4, 2, 0, false, "evenly on (cos t, sin t, cos 2t, sin 2t, ..)"},
+    {"figure-eight", figure_eight, 2, 2, 0, false, "on (sin t, sin t cos t)"},
+    {"grid", grid, 3, 2, 0, false, "integer grid, lexicographic order"},
+    {"helix", helix, 3, 3, 0, false, "three turns of a helix"},
+    {"sphere", sphere, 3, 2, 0, true, "uniform on the unit sphere"},
+    {"torus", torus, 3, 3, 0, true, "uniform on the torus with radii 1 and 0.4"},
+    {"zoom", zoom, 2, 2, 1000, true, "point i at distance 2^-i from the origin"},
 };
 
 const Entry* find_entry(const std::string& name) {
@@ -166,16 +169,18 @@ Outcome sample_points(const SampleRequest& request, std::vector<double>* coordin
     const Entry* const entry = find_entry(request.shape);
     if (entry == nullptr) {
         std::string names;
-        for (const Entry& known : entries) names += std::string(" ") + known.name;
-        return usage_error("no shape '" + request.shape + "'; there are:" + names);
+        std::vector<std::string> list;
+        for (const Entry& known : entries) names += std::string(" ") + known.name, list.emplace_back(known.name);
+        return usage_error("no shape '" + request.shape + "'; there are:" + names + did_you_mean(request.shape, list));
     }
     *dim = request.dim == 0 ? entry->dim : request.dim;
     if (*dim < entry->dim_least) {
-        return usage_error("--dim: " + request.shape + " needs " + std::to_string(entry->dim_least) +
-                           " dimensions or more");
+        return usage_error("--dim: " + request.shape + " needs " +
+                           counted(entry->dim_least, "dimension", "dimensions") + " or more");
     }
     if (entry->count_most != 0 && request.count > entry->count_most) {
-        return usage_error("-n: " + request.shape + " has " + std::to_string(entry->count_most) + " points at most");
+        return usage_error("-n: " + request.shape + " has " + counted(entry->count_most, "point", "points") +
+                           " at most");
     }
     Sampler sampler{request, *dim, Random(request.seed), side_for(request.count, *dim)};
     coordinates->assign(request.count * *dim, 0.0);
@@ -187,6 +192,11 @@ Outcome sample_points(const SampleRequest& request, std::vector<double>* coordin
         }
     }
     return {};
+}
+
+bool is_random_shape(const std::string& name) {
+    const Entry* const entry = find_entry(name);
+    return entry == nullptr || entry->is_random;
 }
 
 std::string shapes_help() {

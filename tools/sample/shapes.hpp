@@ -20,6 +20,9 @@ struct SampleRequest {
 // coordinates[count][*dim]. Exit::usage for a shape that does not exist or that does not fit the dimension or count.
 Outcome sample_points(const SampleRequest& request, std::vector<double>* coordinates, std::uint32_t* dim);
 
+// Whether the points depend on the seed, noise apart; true of names that are no shape.
+bool is_random_shape(const std::string& name);
+
 // "  name   what it is" for each shape, for the help text.
 std::string shapes_help();
 

@@ -31,7 +31,7 @@ TEST_CASE("--columns, --delimiter and --skip, and what they do not go with") {
     folder.write("p.csv", pandas);
     Result result = folder.run("delaunay p.csv -o m.node");
     CHECK(result.exit == 3);
-    CHECK(result.says("p.csv:2: \"a\" is not a number; --columns 1,2,3 leaves such columns out"));
+    CHECK(result.says("p.csv:2: \"a\" is not a number; --columns 2,3 leaves such columns out"));
     REQUIRE(folder.run("delaunay p.csv -o m.node --columns x,y").exit == 0);
     CHECK(folder.read("m.node") == "3 2 0 1\n0 0 0 0\n1 1 0 0\n2 0 1.5 0\n");
     REQUIRE(folder.run("delaunay p.csv -o n.node --columns 2-3").exit == 0);

@@ -76,6 +76,8 @@ TEST_CASE("provenance: every way to call persist is checked from file and points
           "--filter scales --theta .1 --eps .5 --bounds",
           "--filter scales --theta .1 --ratio 2 --bounds",
           "--filter rips",
+          "--filter rips --threshold .3",
+          "--filter rips --threshold .3 --max-degree 2 --all",
           "--filter cech --max-degree 0",
           "--filter barycentric-cech --k 2",
           "--filter barycentric-rips --k 2 --values thesis",

@@ -166,6 +166,62 @@ const std::string ply_head = "ply\nformat ascii 1.0\ncomment hand made\nelement 
 
 }  // namespace
 
+TEST_CASE("off: the header's counts are held against the file") {
+    const std::string two = "0 0 0\n1 0 0\n";
+    const std::string counts = "the header speaks of 2 vertices and 1 face";
+    CHECK(good(parse_off_points, "OFF\n2 1 0\n" + two + "2 0 1 255 0 0\n# the end\n").rows() == 2);
+    CHECK(fault(parse_off_points, "OFF\n2 1 0\n" + two) == "p:4: the file ends after 0 faces; " + counts);
+    CHECK(fault(parse_off_points, "OFF\n2 1 0\n" + two + "0 1 0\n2 0 1\n") ==
+          "p:5: not a face, a number of vertices and these; a vertex too many? " + counts);
+    CHECK(fault(parse_off_points, "OFF\n2 1 0\n" + two + "2 0 1\n2 1 0\n") ==
+          "p:6: a line more than the header says: " + counts);
+    CHECK(fault(parse_off_points, "OFF\n2 1 0\n" + two + "2 0 2\n") ==
+          "p:5: a face with vertex 2; vertices are numbered from 0 to 1");
+    CHECK(fault(parse_off_points, "OFF\n2 1 0\n" + two + "2 -1 0\n") ==
+          "p:5: a face with vertex -1; vertices are numbered from 0 to 1");
+    CHECK(fault(parse_off_points, "OFF\n2 1 0\n" + two + "3 0 1\n").find("p:5: not a face") == 0);
+    CHECK(fault(parse_off_points, "OFF\n2 1 0\n" + two + "2 0 x\n") == "p:5: \"x\" is not a number");
+    CHECK(fault(parse_off_points, "OFF\n1 0 0\n" + two).find("p:4: a line more than the header says") == 0);
+}
+
+TEST_CASE("off: rows with colours, normals and texture coordinates have as many numbers as the keyword says") {
+    for (const char* const file :
+         {"COFF\n1 0 0\n1 2 3 255 0 0\n", "COFF\n1 0 0\n1 2 3 255 0 0 255\n", "NOFF\n1 0 0\n1 2 3 0 0 1\n",
+          "STOFF\n1 0 0\n1 2 3 .5 .5\n", "STCNOFF\n1 0 0\n1 2 3 0 0 1 1 0 0 .5 .5\n"})
+        CHECK(good(parse_off_points, file).coordinates == Numbers{1, 2, 3});
+    for (const char* const file : {"COFF\n1 0 0\n1 2 3\n", "COFF\n1 0 0\n1 2 3 255 0\n", "STOFF\n1 0 0\n1 2 3 .5\n",
+                                   "NOFF\n1 0 0\n1 2 3 0 0\n", "STOFF\n1 0 0\n1 2 3 .5 .5 .5\n"})
+        CHECK(fault(parse_off_points, file).find("p:3: a vertex of ") == 0);
+}
+
+TEST_CASE("ply: the header's counts are held against the file") {
+    const std::string head = ply_head + "property float x\nproperty float y\n";
+    const std::string faces = "element face 1\nproperty list uchar int vertex_indices\nend_header\n";
+    const std::string rows = "1 2\n3 4\n";
+    CHECK(good(parse_ply_points, head + faces + rows + "2 0 1\n\n").rows() == 2);
+    CHECK(fault(parse_ply_points, head + "end_header\n" + rows + "5 6\n") ==
+          "p:10: a line behind all elements that the header counts");
+    CHECK(fault(parse_ply_points, head + faces + rows + "5 6\n2 0 1\n").find("p:12: ") == 0);
+    CHECK(fault(parse_ply_points, head + faces + rows) == "p:11: the file ends after 0 of 1 lines of element face");
+    CHECK(fault(parse_ply_points, head + faces + rows + "2 0 2\n") ==
+          "p:12: a face with vertex 2; vertices are numbered from 0 to 1");
+    CHECK(fault(parse_ply_points, head + faces + rows + "3 0 1\n") ==
+          "p:12: a line of element face with 3 numbers where 4 are due");
+    CHECK(fault(parse_ply_points, head + faces + rows + "x 0 1\n") == "p:12: \"x\" is not a number");
+    CHECK(fault(parse_ply_points, head + faces + rows + "-1 0 1\n") ==
+          "p:12: a list that does not begin with its length");
+    const std::string binary = "ply\nformat binary_little_endian 1.0\nelement vertex 1\nproperty float x\n"
+                               "property float y\nelement face 1\nproperty list uchar int vertex_indices\nend_header\n";
+    const std::string point = raw<float>({1, 2}), face = raw<std::uint8_t>({1}) + raw<std::int32_t>({0});
+    CHECK(good(parse_ply_points, binary + point + face).rows() == 1);
+    CHECK(good(parse_ply_points, binary + point + face + "\n").rows() == 1);
+    CHECK(fault(parse_ply_points, binary + point + face + face).find("p: 5 bytes behind all elements") == 0);
+    CHECK(fault(parse_ply_points, binary + point).find("inside face 1 of 1") != std::string::npos);
+    for (const std::int32_t vertex : {1, -1})
+        CHECK(fault(parse_ply_points, binary + point + raw<std::uint8_t>({1}) + raw<std::int32_t>({vertex}))
+                  .find("p: face 1 (byte ") == 0);
+}
+
 TEST_CASE("ply: ASCII, with and without z, other properties and elements around") {
     const PointCloud cloud =
         good(parse_ply_points, ply_head + "property float x\nproperty float y\nproperty double z\nproperty uchar red\n"
@@ -212,7 +268,7 @@ TEST_CASE("ply: faults and their lines") {
     CHECK(fault(parse_ply_points, "ply\nformat ascii 1.0\nelement vertex 0\n" + xy + "end_header\n") ==
           "p:6: no vertices: no point");
     CHECK(fault(parse_ply_points, ply_head + xy + "end_header\n1 2\n3\n") ==
-          "p:9: a vertex of 1 numbers where 2 are due");
+          "p:9: a vertex of 1 number where 2 are due");
     CHECK(fault(parse_ply_points, ply_head + xy + "end_header\n1 2\n3 nan\n") == "p:9: \"nan\" is not a finite double");
     CHECK(fault(parse_ply_points, ply_head + xy + "end_header\n1 2\n") ==
           "p:8: the file ends after 1 of 2 lines of element vertex");
@@ -232,7 +288,7 @@ TEST_CASE("node: faults and their lines") {
     CHECK(fault(parse_node_points, "0 2\n") == "p:1: no vertices: no point");
     CHECK(fault(parse_node_points, "1 9\n") == "p:1: dimension 9; points have 2 to 6 coordinates");
     CHECK(fault(parse_node_points, "2 2\n0 1 2\n") == "p:2: the file ends after 1 of 2 vertices");
-    CHECK(fault(parse_node_points, "1 2\n0 1 2\n1 3 4\n") == "p:3: more than the 1 vertices of the header");
+    CHECK(fault(parse_node_points, "1 2\n0 1 2\n1 3 4\n") == "p:3: more than the 1 vertex of the header");
     CHECK(fault(parse_node_points, "2 2\n0 1 2\n2 3 4\n") == "p:3: id 2 where 1 is due");
     CHECK(fault(parse_node_points, "2 2\n0 1 2\n1 3\n") == "p:3: 2 numbers where 3 are due");
     CHECK(fault(parse_node_points, "1 2\n0 1 1e999\n") == "p:2: \"1e999\" is not a finite double");

@@ -2,6 +2,8 @@
 
 #include <doctest/doctest.h>
 
+#include <cmath>
+
 using namespace netmesh::tool;
 
 namespace {
@@ -47,6 +49,71 @@ TEST_CASE("distances as a lower triangle, with and without its diagonal") {
     CHECK(good("3\n5 0\n").points == 3);  // two points in one place
     CHECK(good("3\n5 4\n").where(2, 1) == "d.csv:2, field 2");
     CHECK(good("0\n3 0\n5 4 0\n").where(2, 1) == "d.csv:3, field 2");
+}
+
+TEST_CASE("what was understood of distances is said") {
+    CHECK(good("a,b\n0,1\n1,0\n").note == "skipped header \"a,b\"");
+    CHECK(good("0 1\n1 0\n").note == "");
+    CHECK(good("3\n5 4\n").note == "");
+    CHECK(good("0\n3 0\n5 4 0\n").note == "read as a lower triangle with its diagonal");
+    // Zeros on one side: numpy's tril and triu.
+    const DistanceFile lower = good("0 0 0\n3 0 0\n5 4 0\n"), upper = good("0 3 5\n0 0 4\n0 0 0\n");
+    CHECK(lower.note == "read as a lower triangle: all above its diagonal is 0");
+    CHECK(upper.note == "read as an upper triangle: all below its diagonal is 0");
+    for (const DistanceFile* const file : {&lower, &upper}) {
+        CHECK(file->layout == NETMESH_DISTANCES_LOWER);
+        CHECK(file->points == 3);
+        CHECK(file->numbers == Numbers{3, 5, 4});
+    }
+    CHECK(good("0 0\n0 0\n").layout == NETMESH_DISTANCES_FULL);
+    CHECK(good("0 0\n3 1\n").layout == NETMESH_DISTANCES_FULL);  // a diagonal that is none, for the engine to refuse
+    CHECK(fault("0\n0 0\n0 0 0\n") ==
+          "d.csv:1: a lower triangle of zeros may have its diagonal or not; write the whole matrix");
+}
+
+TEST_CASE("inf is a distance") {
+    CHECK(good("0 inf\nInfinity 0\n").numbers == Numbers{0, HUGE_VAL, HUGE_VAL, 0});
+    CHECK(good("0 1 +INF\n", true).entries[0].distance == HUGE_VAL);
+    CHECK(fault("0 nan\nnan 0\n") == "d.csv:1: \"nan\" is not a finite double");
+    CHECK(fault("0 -inf\n-inf 0\n") == "d.csv:1: \"-inf\" is not a finite double");
+    CHECK(fault("0 1e400\n1e400 0\n") == "d.csv:1: \"1e400\" is not a finite double");
+    CHECK(good("0 -1e-400\n-1e-400 0\n").numbers == Numbers{0, 0, 0, 0});  // the nearest double
+}
+
+TEST_CASE("distances in arrays of NumPy") {
+    const auto take = [](Numbers values, std::size_t width, bool sparse, std::string* message) {
+        Table table;
+        table.name = "d.npy";
+        table.width = width;
+        table.values = std::move(values);
+        DistanceFile file;
+        *message = take_distances(table, sparse, &file).message;
+        return file;
+    };
+    std::string message;
+    DistanceFile file = take({0, 3, 5, 3, 0, 4, 5, 4, 0}, 3, false, &message);
+    CHECK(message == "");
+    CHECK(file.layout == NETMESH_DISTANCES_FULL);
+    CHECK(file.where(2, 1) == "d.npy: row 3, field 2");
+    // pdist of four points: 01 02 03 12 13 23
+    file = take({1, 2, 3, 12, 13, 23}, 1, false, &message);
+    CHECK(message == "");
+    CHECK(file.layout == NETMESH_DISTANCES_LOWER);
+    CHECK(file.points == 4);
+    CHECK(file.numbers == Numbers{1, 2, 12, 3, 13, 23});
+    CHECK(file.note == "read as the upper triangle row by row, as scipy's pdist and R's dist have it");
+    CHECK(take({7}, 1, false, &message).numbers == Numbers{7});
+    CHECK(message == "");
+    CHECK(take({0, 1, 2, 1, 2, 3}, 3, true, &message).entries.size() == 2);
+    CHECK(message == "");
+    take({1, 2, 3, 4}, 1, false, &message);
+    CHECK(message == "d.npy: an array of 4 numbers; one axis of distances of n points has n (n - 1) / 2");
+    take({0, 1, 1, 0, 2, 2}, 2, false, &message);
+    CHECK(message == "d.npy: row 3: a matrix of 3 rows and 2 columns; one of distances is square");
+    take({0, 1, -1, 0}, 2, false, &message);
+    CHECK(message == "d.npy: row 2: field 1: a distance is negative: -1");
+    take({1, -2, 3}, 1, false, &message);
+    CHECK(message == "d.npy: row 2: field 1: a distance is negative: -2");
 }
 
 TEST_CASE("distances as entries") {

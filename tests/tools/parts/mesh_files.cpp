@@ -215,7 +215,7 @@ TEST_CASE("ele and neigh: faults and their lines") {
     CHECK(fault("1 3 0\n0 0 1 1.5\n", false) == "m.ele:2: index 1.5 does not exist");
     CHECK(fault("1 3 0\n1 0 1 2\n", false) == "m.ele:2: id 1 where 0 is due");
     CHECK(fault("1 3 0\n0 0 1\n", false) == "m.ele:2: 3 numbers where 4 are due");
-    CHECK(fault("1 3 0\n0 0 1 2\n1 0 1 2\n", false) == "m.ele:3: more than the 1 rows of the header");
+    CHECK(fault("1 3 0\n0 0 1 2\n1 0 1 2\n", false) == "m.ele:3: more than the 1 row of the header");
     CHECK(fault("2 3 0\n0 0 1 2\n", false) == "m.ele:2: the file ends after 1 of 2 rows");
     CHECK(fault("2 3\n0 -1 -1 -1\n", true) == "m.ele:1: not as many rows as there are cells");
 }

@@ -248,12 +248,139 @@ std::vector<OddFile> tables() {
         bad("two_dots.csv", "1.5,2.2.5\n3.125,4\n", 1, "--skip 1"),
         bad("ellipsis.txt", "1.5 -2.25\n...\n3.125 4\n", 2, "is not a number"),
         bad("open_quote.csv", "1.5,\"-2.25\n3.125,4\n", 1, "quotation that does not end"),
+        // numbers that are no doubles
+        good("too_small.csv", "1.5,-1e-400\n3.125,4\n1e-999,6.75\n", "read 2 numbers below 4.9e-324 as 0",
+             {1.5, 0, 3.125, 4, 0, 6.75}),
+        good("zeros.csv", "1.5,-0.0\n3.125,0e-400\n-0.5,6.75\n", "", {1.5, 0, 3.125, 0, -0.5, 6.75}),
+        good("subnormal.csv", "1.5,5e-324\n3.125,4\n", "", {1.5, 5e-324, 3.125, 4}),
+        // names that are numbers
+        good("years.txt", "2019 2020\n1.5 -2.25\n3.125 4.0\n", "read \"2019 2020\" of line 1 as a point; if it names",
+             {2019, 2020, 1.5, -2.25, 3.125, 4}),
+        with(good("years_told.txt", "2019 2020\n" + replaced(blanks, " 4\n", " 4.0\n")), "", "", 1),
+        good("origin_first.txt", "0 0\n1.5 -2.25\n3.125 4.0\n", "", {0, 0, 1.5, -2.25, 3.125, 4}),
         // rows of other lengths
         bad("ragged.csv", "1.5,-2.25\n3.125,4,8\n-0.5,6.75\n", 2, "3 columns where line 1 has 2"),
         bad("cut_off.csv", "1.5,-2.25\n3.125,4\n-0.5", 3, "1 column where line 1 has 2"),
         bad("empty.csv", "", 1, "ends without a point"),
         bad("comments_only.txt", "# nothing\n#\n", 2, "ends without a point"),
         bad("header_only.csv", "x,y\n", 1, "ends without a point"),
+    };
+}
+
+// As the programs that are named write them.
+std::vector<OddFile> exports() {
+    const std::string tabs = replaced(plain, ",", "\t"), blanks = replaced(plain, ",", " ");
+    const std::string dos = replaced(plain, "\n", "\r\n");
+    return {
+        good("excel_utf8.csv", "\xEF\xBB\xBF" + replaced("x;y\n" + decimal_commas, "\n", "\r\n"), "skipped header"),
+        good("excel_unicode_text.txt", utf16(replaced("x\ty\n" + tabs, "\n", "\r\n"), false), "skipped header"),
+        good("excel_empty_rows.csv", "x,y\r\n" + dos + ",\r\n,\r\n,\r\n", "skipped 3 rows of nothing"),
+        bad("excel_error.csv", "x,y\r\n1.5,-2.25\r\n3.125,#DIV/0!\r\n", 3, "nothing"),
+        bad("excel_currency.csv", "$1.50,$2.25\n$3.125,$4\n", 1, "is not a number"),
+        bad("excel_date_turned.csv", "1.5,02. Mrz\n3.125,4\n", 1, "is not a number"),
+        good("libreoffice.csv", "\"x\",\"y\"\n" + plain, "skipped header"),
+        bad("numbers_of_mac.csv", "Table 1,\nx,y\n1.5,-2.25\n3.125,4\n", 2, "--skip 2"),
+        good("r_write_table.txt", "\"x\" \"y\"\n\"1\" 1.5 -2.25\n\"2\" 3.125 4\n\"3\" -0.5 6.75\n", "index column 1"),
+        good("r_write_csv_plain.csv", "\"x\",\"y\"\n" + plain, "skipped header"),
+        bad("r_na.csv", "\"\",\"x\",\"y\"\n\"1\",1.5,NA\n\"2\",3.125,4\n", 2, "left out or filled in"),
+        good("r_print.txt", "        x     y\n1   1.500 -2.25\n2   3.125  4.00\n3  -0.500  6.75\n", "index column 1"),
+        good("pandas_to_string.txt", "       x     y\n0  1.500 -2.25\n1  3.125  4.00\n2 -0.500  6.75\n",
+             "index column 1"),
+        good("pandas_named_index.csv", "index,x,y\n0,1.5,-2.25\n1,3.125,4.0\n2,-0.5,6.75\n", "index column 1"),
+        bad("pandas_nan.csv", ",x,y\n0,1.5,\n1,3.125,4.0\n", 2, "nothing after the last ','"),
+        good("polars.csv", "x,y\n" + plain, "skipped header"),
+        good("matlab_writematrix.csv", plain),
+        good("matlab_save_ascii.txt", "   1.5000000e+00  -2.2500000e+00\n   3.1250000e+00   4.0000000e+00\n"
+                                      "  -5.0000000e-01   6.7500000e+00\n"),
+        good("octave_csvwrite.csv", "1.5000000000000000,-2.2500000000000000\n3.1250000000000000,4\n"
+                                    "-0.50000000000000000,6.7500000000000000\n"),
+        good("julia_writedlm.txt", tabs),
+        good("mathematica.csv", "1.5,-2.25\n3.125,4.\n-0.5,6.75\n"),
+        bad("mathematica_power.txt", "1.5\t-2.25\n3.1*^2\t4\n", 2, "is not a number"),
+        good("maple.txt", "1.5 -2.25\n3.125 4.\n-.5 6.75\n"),
+        bad("fortran_list.txt", "  1.50000000D+00  -2.25000000D+00\n", 1, "write e in place of Fortran's d"),
+        good("fortran_e.txt", "  0.150000E+01 -0.225000E+01\n  0.312500E+01  0.400000E+01\n"
+                              " -0.500000E+00  0.675000E+01\n"),
+        bad("fortran_overflow.txt", "  1.5000  -2.2500\n  ******   4.0000\n", 2, "is not a number"),
+        bad("fortran_touching.txt", " 1.5000-2.2500\n 3.1250 4.0000\n", 1, "is not a number"),
+        bad("gephi_nodes.csv", "Id,Label,X,Y\n0,a,1.5,-2.25\n1,b,3.125,4\n2,c,-0.5,6.75\n", 2, "--columns 3,4"),
+        with(good("gephi_told.csv", "Id,Label,X,Y\n0,a,1.5,-2.25\n1,b,3.125,4\n2,c,-0.5,6.75\n"), "3,4"),
+        good("qgis.csv", "X,Y\n" + plain, "skipped header"),
+        good("qgis_fid.csv", "fid,X,Y\n1,1.5,-2.25\n2,3.125,4\n3,-0.5,6.75\n", "skipped index column 1"),
+        good("cloudcompare.txt",
+             "//X Y Z\n1.50000000 -2.25000000 7.00000000\n3.12500000 4.00000000 8.00000000\n"
+             "-0.50000000 6.75000000 9.00000000\n",
+             "", space),
+        bad("cloudcompare_count.txt", "3\n1.5 -2.25 7\n3.125 4 8\n-0.5 6.75 9\n", 2, "--skip 1"),
+        with(good("cloudcompare_colours.asc", "1.5 -2.25 7 255 0 0\n3.125 4 8 0 255 0\n-0.5 6.75 9 0 0 255\n", "",
+                  space),
+             "1-3"),
+        good("meshlab.xyz", "1.5 -2.25 7\n3.125 4 8\n-0.5 6.75 9\n", "", space),
+        bad("leica.pts", "3\n1.5 -2.25 7 -1 0 0 0\n3.125 4 8 -1 0 0 0\n-0.5 6.75 9 -1 0 0 0\n", 2, "--skip 1"),
+        good("paraview.csv", "\"Points:0\",\"Points:1\",\"Points:2\"\n1.5,-2.25,7\n3.125,4,8\n-0.5,6.75,9\n",
+             "skipped header", space),
+        good("gaussian.xyz",
+             "3\n\n C      1.500000     -2.250000      7.000000\n H      3.125000      4.000000      8.000000\n"
+             " O     -0.500000      6.750000      9.000000\n",
+             "atoms", space),
+        bad("gaussian.gjf", "%chk=a.chk\n# HF/STO-3G\n\ntitle\n\n0 1\nC 1.5 -2.25 7.0\nH 3.125 4.0 8.0\n", 6,
+            "--skip 6"),
+        bad("gaussian.log", " Entering Gaussian System, Link 0=g09\n Initial command:\n", 1, "is not a number"),
+        good("pymol.pdb", std::string(atom_1) + atom_2 + atom_3 + "CONECT    1    2\nEND\n", "atoms", space),
+        good("pymol_anisotropic.pdb",
+             std::string(atom_1) + "ANISOU    1  N   ALA A   1     1000   1000   1000\n" + atom_2 + atom_3 + "END\n",
+             "atoms", space),
+        good("vmd.xyz",
+             "3\n generated by VMD\n  C         1.500000       -2.250000        7.000000\n"
+             "  H         3.125000        4.000000        8.000000\n"
+             "  O        -0.500000        6.750000        9.000000\n",
+             "atoms", space),
+        good("apbs.pqr",
+             "ATOM      1  N   ALA     1       1.500  -2.250   7.000 -0.3000 1.8500\n"
+             "ATOM      2  CA  ALA     1       3.125   4.000   8.000  0.2000 2.0000\n"
+             "ATOM      3  C   ALA     1      -0.500   6.750   9.000  0.1000 2.0000\n",
+             "atoms", space),
+        bad("charmm.crd", "* TITLE\n    3\n    1    1 ALA  N      1.50000  -2.25000   7.00000\n", 1, "is not a number"),
+        bad("vasp.poscar", "Si\n1.0\n5.43 0.0 0.0\n0.0 5.43 0.0\n", 3, "3 columns where line 2 has 1"),
+        bad("sdf.mol", "\n  RDKit          2D\n\n  3  2  0  0\n    1.5   -2.25    7.0 C\n", 2, "is not a number"),
+        good("gnuplot_table.dat", "# Curve 0 of 1, 3 points\n# x y type\n1.5 -2.25\n3.125 4\n-0.5 6.75\n\n"),
+        with(good("gnuplot_type.dat", "# x y type\n1.5 -2.25 i\n3.125 4 i\n-0.5 6.75 o\n"), "1,2"),
+        good("origin.dat", "X\tY\n\t\n" + tabs, "skipped header"),
+        bad("labview.lvm", "LabVIEW Measurement\t\nWriter_Version\t2\n", 2, "is not a number"),
+        good("sas.csv", "x,y\r\n" + dos, "skipped header"),
+        bad("sas_missing.csv", "x,y\n1.5,.\n3.125,4\n", 2, "left out or filled in"),
+        good("spss.dat", "x\ty\n" + tabs, "skipped header"),
+        bad("stata_missing.csv", "x,y\n1.5,.\n3.125,4\n", 2, "left out or filled in"),
+        good("weka_free.arff", "% relation\n" + plain),
+        bad("weka.arff", "@RELATION a\n@ATTRIBUTE x NUMERIC\n@DATA\n" + plain, 2, "--skip 2"),
+        good("sql_dump.txt", " x     | y\n" + replaced(plain, ",", " | "), "skipped header"),
+        bad("psql.txt", "   x   |   y\n-------+-------\n   1.5 | -2.25\n 3.125 |     4\n", 2, "--skip 2"),
+        bad("markdown.md", "| x | y |\n|---|---|\n| 1.5 | -2.25 |\n", 2, "--skip"),
+        bad("latex.tex", "1.5 & -2.25 \\\\\n3.125 & 4 \\\\\n", 1, "is not a number"),
+        good("garmin.csv", "lat,lon\n" + plain, "skipped header"),
+        bad("gps_degrees.csv",
+            "lat,lon\n48\xC2\xB0"
+            "08'N,11\xC2\xB0"
+            "34'E\n",
+            2, "is not a number"),
+        bad("usgs.csv", "time,latitude,longitude\n2024-01-01T00:00:00Z,1.5,-2.25\n2024-01-02T00:00:00Z,3.125,4\n", 2,
+            "--columns 2,3"),
+        with(good("usgs_told.csv", "time,latitude,longitude\n2024-01-01T00:00:00Z,1.5,-2.25\n"
+                                   "2024-01-02T00:00:00Z,3.125,4\n2024-01-03T00:00:00Z,-0.5,6.75\n"),
+             "latitude,longitude"),
+        bad("opencv.yml", "%YAML:1.0\n---\na: !!opencv-matrix\n   rows: 3\n", 2, "is not a number"),
+        bad("svm_light.txt", "1 1:1.5 2:-2.25\n-1 1:3.125 2:4\n", 1, "is not a number"),
+        bad("matrix_market.mtx", "%%MatrixMarket matrix array real general\n3 2\n1.5\n3.125\n-0.5\n", 3,
+            "1 column where line 2 has 2"),
+        bad("geojson.json", "{\"type\":\"FeatureCollection\"}\n", 1, "JSON"),
+        bad("wkt.csv", "POINT (1.5 -2.25)\nPOINT (3.125 4)\n", 1, "is not a number"),
+        bad("kml.kml", "<?xml version=\"1.0\"?>\n<kml>\n", 1, "XML"),
+        bad("blender_colours.ply",
+            "ply\nformat ascii 1.0\nelement vertex 2\nproperty float x\nproperty float y\n"
+            "property float z\nend_header\n1 2 3\n",
+            8, "ends after 1 of 2"),
+        bad("meshlab_count.off", "OFF\n2 1 0\n1 2 3\n4 5 6\n7 8 9\n3 0 1 2\n", 5, "a vertex too many?"),
+        bad("geomview_colours.off", "COFF\n1 0 0\n1 2 3\n", 3, "a vertex of 3 numbers"),
     };
 }
 
@@ -388,6 +515,7 @@ TEST_CASE("odd files: the right points, or a refusal with line and remedy") {
     REQUIRE(mkdtemp(name) != nullptr);
     const std::string folder = std::string(name) + "/";
     std::vector<OddFile> files = tables();
+    for (OddFile& file : exports()) files.push_back(std::move(file));
     for (OddFile& file : formats()) files.push_back(std::move(file));
     std::set<std::string> names;
     for (const OddFile& file : files) {

@@ -2,6 +2,8 @@
 
 #include <doctest/doctest.h>
 
+#include "tools/closest.hpp"
+#include "tools/io/numbers.hpp"
 #include "tools/session.hpp"
 
 using namespace netmesh::tool;
@@ -232,10 +234,50 @@ TEST_CASE("help and version") {
                                   Command::check, Command::sample}) {
         CHECK(help_text(command).find("netmesh") != std::string::npos);
     }
+    CHECK(good({"-V"}).version);
+    CHECK(good({"help", "mesh"}).command == Command::mesh);
+    CHECK(good({"help"}).help);
+    CHECK(good({"mesh", "p", "-q"}).quiet);
+    CHECK(good({"--completion", "zsh"}).completion == "zsh");
+    CHECK(names(fault({"help", "mash"}), "did you mean mesh?"));
     CHECK(help_text(Command::persist).find("--filter F") != std::string::npos);
     CHECK(help_text(Command::mesh).find("--filter") == std::string::npos);
     CHECK(help_text(Command::sample).find("clifford") != std::string::npos);
     CHECK(version_text() == "netmesh 0.2.0\n");
+}
+
+TEST_CASE("edits between words, and which word is meant") {
+    CHECK(edits_between("", "") == 0);
+    CHECK(edits_between("abc", "abc") == 0);
+    CHECK(edits_between("abc", "") == 3);
+    CHECK(edits_between("alhpa", "alpha") == 1);
+    CHECK(edits_between("kitten", "sitting") == 3);
+    const std::vector<std::string> names = {"mesh", "persist", "size", "sample"};
+    CHECK(did_you_mean("mehs", names) == "; did you mean mesh?");
+    CHECK(did_you_mean("pers", names) == "; did you mean persist?");
+    CHECK(did_you_mean("s", names) == "");
+    CHECK(did_you_mean("quux", names) == "");
+    CHECK(did_you_mean("", names) == "");
+}
+
+TEST_CASE("--json counts also where the rest cannot be parsed") {
+    CHECK(asks_for_json({"mesh", "--frob", "--json"}));
+    CHECK(!asks_for_json({"mesh", "--", "--json"}));
+    CHECK(!asks_for_json({"mesh", "p"}));
+}
+
+TEST_CASE("sizes of memory as people and --memory have them") {
+    CHECK(bytes_text_up(1) == "1 byte");
+    CHECK(bytes_text_up(1023) == "1023 bytes");
+    CHECK(bytes_text_up(1025) == "1.1 KiB");
+    CHECK(bytes_text(1025) == "1.0 KiB");
+    CHECK(memory_option_text(8191) == "8191");
+    CHECK(memory_option_text(8193) == "9K");
+    CHECK(memory_option_text(std::uint64_t{9} << 20) == "9M");
+    for (std::uint64_t bytes = 1; bytes < (std::uint64_t{1} << 44); bytes = bytes * 5 / 2 + 1)
+        CHECK(good({"mesh", "p", "--memory", memory_option_text(bytes)}).memory_bytes >= bytes);
+    CHECK(counted(1, "point", "points") == "1 point");
+    CHECK(counted(1200, "point", "points") == "1,200 points");
 }
 
 TEST_CASE("memory to reserve when none is named") {

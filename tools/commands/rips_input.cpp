@@ -1,0 +1,169 @@
+#include "tools/commands/rips_input.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <map>
+#include <set>
+
+#include "tools/commands/output.hpp"
+#include "tools/io/numbers.hpp"
+
+namespace netmesh::tool {
+
+namespace {
+
+constexpr double coordinate_max = 0x1p1000;
+
+// The Euclidean distance, off by less than (D + 8) / 2 units in the last place: differences are scaled by a power of
+// two, so that no square that counts is rounded by underflow.
+double distance(const PointCloud& cloud, std::uint32_t i, std::uint32_t j) {
+    const double* const a = cloud.coordinates.data() + std::size_t{i} * cloud.dim;
+    const double* const b = cloud.coordinates.data() + std::size_t{j} * cloud.dim;
+    double most = 0;
+    for (std::uint32_t k = 0; k < cloud.dim; k++) most = std::max(most, std::fabs(a[k] - b[k]));
+    if (most == 0) return 0;
+    const int exponent = std::ilogb(most);
+    double sum = 0;
+    for (std::uint32_t k = 0; k < cloud.dim; k++) {
+        const double x = std::ldexp(a[k] - b[k], -exponent);
+        sum += x * x;
+    }
+    return std::ldexp(std::sqrt(sum), exponent);
+}
+
+double distance_error(std::uint32_t dim) { return (dim + 8) * 0x1p-53; }
+
+double evaluate(void* user, std::uint32_t i, std::uint32_t j) {
+    return distance(*static_cast<const PointCloud*>(user), i, j);
+}
+
+// Leaves the first of equal points.
+void merge(PointCloud* cloud) {
+    std::set<std::vector<double>> seen;
+    std::size_t kept = 0;
+    for (std::size_t row = 0; row < cloud->rows(); row++) {
+        const auto first = cloud->coordinates.begin() + static_cast<std::ptrdiff_t>(row * cloud->dim);
+        if (!seen.emplace(first, first + cloud->dim).second) continue;
+        std::copy(first, first + cloud->dim,
+                  cloud->coordinates.begin() + static_cast<std::ptrdiff_t>(kept * cloud->dim));
+        if (row < cloud->lines.size()) cloud->lines[kept] = cloud->lines[row];
+        kept++;
+    }
+    cloud->coordinates.resize(kept * cloud->dim);
+    if (!cloud->lines.empty()) cloud->lines.resize(kept);
+}
+
+requests::Distances request_of(const Options& options, const RipsInput& input) {
+    requests::Distances request;
+    if (input.of_points()) {
+        request.layout = NETMESH_DISTANCES_FUNCTION;
+        request.evaluate = evaluate;
+        request.user = const_cast<PointCloud*>(&input.cloud);  // only read
+    } else {
+        request.layout = input.file.layout;
+        request.numbers = input.file.numbers.data();
+        request.entries = input.file.entries.data();
+        request.entry_count = input.file.entries.size();
+    }
+    request.point_count = input.count();
+    request.threshold = options.threshold.value_or(HUGE_VAL);
+    request.max_degree = options.max_degree.value_or(1);
+    request.keep_zero_pairs = options.all ? 1 : 0;
+    return request;
+}
+
+using Pair = std::pair<std::uint32_t, std::uint32_t>;
+
+// Half of each finite distance within the threshold, by the points, the lower number in front.
+std::map<Pair, double> edges_of(const RipsInput& input, const Options& options) {
+    std::map<Pair, double> edges;
+    const double most = options.threshold.value_or(HUGE_VAL);
+    const auto add = [&](std::uint32_t i, std::uint32_t j, double d) {
+        if (i != j && d / 2 <= most && d < HUGE_VAL) edges[{std::min(i, j), std::max(i, j)}] = d / 2;
+    };
+    for (const netmesh_distance_entry& entry : input.file.entries) add(entry.i, entry.j, entry.distance);
+    if (!input.of_points() && input.file.layout == NETMESH_DISTANCES_SPARSE) return edges;
+    const std::uint64_t n = input.count();
+    for (std::uint32_t i = 0; i < n; i++)
+        for (std::uint32_t j = 0; j < i; j++) {
+            const std::uint64_t at =
+                input.file.layout == NETMESH_DISTANCES_FULL ? i * n + j : std::uint64_t{i} * (i - 1) / 2 + j;
+            add(i, j, input.of_points() ? distance(input.cloud, i, j) : input.file.numbers[at]);
+        }
+    return edges;
+}
+
+}  // namespace
+
+Outcome read_rips_input(const Options& options, const std::string& path, RipsInput* input) {
+    *input = {};
+    if (options.distances) {
+        const Outcome outcome = read_distances(path, options.sparse, &input->file);
+        if (outcome.good()) tell_note(options, input->file.place.name, input->file.note);
+        input->rows = input->file.points;
+        return outcome;
+    }
+    Outcome outcome = read_cloud(options, path, &input->cloud);
+    if (!outcome.good()) return outcome;
+    const PointCloud& cloud = input->cloud;
+    for (std::size_t i = 0; i < cloud.coordinates.size(); i++)
+        if (std::fabs(cloud.coordinates[i]) > coordinate_max)
+            return cloud.fault(i / cloud.dim, "with --threshold coordinates go to 2^1000 (1.07e301)");
+    input->rows = cloud.rows();
+    merge(&input->cloud);
+    return {};
+}
+
+Outcome persist_rips(const Options& options, const RipsInput& input, bool cycles, Session& session,
+                     netmesh_report* report) {
+    requests::Distances request = request_of(options, input);
+    request.representatives = cycles ? 1 : 0;
+    const PointCloud& place = input.of_points() ? input.cloud : input.file.place;
+    const Outcome outcome = session.run(plan(request), place, [&](Session& s) {
+        return s.call(NETMESH_STAGE_REDUCE, [&] { return s.engine().persist_distances(s.watched(request)); });
+    });
+    const Engine& engine = session.engine();
+    const netmesh_detail detail = engine.detail();
+    const bool at_number = detail.field == NETMESH_FIELD_NUMBERS || detail.field == NETMESH_FIELD_ENTRIES;
+    if (engine.status() == NETMESH_INVALID_ARGUMENT && at_number)
+        return input.file.fault(detail.index_a, detail.index_b, detail.message);
+    if (!outcome.good()) return outcome;
+    *report = engine.report();
+    if (!input.of_points()) return {};
+    report->input.dim = input.cloud.dim;
+    report->input.points = input.rows;
+    report->input.duplicates = input.rows - input.count();
+    report->diagram.value_error += distance_error(input.cloud.dim);
+    return {};
+}
+
+SimplexList complex_of(const RipsInput& input, const Options& options, std::uint32_t top) {
+    const std::uint64_t n = input.count();
+    if (n > 4000) return {};
+    const std::map<Pair, double> edges = edges_of(input, options);
+    std::vector<std::vector<std::uint32_t>> later(n);  // neighbours of higher number
+    for (const auto& edge : edges) later[edge.first.first].push_back(edge.first.second);
+    std::vector<FilteredSimplex> list;
+    for (std::uint32_t v = 0; v < n; v++) list.push_back({{v}, 0});
+    for (std::size_t first = 0, last = list.size(), d = 0; d < top; d++, first = last, last = list.size()) {
+        for (std::size_t s = first; s < last; s++) {
+            for (const std::uint32_t v : later[list[s].vertices.back()]) {
+                double value = list[s].value;
+                bool joined = true;
+                for (const std::uint32_t u : list[s].vertices) {
+                    const auto edge = edges.find({u, v});
+                    joined = joined && edge != edges.end();
+                    if (joined) value = std::max(value, edge->second);
+                }
+                if (!joined) continue;
+                FilteredSimplex cofacet{list[s].vertices, value};
+                cofacet.vertices.push_back(v);
+                list.push_back(std::move(cofacet));
+                if (list.size() > opinion_simplices_max) return {};
+            }
+        }
+    }
+    return list;
+}
+
+}  // namespace netmesh::tool
