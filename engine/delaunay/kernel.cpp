@@ -284,6 +284,8 @@ template <int D> void Kernel<D>::fill(const Cavity& cavity, VertexId id) {
 #endif
         if (!made) {
             for (std::ptrdiff_t k = 0; k < facets; ++k) {
+                if (k % 256 == 255)
+                    store_.arena.pass(256 * (D - 1));  // of thousands of facets, about a hull or a shell
                 const CellId n = end[-k].made = supply.take();
                 const std::uint32_t i = end[-k].facet.position();
                 Cell<D>& old = cells[end[-k].facet.cell()];
@@ -306,7 +308,10 @@ template <int D> void Kernel<D>::fill(const Cavity& cavity, VertexId id) {
                 old.neighbour[i] = FacetId(n, i);
                 beyond.neighbour[outer.position()] = FacetId(n, i);
             }
-            for (std::ptrdiff_t k = 0; k < facets; ++k) link<D>(cells, cavity.stamp, end[-k].made, end[-k].facet);
+            for (std::ptrdiff_t k = 0; k < facets; ++k) {
+                if (k % 256 == 255) store_.arena.pass(256 * (D - 1));
+                link<D>(cells, cavity.stamp, end[-k].made, end[-k].facet);
+            }
         }
         for (std::ptrdiff_t k = 0; k < old_cells; ++k) supply.give_back(end[-k].entry.cell());
         if (vertex_cells_ == VertexCells::kept)

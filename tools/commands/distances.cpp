@@ -70,8 +70,8 @@ Outcome run_distances(const Options& given) {
     const CyclePlaces places = input.of_points() ? places_of(input.cloud) : CyclePlaces{};
     std::vector<FileJob> jobs;
     if (!options.svg.empty())
-        jobs.push_back(
-            {picture_path(options.svg), [&](TextWriter& out) { out << diagram_picture(bars, *run.engine, {}, options.axis); }});
+        jobs.push_back({picture_path(options.svg),
+                        [&](TextWriter& out) { out << diagram_picture(bars, *run.engine, {}, options.axis); }});
     if (!options.representatives.empty())
         jobs.push_back({options.representatives,
                         [&](TextWriter& out) { write_cycles(engine, options.representatives, chosen, places, out); }});
