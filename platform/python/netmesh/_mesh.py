@@ -1,4 +1,5 @@
 """Triangulations and quality meshes."""
+import contextlib
 import ctypes
 from typing import Callable, Optional, Tuple, Union
 
@@ -62,9 +63,21 @@ class Mesh:
         return self._arrays[name]
 
     def _call(self, function, *arguments):
-        if self._session.context is None:
-            raise InvalidArgument("the mesh is closed")
-        self._session.call(function, self._session.context, *arguments)
+        with self._opened() as session:
+            session.call(function, session.context, *arguments)
+
+    @contextlib.contextmanager
+    def _opened(self, *progress):
+        """The session, for one call at a time."""
+        session = self._session
+        with session.alone():
+            if session.context is None:
+                raise InvalidArgument("the mesh is closed")
+            if progress:
+                session.unwatch()
+                if progress[0] is not None:
+                    session.show(progress[0])
+            yield session
 
     @property
     def vertices(self) -> np.ndarray:
@@ -145,45 +158,41 @@ class Mesh:
         if row.source == c.NETMESH_SOURCE_MESH:
             given["method"] = "svr"  # nothing is refined here
         options = Options(self.dim, filter, given)
-        self._watch(progress)
-        persist_here(self._session, options)
-        self._arrays.pop("values", None)
-        diagram = _diagram.read(self._session, None, options.representatives)
-        self._report = self._session.report()
-        return diagram
+        with self._opened(progress) as session:
+            self._arrays.pop("values", None)
+            try:
+                persist_here(session, options)
+                return _diagram.read(session, None, options.representatives)
+            finally:
+                self._report = session.report()
 
     def vineyard(self, k: Tuple[int, int], filter: str = "knn", max_degree: Optional[int] = None, *,
                  values: str = "certified", progress: Union[bool, Callable, None] = None):
         """The diagrams of "knn" or "kdistance" for k from ``k[0]`` to ``k[1]`` on this mesh, and the vines through
         them: see :func:`netmesh.vineyard`."""
         from . import _vineyard
-        self._watch(progress)
-        made = _vineyard.on_mesh(self, k, filter, max_degree, values)
-        self._report = self._session.report()
-        self._arrays.pop("values", None)
-        return made
+        with self._opened(progress) as session:
+            self._arrays.pop("values", None)
+            try:
+                return _vineyard.on_mesh(session, k, filter, max_degree, values)
+            finally:
+                self._report = session.report()
 
     def check(self, what: str = "all", *, progress: Union[bool, Callable, None] = None) -> None:
         """Checks the mesh anew, exactly, by code that shares nothing with what made it: "combinatorial", "geometric",
         "delaunay", "quality", "bounds" or "all". Raises :class:`netmesh.errors.CheckFailed`."""
         request = requested(c.netmesh_check_request)
         request.what = choice(what, "what", CHECKS)
-        request.monitor = self._session.monitor
         if self._request is not None:
             request.mesh = ctypes.addressof(self._request)
-        self._watch(progress)
-        self._call(lib.netmesh_check, ctypes.addressof(request))
-
-    def _watch(self, progress):
-        if self._session.context is None:
-            raise InvalidArgument("the mesh is closed")
-        self._session.unwatch()
-        if progress is not None:
-            self._session.show(progress)
+        with self._opened(progress) as session:
+            request.monitor = session.monitor
+            session.call(lib.netmesh_check, session.context, ctypes.addressof(request))
 
     def close(self) -> None:
         """Gives the memory back; arrays that were read stay."""
-        self._session.end()
+        with self._session.alone():
+            self._session.end()
 
     def __enter__(self) -> "Mesh":
         return self

@@ -69,7 +69,6 @@ def persist(points, filter: str = "auto", max_degree: Optional[int] = None, *, k
                  memory=memory)
     if isinstance(filter, str) and filter == "auto":
         filter = auto_filter(read[2])
-        given = {name: value for name, value in given.items() if value}
         try:
             return _run(read, Options(read[2], filter, given), progress)
         except Flat:

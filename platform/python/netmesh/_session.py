@@ -1,4 +1,5 @@
 """Calls of the library: a context in a block of memory, the watch over a job, and what comes of a status."""
+import contextlib
 import ctypes
 import mmap
 import os
@@ -100,6 +101,16 @@ class Session:
         if progress is not None:
             self.show(progress)
 
+    @contextlib.contextmanager
+    def alone(self):
+        """For a context that others can get at: one thread at a time, and none from within a job."""
+        if not self.lock.acquire(blocking=False):
+            raise NoResult("another call is at work on this mesh")
+        try:
+            yield
+        finally:
+            self.lock.release()
+
     def show(self, progress):
         """Calls ``progress(stage, done, total, vertices, cells)`` now and then; it stops the job by a True."""
         progress = _bar() if progress is True else progress
@@ -146,16 +157,11 @@ class Session:
 
     def call(self, function, *arguments):
         """One call of the library; an exception where its status is not OK."""
-        if not self.lock.acquire(blocking=False):
-            raise NoResult("another call is at work on this mesh")
-        try:
-            if not self.callbacks:
+        if not self.callbacks:
+            status = function(*arguments)
+        else:
+            with _DeferredInterrupt(self):
                 status = function(*arguments)
-            else:
-                with _DeferredInterrupt(self):
-                    status = function(*arguments)
-        finally:
-            self.lock.release()
         if status != c.NETMESH_OK or self.error is not None or self.watch.error_type:
             self.fail(status)
 

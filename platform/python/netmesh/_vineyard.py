@@ -91,8 +91,8 @@ def _range(k):
     return whole(first, "k", 1), whole(last, "k", 1)
 
 
-def on_mesh(mesh, k, filter, max_degree, values):
-    session = mesh._session
+def on_mesh(session, k, filter, max_degree, values):
+    """Of the mesh that a session's context holds."""
     request = requested(c.netmesh_vineyard_request, filter_row(filter).filter)
     request.monitor = session.monitor
     request.k_first, request.k_last = _range(k)
