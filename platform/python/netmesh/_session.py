@@ -1,6 +1,7 @@
 """Calls of the library: a context in a block of memory, the watch over a job, and what comes of a status."""
 import contextlib
 import ctypes
+import functools
 import mmap
 import os
 import re
@@ -32,6 +33,7 @@ class Block:
         self.address = ctypes.addressof(self._hold)
 
 
+@functools.lru_cache(maxsize=None)
 def physical_bytes():
     """The machine's memory, or the control group's limit where that is lower."""
     size = os.sysconf("SC_PHYS_PAGES") * os.sysconf("SC_PAGE_SIZE")
