@@ -1,5 +1,6 @@
 """Persistence diagrams."""
-from typing import Iterator, List, NamedTuple, Optional, Tuple
+import os
+from typing import Iterator, List, NamedTuple, Optional, Tuple, Union
 
 import numpy as np
 
@@ -161,7 +162,7 @@ class Diagram:
         from . import _plot
         return _plot.draw(self, axes, kind)
 
-    def save(self, path: str) -> None:
+    def save(self, path: Union[str, os.PathLike]) -> None:
         """Writes the diagram, by the ending: .pers as ``netmesh check`` reads it, .csv, or .npy (float64 [m, 3])."""
         from . import _files
         _files.save(self, path)

@@ -1,5 +1,6 @@
 """Diagrams in files."""
 import os
+from typing import Union
 
 import numpy as np
 
@@ -68,7 +69,7 @@ def save(diagram, path):
         file.write(text)
 
 
-def load(path) -> Diagram:
+def load(path: Union[str, os.PathLike]) -> Diagram:
     """Reads a .pers file, of this package or of the tool. Bounds are not read: ``netmesh.check`` makes them anew."""
     head, rows = [], []
     with open(path, encoding="utf-8") as file:

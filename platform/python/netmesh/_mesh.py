@@ -30,6 +30,7 @@ class Mesh:
         self._request = request  # what the mesh promises
         self._report = session.report()
         self._arrays = {}
+        self._written = (self._report.memory.peak_bytes,)  # None: not known
         #: D, the number of coordinates of a vertex.
         self.dim: int = dim
 
@@ -63,21 +64,30 @@ class Mesh:
         return self._arrays[name]
 
     def _call(self, function, *arguments):
-        with self._opened() as session:
-            session.call(function, session.context, *arguments)
-
-    @contextlib.contextmanager
-    def _opened(self, *progress):
-        """The session, for one call at a time."""
         session = self._session
-        with session.alone():
+        session.enter()
+        try:
             if session.context is None:
                 raise InvalidArgument("the mesh is closed")
-            if progress:
-                session.unwatch()
-                if progress[0] is not None:
-                    session.show(progress[0])
+            session.call(function, session.context, *arguments)
+        finally:
+            session.lock.release()
+
+    @contextlib.contextmanager
+    def _opened(self, progress):
+        """The session, for one call at a time."""
+        session = self._session
+        session.enter()
+        try:
+            if session.context is None:
+                raise InvalidArgument("the mesh is closed")
+            session.unwatch()
+            if progress is not None:
+                session.show(progress)
+            self._written = None
             yield session
+        finally:
+            session.lock.release()
 
     @property
     def vertices(self) -> np.ndarray:
@@ -191,8 +201,17 @@ class Mesh:
 
     def close(self) -> None:
         """Gives the memory back; arrays that were read stay."""
-        with self._session.alone():
-            self._session.end()
+        session = self._session
+        session.enter()
+        try:
+            session.end(*self._written or ())
+        finally:
+            session.lock.release()
+
+    def __del__(self) -> None:
+        session = getattr(self, "_session", None)
+        if session is not None:
+            session.end(*self._written or ())
 
     def __enter__(self) -> "Mesh":
         return self

@@ -189,6 +189,7 @@ def _fitted(session, options, read):
     function = function_of(session, options)
     if function is not None:
         request.function = ctypes.addressof(function)
+        session.callbacks.append(function)
 
     def work():
         session.call(lib.netmesh_fit, session.context, at)

@@ -1,5 +1,4 @@
 """Calls of the library: a context in a block of memory, the watch over a job, and what comes of a status."""
-import contextlib
 import ctypes
 import functools
 import mmap
@@ -82,7 +81,8 @@ _PROGRESS = ctypes.CFUNCTYPE(ctypes.c_int, ctypes.POINTER(c.netmesh_progress))
 _EVALUATE = ctypes.CFUNCTYPE(ctypes.c_double, ctypes.c_void_p, ctypes.POINTER(ctypes.c_double))
 STAGES = ("none", "sort", "delaunay", "refine", "certify", "filter", "gradient", "reduce", "check", "analyse")
 
-_spare = []  # small blocks of jobs that have ended
+_spare = []        # small blocks of jobs that have ended
+_spare_space = []  # large ones of which hardly a page was written to
 _no_detail = sized(c.netmesh_detail)
 
 
@@ -103,15 +103,10 @@ class Session:
         if progress is not None:
             self.show(progress)
 
-    @contextlib.contextmanager
-    def alone(self):
-        """For a context that others can get at: one thread at a time, and none from within a job."""
+    def enter(self):
+        """Takes the lock of a context that others can get at: one thread at a time, and none from within a job."""
         if not self.lock.acquire(blocking=False):
             raise NoResult("another call is at work on this mesh")
-        try:
-            yield
-        finally:
-            self.lock.release()
 
     def show(self, progress):
         """Calls ``progress(stage, done, total, vertices, cells)`` now and then; it stops the job by a True."""
@@ -210,7 +205,10 @@ class Session:
         physical = physical_bytes()
         size = min(max(LEAST_BYTES, 64 * plan), physical)
         while True:
-            block = _reserve(size, plan >= HUGE_BYTES, least=LEAST_BYTES // 64)
+            if size == LEAST_BYTES and plan < SMALL_BYTES // 2 and _spare_space:
+                block = _spare_space.pop()
+            else:
+                block = _reserve(size, plan >= HUGE_BYTES, least=LEAST_BYTES // 64)
             try:
                 self._begin(block)
                 return work()
@@ -220,11 +218,15 @@ class Session:
                 self.block = self.context = None
                 size = min(4 * size, physical)
 
-    def end(self):
-        """Gives the block back. What was read from it stays."""
+    def end(self, written=LEAST_BYTES):
+        """Gives the block back, of which so many bytes were written to. What was read from it stays."""
         block, self.block, self.context = self.block, None, None
-        if block is not None and block.bytes == SMALL_BYTES and self.bytes is None and len(_spare) < 4:
+        if block is None or self.bytes is not None:
+            return
+        if block.bytes == SMALL_BYTES and len(_spare) < 4:
             _spare.append(block)
+        elif block.bytes == LEAST_BYTES and written < SMALL_BYTES // 2 and len(_spare_space) < 2:
+            _spare_space.append(block)
 
     def report(self):
         report = sized(c.netmesh_report)
