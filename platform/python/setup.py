@@ -55,7 +55,8 @@ def compile_library(folder, output):
     objects = []
     for name in ["netmesh.cpp"] + C_SOURCES:
         is_c = name.endswith(".c")
-        command = (cc + ["-std=c99"] if is_c else cxx + ["-std=c++17"]) + common + flags("CFLAGS" if is_c else "CXXFLAGS")
+        command = cc + ["-std=c99"] if is_c else cxx + ["-std=c++17"]
+        command += common + flags("CFLAGS" if is_c else "CXXFLAGS")
         print("netmesh: compiling", name, flush=True)
         subprocess.run(command + ["-c", name, "-o", name + ".o"], cwd=folder, check=True)
         objects.append(name + ".o")

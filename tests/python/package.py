@@ -1,5 +1,5 @@
-"""package.py wheel | source: builds the package without a network, installs it in a clean environment, and runs the first
-example of its README there.
+"""package.py wheel | source: builds the package without a network, installs it in a clean environment, and runs the
+first example of its README there.
 
   wheel    with the library that NETMESH_LIBRARY names, by `pip wheel`
   source   by `pip install` of the source distribution, which compiles the engine; of D = 2 alone and not optimised, as

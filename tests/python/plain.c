@@ -1,5 +1,5 @@
-/* plain FILE DIM TIMES: the alpha diagram and the Delaunay triangulation of points, doubles in a file, as a program in C
- * makes and reads them. Prints for each: name, fingerprint, seconds of the best run. */
+/* plain FILE DIM TIMES: the alpha diagram and the Delaunay triangulation of points, doubles in a file, as a program in
+ * C makes and reads them. Prints for each: name, fingerprint, seconds of the best run. */
 #define _DEFAULT_SOURCE
 #include <inttypes.h>
 #include <stdio.h>

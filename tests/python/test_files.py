@@ -21,7 +21,8 @@ CASES = [
     ("complete", dict(fit=True, memory="512K", focus=(0.05, 0.2)), "--fit --memory 512K --from 0.05 --to 0.2"),
     ("complete", dict(focus="auto", memory="1M"), "--focus auto --memory 1M"),
     ("basic", dict(seed=7), "--seed 7"), ("alpha", {}, ""), ("alpha", dict(max_degree=0), "--max-degree 0"),
-    ("knn", dict(k=3, bounds=True), "--k 3 --bounds"), ("knn", dict(k=2, fit=True, memory="1M"), "--k 2 --fit --memory 1M"),
+    ("knn", dict(k=3, bounds=True), "--k 3 --bounds"),
+    ("knn", dict(k=2, fit=True, memory="1M"), "--k 2 --fit --memory 1M"),
     ("kdistance", dict(k=3), "--k 3"), ("tight", dict(eps=0.4), "--eps 0.4"), ("tight", dict(ratio=1.9), "--ratio 1.9"),
     ("scales", {}, ""), ("scales", dict(ratio=2.5, theta=0.1), "--ratio 2.5 --theta 0.1"), ("rips", {}, ""),
     ("cech", dict(max_degree=0), "--max-degree 0"), ("barycentric-cech", dict(k=2), "--k 2"),
@@ -103,6 +104,7 @@ def test_load_refuses(tmp_path, line):
 @pytest.mark.parametrize("value, text", [
     (0.0, "0"), (-0.0, "0"), (1.0, "1"), (0.1, "0.1"), (100000.0, "1e+05"), (120000.0, "120000"), (1e22, "1e+22"),
     (1e-5, "1e-05"), (0.001, "0.001"), (0.0001, "1e-04"), (-2.5e-300, "-2.5e-300"), (float("inf"), "inf"),
-    (123456789012345680000.0, "123456789012345683968"), (5e-324, "5e-324"), (0.07313247725035307, "0.07313247725035307")])
+    (123456789012345680000.0, "123456789012345683968"), (5e-324, "5e-324"),
+    (0.07313247725035307, "0.07313247725035307")])
 def test_numbers(value, text):
     assert number_text(value) == text

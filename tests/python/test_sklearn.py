@@ -52,7 +52,8 @@ def test_series_that_repeat_are_circles():
     regular = [np.sin(2 * np.pi * (5 * time + shift)) + 0.05 * rng.normal(size=60) for shift in rng.random(20)]
     noise = [rng.normal(size=60) for _ in range(20)]
     X, y = np.array(regular + noise), np.repeat([1, 0], 20)
-    model = make_pipeline(PersistenceFeatures("statistics", dimension=2, delay=3), StandardScaler(), LogisticRegression())
+    features = PersistenceFeatures("statistics", dimension=2, delay=3)
+    model = make_pipeline(features, StandardScaler(), LogisticRegression())
     model.fit(X[::2], y[::2])
     assert model.score(X[1::2], y[1::2]) >= 0.9
 

@@ -222,7 +222,7 @@ def bars_of(diagram, argument):
     pairs."""
     if isinstance(diagram, Diagram):
         rows = diagram.pairs
-    elif isinstance(diagram, (list, tuple)) and all(isinstance(part, np.ndarray) and part.ndim == 2 for part in diagram):
+    elif isinstance(diagram, (list, tuple)) and all(getattr(part, "ndim", 0) == 2 for part in diagram):
         rows = [np.column_stack((np.full(len(part), k), part)) for k, part in enumerate(diagram)]
         rows = np.concatenate(rows) if rows else np.empty((0, 3))
     else:

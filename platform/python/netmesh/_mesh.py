@@ -40,7 +40,8 @@ class Mesh:
             if name in ("vertices", "markers"):
                 vertices = np.empty((part.vertices, self.dim))
                 markers = np.empty(part.vertices, dtype=np.uint8)
-                self._call(lib.netmesh_array_vertices, self.dim, part.vertices, address(vertices), address(markers), None)
+                self._call(lib.netmesh_array_vertices, self.dim, part.vertices, address(vertices), address(markers),
+                           None)
                 self._arrays.update(vertices=vertices, markers=markers)
             elif name == "values":
                 values = np.empty(part.vertices)

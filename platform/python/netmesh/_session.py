@@ -283,7 +283,7 @@ def _bar():
     try:
         from tqdm import tqdm
     except ImportError:
-        raise InvalidArgument("progress: True needs tqdm, which is not installed; give a function", "progress") from None
+        raise InvalidArgument("progress: True needs tqdm, which is not installed", "progress") from None
     bar = tqdm()
 
     def show(stage, done, total, vertices, cells):

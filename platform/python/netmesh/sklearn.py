@@ -48,7 +48,8 @@ class PersistenceFeatures(TransformerMixin, BaseEstimator):
         m, of series.
     """
 
-    def __init__(self, features="landscape", max_degree=1, filter="auto", layers=2, resolution=20, dimension=2, delay=1):
+    def __init__(self, features="landscape", max_degree=1, filter="auto", layers=2, resolution=20, dimension=2,
+                 delay=1):
         self.features = features
         self.max_degree = max_degree
         self.filter = filter
@@ -109,9 +110,8 @@ class PersistenceFeatures(TransformerMixin, BaseEstimator):
         series = validate_data(self, X, dtype=np.float64, reset=reset)
         count = series.shape[1] - (self.dimension - 1) * self.delay
         if count < 1:
-            raise ValueError("X: a series has %d feature(s), n_features = %d; the embedding needs at least %d, a "
-                             "minimum of %d is required." % (series.shape[1], series.shape[1], series.shape[1] + 1 - count,
-                                                             series.shape[1] + 1 - count))
+            raise ValueError("X: a series has %d feature(s), while a minimum of %d is required by the embedding."
+                             % (series.shape[1], series.shape[1] + 1 - count))
         starts = np.arange(count)[:, None] + self.delay * np.arange(self.dimension)
         return series[:, starts]
 
