@@ -1,6 +1,6 @@
-"""bench.py [--small]: the ten jobs that users of topological data analysis do most, in netmesh and in what they would use
-else: GUDHI, ripser (the program) and scipy. Each runs in a process of its own; seconds are the best of some runs, memory
-the growth of the process's peak. A peer that is not installed is left out. Prints a table.
+"""bench.py [--small]: the ten jobs that users of topological data analysis do most, in netmesh and in what they would
+use else: GUDHI, ripser (the program) and scipy. Each runs in a process of its own; seconds are the best of some runs,
+memory the growth of the process's peak. A peer that is not installed is left out. Prints a table.
 """
 import importlib.util
 import json
@@ -78,13 +78,15 @@ def jobs():
     diagrams = "a, b = diagram(%d, 1), diagram(%d, 2)\np = a"
     found = []
     for dim, n in ((2, scale(20000)), (3, scale(20000))):
-        found.append(("alpha diagram, %dD, %d points" % (dim, n), ours(sphere % (n, dim), 'netmesh.persist(p, "alpha")'),
+        found.append(("alpha diagram, %dD, %d points" % (dim, n),
+                      ours(sphere % (n, dim), 'netmesh.persist(p, "alpha")'),
                       {"gudhi": gudhi_alpha(n).replace("{dim}", str(dim))}))
     for n, degree in ((scale(1000), 1), (scale(300), 2)):
         found.append((
             "Rips diagram to degree %d, 3D, %d points" % (degree, n),
             ours(sphere % (n, 3), "netmesh.rips(p, max_degree=%d)" % degree),
-            {"ripser": RIPSER + sphere % (n, 3) + "\njob = lambda: by_ripser(p, %d)\njob_small = lambda: 0\n" % degree}))
+            {"ripser": RIPSER + sphere % (n, 3) + "\njob = lambda: by_ripser(p, %d)\n" % degree +
+             "job_small = lambda: 0\n"}))
     n = scale(500)
     found.append((
         "Rips diagram of a distance matrix, %d points" % n,
