@@ -117,6 +117,19 @@ class Job {
             bytes = Math.min(limit, 2 * bytes);
         }
     }
+    // A diagram on a mesh may need more memory than the plan had: the mesh is made again in twice as much.
+    persist(memory) {
+        const name = this.exports.is_mesh() ? 'mesh' : 'delaunay';
+        for (;;) {
+            try {
+                this.go('persist');
+                return;
+            } catch (error) {
+                if (error.status !== 'out-of-memory' || memory !== undefined) throw error;
+                this.run(name, 2 * (this.end - this.inputEnd));
+            }
+        }
+    }
     // On what the context holds.
     go(name) { this.done(this.exports[name]()); }
     done(status) {
@@ -234,8 +247,10 @@ export class Mesh {
     #job;
     #filters;
     #arrays = {};
-    constructor(job, dim, filters) {
+    #memory;
+    constructor(job, dim, filters, memory) {
         this.#job = job;
+        this.#memory = memory;
         this.#filters = filters;
         this.dim = dim;
         this.vertexCount = job.exports.vertices();
@@ -283,7 +298,7 @@ export class Mesh {
             k: whole(options.k ?? 1, 'k', 1, 2 ** 28), maxDegree: whole(options.maxDegree ?? this.dim - 1, 'maxDegree', 0, 30),
             keepZeroPairs: options.keepZeroPairs ?? 0, bounds: options.bounds ?? 0,
             representatives: options.representatives ?? 0 });
-        this.#job.go('persist');
+        this.#job.persist(this.#memory);
         return diagramOf(this.#job, name, options);
     }
     /** Checks the mesh anew, exactly, by code that shares nothing with what made it; throws "check-failed". */
@@ -365,7 +380,7 @@ export class Netmesh {
         if (onMesh || byScales) this.#settle(job, filter, options, given, values, read.dim);
         if (onMesh) {
             job.run('mesh', job.exports.plan_mesh(), options.memory);
-            this.#persistGrowing(job, options);
+            job.persist(options.memory);
         } else if (byScales) {
             job.run('scales', job.exports.plan_scales(), options.memory);
         } else if (onPoints) {
@@ -373,7 +388,7 @@ export class Netmesh {
         } else if (options.representatives) {
             job.set({ purpose: PURPOSES.persist });
             job.run('delaunay', job.exports.plan_delaunay(), options.memory);
-            this.#persistGrowing(job, options);
+            job.persist(options.memory);
         } else {
             job.run('alpha', job.exports.plan_alpha(), options.memory);
         }
@@ -399,20 +414,6 @@ export class Netmesh {
             to: focus[2], eps: filter.hasEps && ratio === undefined ? given.eps ?? 0.5 : given.eps ?? 0,
             wholeCells: options.wholeCells || !(refines && filter.clipsCells) });
     }
-    // A diagram on a mesh may need more memory than the plan had: the mesh is made again in twice as much.
-    #persistGrowing(job, options) {
-        const name = job.exports.is_mesh() ? 'mesh' : 'delaunay';
-        for (;;) {
-            try {
-                job.go('persist');
-                return;
-            } catch (error) {
-                if (error.status !== 'out-of-memory' || options.memory !== undefined) throw error;
-                job.run(name, 2 * (job.end - job.inputEnd));
-            }
-        }
-    }
-
     mesh(points, options = {}) {
         known('mesh', options);
         const read = pointsOf(points, options.dim);
@@ -424,7 +425,7 @@ export class Netmesh {
             purpose: choose(PURPOSES, options.purpose ?? 'mesh', 'purpose'), finish: options.finish ?? 0,
             wholeCells: options.wholeCells ?? 0 });
         job.run('mesh', 1.5 * job.exports.plan_mesh(), options.memory);
-        return new Mesh(job, read.dim, this.#filters);
+        return new Mesh(job, read.dim, this.#filters, options.memory);
     }
     delaunay(points, options = {}) {
         known('delaunay', options);
@@ -432,7 +433,7 @@ export class Netmesh {
         const job = this.#job(read, options);
         job.set({ purpose: choose({ mesh: 0, persist: 1 }, options.purpose ?? 'persist', 'purpose') });
         job.run('delaunay', 1.5 * job.exports.plan_delaunay(), options.memory);
-        return new Mesh(job, read.dim, this.#filters);
+        return new Mesh(job, read.dim, this.#filters, options.memory);
     }
     rips(points, options = {}) {
         known('rips', options);
@@ -441,10 +442,9 @@ export class Netmesh {
         if (typeof threshold !== 'number') refuse('threshold', 'not a number');
         const common = { maxDegree: whole(options.maxDegree ?? 1, 'maxDegree', 0, 30),
             keepZeroPairs: options.keepZeroPairs ?? 0, representatives: options.representatives ?? 0 };
-        if (distances === undefined && threshold === Infinity)
-            return this.#persist(pointsOf(points, options.dim), options, 'rips');
-        const { array, count } = distances === undefined ? this.#euclidean(pointsOf(points, options.dim))
-            : this.#square(distances);
+        const read = distances === undefined ? pointsOf(points, options.dim) : null;
+        if (read && threshold === Infinity && read.dim > 1) return this.#persist(read, options, 'rips');
+        const { array, count } = read ? this.#euclidean(read) : this.#square(distances);
         const job = new Job(this.#module, options.progress);
         job.put(array);
         job.set({ points: count, layout: distances === undefined ? 1 : 0, threshold, ...common });

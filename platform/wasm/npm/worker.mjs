@@ -18,7 +18,7 @@ function plain(result) {
 function take({ id, name, values, watched, module }) {
     try {
         netmesh ??= new Netmesh(module);
-        if (watched) values.at(-1).progress = progress => port.postMessage({ id, progress });
+        if (watched) values.at(-1).progress = progress => { port.postMessage({ id, progress }); };
         const given = values.map(value => value?.intervals && value.starts ? Diagram.from(value) : value);
         port.postMessage({ id, result: plain(netmesh[name](...given)) });
     } catch ({ message, status, argument, row }) {
