@@ -1,4 +1,5 @@
-// node browser.mjs PACKAGE GOLDEN PROFILE: the package in headless Chromium, in the page's thread and in a worker, from a
+// node browser.mjs PACKAGE GOLDEN PROFILE: the package in headless Chromium, in the page's thread and in a worker,
+// from a
 // server on this machine.
 import assert from 'node:assert/strict';
 import { spawn } from 'node:child_process';

@@ -38,7 +38,8 @@ const [first, last] = proven.rows(1);
 const sure = [...proven.bounds.certain.subarray(first, last)].flatMap((c, i) => c ? [first + i] : []);
 assert.equal(sure.length, 1);
 const bounds = proven.bounds.numbers.subarray(5 * sure[0], 5 * sure[0] + 4);
-assert.ok(bounds[0] <= Math.sin(Math.PI / 60) && bounds[1] >= Math.sin(Math.PI / 60) && bounds[2] <= 1 && bounds[3] >= 1);
+assert.ok(bounds[0] <= Math.sin(Math.PI / 60) && bounds[1] >= Math.sin(Math.PI / 60) && bounds[2] <= 1
+    && bounds[3] >= 1);
 assert.ok(netmesh.persist(circle, { filter: 'tight', ratio: 1.8 }).certifiedRatio <= 1.8);
 assert.equal(netmesh.persist(circle, { memory: 1 << 20 }).fingerprint, netmesh.persist(circle).fingerprint);
 const mesh = netmesh.mesh(circle, { tau: 2.5 });
@@ -88,10 +89,12 @@ refused(() => netmesh.persist(circle, { filter: 'knn', k: 61 }), 'invalid-argume
 refused(() => netmesh.persist(circle, { filter: 'complete', ratio: 1.2 }), 'invalid-argument', 'ratio');
 refused(() => netmesh.rips(null, { distances: [[0, 1], [2, 0]] }), 'invalid-argument', 'distances', 1);
 for (const [argument, options] of Object.entries({ filter: { filter: 'x' }, k: { k: 2 }, colour: { colour: 1 },
-    maxDegree: { maxDegree: -1 }, tau: { filter: 'complete', tau: 'x' }, seed: { seed: 0.5 }, progress: { progress: 1 } }))
+    maxDegree: { maxDegree: -1 }, tau: { filter: 'complete', tau: 'x' }, seed: { seed: 0.5 },
+        progress: { progress: 1 } }))
     refused(() => netmesh.persist(circle, options), 'invalid-argument', argument);
 for (const points of [null, 3, [], [[1, 2], [3]], [['a', 'b']], [[1]], new Float64Array(3)])
-    refused(() => netmesh.persist(points, points instanceof Float64Array ? { dim: 2 } : {}), 'invalid-argument', 'points');
+    refused(() => netmesh.persist(points, points instanceof Float64Array ? { dim: 2 } : {}), 'invalid-argument',
+        'points');
 refused(() => netmesh.bottleneck(Float64Array.of(2, 1), diagram), 'invalid-argument', 'a', 0);
 refused(() => netmesh.mesh(circle, { tau: 1.5 }), 'invalid-argument', 'tau');
 refused(() => diagram.intervals(2), 'invalid-argument', 'degree');

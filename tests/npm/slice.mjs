@@ -102,7 +102,8 @@ export function compare(netmesh, golden) {
             const points = uniform(dim, 12, 8);
             for (const filter of ['rips', 'cech'])
                 if (filter in due)
-                    expect(due[filter], netmesh.persist(points, { filter, maxDegree: 1, representatives: true }).fingerprint);
+                    expect(due[filter], netmesh.persist(points, { filter, maxDegree: 1,
+                        representatives: true }).fingerprint);
             for (const filter of ['barycentric-cech', 'barycentric-rips'])
                 if (filter in due) expect(due[filter], netmesh.persist(points, { filter, k: 2 }).fingerprint);
             if ('tight' in due) {
@@ -112,16 +113,19 @@ export function compare(netmesh, golden) {
             }
             if ('cages' in due)
                 expect(due.cages, netmesh.mesh(zoom(dim, dim < 5 ? 5 : 3, 6, 13), { method: 'netmesh' }).fingerprint);
-            if ('scales' in due) expect(due.scales, netmesh.persist(zoom(2, 2, 30, 14), { filter: 'scales' }).fingerprint);
+            if ('scales' in due) expect(due.scales, netmesh.persist(zoom(2, 2, 30, 14),
+                { filter: 'scales' }).fingerprint);
             continue;
         }
         if (!/^\d+$/.test(words[1])) continue;
         const [points, meshed] = input(dim, which);
         const some = points.slice(0, meshed);
         const mesh = () => netmesh.mesh(some, { purpose: 'persist' });
-        expect(line, [words.slice(0, 3).join(' '), 'delaunay', said(() => netmesh.delaunay(points).fingerprint), 'alpha',
+        expect(line, [words.slice(0, 3).join(' '), 'delaunay', said(() => netmesh.delaunay(points).fingerprint),
+            'alpha',
             said(() => netmesh.delaunay(points).persist({ filter: 'alpha', keepZeroPairs: true }).fingerprint), 'mesh',
-            said(() => mesh().fingerprint), 'persist', said(() => mesh().persist({ keepZeroPairs: true }).fingerprint)].join(' '));
+            said(() => mesh().fingerprint), 'persist',
+                said(() => mesh().persist({ keepZeroPairs: true }).fingerprint)].join(' '));
     }
     return { faults, count };
 }

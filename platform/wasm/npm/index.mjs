@@ -1,7 +1,9 @@
-// netmesh for JavaScript: typed arrays in, typed arrays out. Each call runs in an instance of its own, whose memory goes
+// netmesh for JavaScript: typed arrays in, typed arrays out. Each call runs in an instance of its own, whose memory
+// goes
 // with it; a mesh keeps its instance. No dependency.
 
-const OPTIONS = ['dim', 'points', 'format', 'filter', 'values', 'k', 'kLast', 'maxDegree', 'ratio', 'focus', 'from', 'to',
+const OPTIONS = ['dim', 'points', 'format', 'filter', 'values', 'k', 'kLast', 'maxDegree', 'ratio', 'focus', 'from',
+    'to',
     'tau', 'method', 'finish', 'eps', 'theta', 'seed', 'keepZeroPairs', 'bounds', 'representatives', 'wholeCells',
     'purpose', 'threshold', 'layout', 'degree', 'isLog', 'order', 'error', 'countA', 'countB', 'watched'];
 const FACTS = ['source', 'purpose', 'hasEps', 'hasTheta', 'hasGoal', 'hasRepresentatives', 'needsK', 'needsFunction',
@@ -13,7 +15,8 @@ const METHODS = { svr: 0, netmesh: 1, refine: 2 };
 const PURPOSES = { mesh: 0, persist: 1, tight: 2 };
 const VALUES = { certified: 0, thesis: 1 };
 const SOURCE = { mesh: 1, delaunay: 2, scales: 3, points: 4 };
-const ARGUMENTS = { dim: 'points', point_count: 'points', max_degree: 'maxDegree', focus_ratio: 'focus', focus_from: 'focus',
+const ARGUMENTS = { dim: 'points', point_count: 'points', max_degree: 'maxDegree', focus_ratio: 'focus',
+    focus_from: 'focus',
     focus_to: 'focus', tight_eps: 'eps', numbers: 'distances', pairs_a: 'a', pairs_b: 'b', relative_error: 'error' };
 const OF_ROWS = ['not-finite', 'out-of-range', 'too-close'];
 const PAGE = 65536, PAIR_BYTES = 24, LARGEST_PAGES = 65536;
@@ -37,7 +40,8 @@ const positive = (value, argument) => typeof value === 'number' && value > 0 && 
 const whole = (value, argument, least, most) => Number.isInteger(value) && value >= least && value <= most ? value
     : refuse(argument, `must be a whole number from ${least} to ${most}`);
 
-/** Bytes of the module: from a URL, a Response, bytes or a compiled module; by default netmesh.wasm beside this file. */
+/** Bytes of the module: from a URL, a Response,
+    bytes or a compiled module; by default netmesh.wasm beside this file. */
 async function compiled(source) {
     source = await (source ?? new URL('./netmesh.wasm', import.meta.url));
     if (source instanceof WebAssembly.Module) return source;
@@ -113,7 +117,8 @@ class Job {
             if (!this.grow(begin + bytes)) this.outOfMemory();
             const status = this.exports[name](begin, bytes);
             this.end = begin + bytes;
-            if (STATUSES[status] !== 'out-of-memory' || memory !== undefined || bytes >= limit) return this.done(status);
+            if (STATUSES[status] !== 'out-of-memory' || memory !== undefined || bytes >= limit) return this.done(
+                status);
             bytes = Math.min(limit, 2 * bytes);
         }
     }
@@ -271,11 +276,13 @@ export class Mesh {
     /** Float64Array [v] after persist on a mesh: of each vertex, a radius. */
     get values() {
         return this.isMesh && this.#job.exports.degrees() > 0
-            ? this.#job.read('read_vertices', [this.vertexCount], null, null, [Float64Array, this.vertexCount])[2] : null;
+            ? this.#job.read('read_vertices', [this.vertexCount], null, null, [Float64Array, this.vertexCount])[2]
+                : null;
     }
     get domain() {
         const at = i => this.#job.exports.domain(i);
-        return this.isMesh ? { centre: Float64Array.from({ length: this.dim }, (_, i) => at(i)), radius: at(this.dim) } : null;
+        return this.isMesh ? { centre: Float64Array.from({ length: this.dim }, (_, i) => at(i)),
+            radius: at(this.dim) } : null;
     }
     #array(name) {
         if (!(name in this.#arrays)) {
@@ -295,7 +302,8 @@ export class Mesh {
         const filter = choose(this.#filters, name, 'filter');
         if (filter.needsFunction) refuse('filter', 'functions are not for JavaScript yet');
         this.#job.set({ filter: filter.number, values: choose(VALUES, options.values ?? 'certified', 'values'),
-            k: whole(options.k ?? 1, 'k', 1, 2 ** 28), maxDegree: whole(options.maxDegree ?? this.dim - 1, 'maxDegree', 0, 30),
+            k: whole(options.k ?? 1, 'k', 1, 2 ** 28), maxDegree: whole(options.maxDegree ?? this.dim - 1,
+                'maxDegree', 0, 30),
             keepZeroPairs: options.keepZeroPairs ?? 0, bounds: options.bounds ?? 0,
             representatives: options.representatives ?? 0 });
         this.#job.persist(this.#memory);
@@ -308,7 +316,8 @@ export class Mesh {
 const KNOWN = {
     persist: ['filter', 'dim', 'maxDegree', 'k', 'ratio', 'focus', 'eps', 'theta', 'values', 'tau', 'method', 'finish',
         'wholeCells', 'keepZeroPairs', 'bounds', 'representatives', 'seed', 'memory', 'progress'],
-    mesh: ['dim', 'tau', 'method', 'purpose', 'eps', 'ratio', 'focus', 'wholeCells', 'finish', 'seed', 'memory', 'progress'],
+    mesh: ['dim', 'tau', 'method', 'purpose', 'eps', 'ratio', 'focus', 'wholeCells', 'finish', 'seed', 'memory',
+        'progress'],
     delaunay: ['dim', 'purpose', 'seed', 'memory', 'progress'],
     rips: ['dim', 'distances', 'threshold', 'maxDegree', 'keepZeroPairs', 'representatives', 'memory', 'progress'],
     bottleneck: ['degree', 'log'], wasserstein: ['degree', 'order', 'error'],
@@ -367,7 +376,8 @@ export class Netmesh {
             ratio: onMesh || byScales, tau: onMesh || byScales, method: onMesh, finish: onMesh, focus: onMesh,
             wholeCells: onMesh, representatives: filter.hasRepresentatives };
         for (const [option, isRead] of Object.entries(reads))
-            if (!isRead && options[option] !== undefined && options[option] !== false) refuse(option, `not for the filter ${name}`);
+            if (!isRead && options[option] !== undefined && options[option] !== false) refuse(option,
+                `not for the filter ${name}`);
         const job = this.#job(read, options);
         const onPoints = filter.source === SOURCE.points;
         const values = choose(VALUES, options.values ?? 'certified', 'values');
@@ -404,11 +414,13 @@ export class Netmesh {
         let ratio = given.ratio;
         if (dim >= 4 && open && values === 0)
             ratio = defaultRatio * (1 + 3 * (filter.hasTheta ? given.theta ?? 1 / 9 : 0));
-        const refines = !byScales && !byMethod && values === 0 && (filter.hasGoal || (filter.hasEps && ratio !== undefined));
+        const refines = !byScales && !byMethod && values === 0 && (filter.hasGoal || (filter.hasEps
+            && ratio !== undefined));
         if (ratio !== undefined && !refines && !byScales) refuse('ratio', 'for filters refined by the certificate');
         if (refines) ratio ??= defaultRatio;
         const focus = options.focus ?? [0, 0, 0];
-        if (focus.length !== 3 || (options.focus && !refines)) refuse('focus', '[ratio, from, to], of a refined filter');
+        if (focus.length !== 3 || (options.focus && !refines)) refuse('focus',
+            '[ratio, from, to], of a refined filter');
         job.set({ method: choose(METHODS, options.method ?? 'svr', 'method'), finish: options.finish ?? 0,
             purpose: refines ? PURPOSES.persist : filter.purpose, ratio: ratio ?? 0, focus: focus[0], from: focus[1],
             to: focus[2], eps: filter.hasEps && ratio === undefined ? given.eps ?? 0.5 : given.eps ?? 0,
@@ -469,7 +481,8 @@ export class Netmesh {
     }
     #square(distances) {
         const array = distances instanceof Float64Array ? distances
-            : Array.isArray(distances) ? Float64Array.from(distances.flat()) : refuse('distances', 'not numbers [n, n]');
+            : Array.isArray(distances) ? Float64Array.from(distances.flat()) : refuse('distances',
+                'not numbers [n, n]');
         const count = Math.round(Math.sqrt(array.length));
         if (count * count !== array.length || count === 0) refuse('distances', `${array.length} numbers are no [n, n]`);
         return { array, count };
@@ -484,7 +497,8 @@ export class Netmesh {
     /** The Wasserstein distance, between `lower` and `value`, which is proven. */
     wasserstein(a, b, options = {}) {
         known('wasserstein', options);
-        const set = { order: whole(options.order ?? 1, 'order', 1, 16), error: positive(options.error ?? 0.001, 'error') };
+        const set = { order: whole(options.order ?? 1, 'order', 1, 16), error: positive(options.error ?? 0.001,
+            'error') };
         const [value, lower] = this.#compare('wasserstein', a, b, set, options.degree);
         return { value, lower };
     }
@@ -517,7 +531,8 @@ function barsOf(diagram, argument) {
     }
     bars.forEach(({ birth, death }, i) => {
         if (!Number.isFinite(birth) || !(death >= birth))
-            throw new NetmeshError('invalid-argument', `${argument}, row ${i}: births are finite, deaths not before them`,
+            throw new NetmeshError('invalid-argument',
+                `${argument}, row ${i}: births are finite, deaths not before them`,
                 argument, i);
     });
     return bars;
