@@ -1,0 +1,97 @@
+"""numpy arrays in and out."""
+import math
+
+import numpy as np
+
+from . import _declarations as c
+from .errors import InvalidArgument
+
+_FORMATS = {np.dtype(np.float64): c.NETMESH_POINTS_FLOAT64, np.dtype(np.float32): c.NETMESH_POINTS_FLOAT32}
+
+
+def address(array):
+    """Where the numbers of an array are; null for None."""
+    return None if array is None else array.ctypes.data
+
+
+def doubles(values, argument, ndim):
+    """An array of float64 in C order with ``ndim`` axes; the same one where it is that already."""
+    array = _array(values, argument)
+    if array.ndim != ndim:
+        raise InvalidArgument("%s: %d axes, where %d are due" % (argument, array.ndim, ndim), argument)
+    if array.dtype.kind in "iu" and array.size and (array.max() > 2 ** 53 or array.min() < -2 ** 53):
+        raise InvalidArgument("%s: integers beyond 2^53, which a double does not hold" % argument, argument)
+    return np.ascontiguousarray(array, dtype=np.float64)
+
+
+def _array(values, argument):
+    if np.ma.isMaskedArray(values) and np.ma.count_masked(values):
+        raise InvalidArgument("%s: masked values" % argument, argument)
+    try:
+        array = values if type(values) is np.ndarray else np.asarray(values)
+        if array.dtype.kind not in "fiub":
+            if array.dtype.kind in "cMmV":
+                raise TypeError
+            array = array.astype(np.float64)
+    except (TypeError, ValueError):
+        raise InvalidArgument("%s: not numbers in rows of equal length" % argument, argument) from None
+    return array
+
+
+def points_of(points, argument="points"):
+    """Points as the library reads them: the array that is to be kept alive, its shape, format and stride. float32 and
+    float64 are read where they lie as long as the numbers of a row are neighbours; anything else is copied."""
+    array = _array(points, argument)
+    if array.ndim != 2:
+        raise InvalidArgument("%s: %d axes; an array [n, D] is due" % (argument, array.ndim), argument)
+    count, dim = array.shape
+    kind = _FORMATS.get(array.dtype)
+    rows, columns = array.strides
+    size = array.itemsize
+    fits = (kind is not None and array.dtype.isnative and (columns == size or dim <= 1) and
+            (count <= 1 or (rows >= dim * size and rows % size == 0)) and array.ctypes.data % size == 0)
+    if not fits:
+        array = doubles(array, argument, 2)
+        kind, rows = c.NETMESH_POINTS_FLOAT64, array.strides[0]
+    return array, count, dim, kind, rows if count > 1 else 0
+
+
+def put_points(request, points):
+    """Makes a request read what points_of gave."""
+    array, request.point_count, _, request.point_format, request.point_stride_bytes = points
+    request.points = array.ctypes.data
+    if not request.point_count:
+        request.points = request.points or 8
+
+
+def positive(value, argument):
+    """A number as a double, above 0 and finite."""
+    value = number(value, argument)
+    if not (value > 0 and math.isfinite(value)):
+        raise InvalidArgument("%s: must be a finite number above 0" % argument, argument)
+    return value
+
+
+def number(value, argument):
+    try:
+        return float(value)
+    except (TypeError, ValueError):
+        raise InvalidArgument("%s: not a number" % argument, argument) from None
+
+
+def whole(value, argument, least=0, most=2 ** 32 - 1):
+    """A whole number within bounds."""
+    try:
+        same = int(value) == value
+    except (TypeError, ValueError, OverflowError):
+        same = False
+    if not same or not least <= value <= most:
+        raise InvalidArgument("%s: must be a whole number from %d to %d" % (argument, least, most), argument)
+    return int(value)
+
+
+def choice(value, argument, choices):
+    """The number of a name."""
+    if value not in choices:
+        raise InvalidArgument("%s: %r is none of %s" % (argument, value, ", ".join(choices)), argument)
+    return choices[value]

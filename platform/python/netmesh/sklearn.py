@@ -1,0 +1,154 @@
+"""Diagrams as features, for scikit-learn."""
+import numpy as np
+from sklearn.base import BaseEstimator, TransformerMixin
+from sklearn.utils.validation import check_array, check_is_fitted
+
+from ._persist import persist, rips
+from .errors import InvalidArgument
+
+try:  # scikit-learn 1.6
+    from sklearn.utils.validation import validate_data
+except ImportError:
+    def validate_data(estimator, X, **options):
+        return estimator._validate_data(X, **options)
+
+_KINDS = ("landscape", "betti", "statistics")
+_STATISTICS = ("bars", "longest", "total", "entropy", "mean birth", "mean death")
+
+
+class PersistenceFeatures(TransformerMixin, BaseEstimator):
+    """Turns each sample into numbers that describe the persistence diagram of its points.
+
+    X is either a sequence of samples, each an array [m, D] of points, D from 2 to 6, m of its own; or an array
+    [samples, m] whose rows are series of numbers. A series x is taken as the points (x[i], x[i + delay], ...,
+    x[i + (dimension - 1) * delay]), its delay embedding: a periodic series is a circle.
+
+    Parameters
+    ----------
+    features : "landscape", "betti" or "statistics"
+        Persistence landscapes, or numbers of bars that are alive, at ``resolution`` radii from 0 to the largest that
+        ``fit`` has seen; or six statistics of the finite bars: number, longest, total length, entropy of lengths,
+        mean birth, mean death. Radii are in units of X.
+    max_degree : int
+        The highest degree of homology; each degree has features of its own.
+    filter : str
+        As of :func:`netmesh.persist`; "rips" is for any D.
+    layers : int
+        How many layers of a landscape, the first for the longest bars.
+    resolution : int
+        At how many radii.
+    dimension, delay : int
+        Of the delay embedding of series.
+
+    Attributes
+    ----------
+    radii_ : ndarray [resolution]
+        The radii of the grid.
+    n_features_in_ : int
+        m, of series.
+    """
+
+    def __init__(self, features="landscape", max_degree=1, filter="auto", layers=2, resolution=20, dimension=2,
+                 delay=1):
+        self.features = features
+        self.max_degree = max_degree
+        self.filter = filter
+        self.layers = layers
+        self.resolution = resolution
+        self.dimension = dimension
+        self.delay = delay
+
+    def fit(self, X, y=None):
+        """Finds the largest radius of the samples' diagrams. Returns self."""
+        if self.features not in _KINDS:
+            raise InvalidArgument("features: %r is none of %s" % (self.features, ", ".join(_KINDS)), "features")
+        self._largest(self._diagrams(X, reset=True))
+        return self
+
+    def fit_transform(self, X, y=None):
+        """As ``fit(X).transform(X)``, with each diagram made once."""
+        if self.features not in _KINDS:
+            raise InvalidArgument("features: %r is none of %s" % (self.features, ", ".join(_KINDS)), "features")
+        diagrams = self._diagrams(X, reset=True)
+        self._largest(diagrams)
+        return self._vectors(diagrams)
+
+    def transform(self, X):
+        """float64 [samples, features], in the order of :meth:`get_feature_names_out`."""
+        check_is_fitted(self, "radii_")
+        return self._vectors(self._diagrams(X, reset=False))
+
+    def get_feature_names_out(self, input_features=None):
+        """What each number is."""
+        check_is_fitted(self, "radii_")
+        names = []
+        for degree in range(self.max_degree + 1):
+            if self.features == "statistics":
+                names += ["h%d %s" % (degree, name) for name in _STATISTICS]
+                continue
+            layers = range(self.layers) if self.features == "landscape" else (None,)
+            for layer in layers:
+                label = "h%d " % degree + ("betti" if layer is None else "landscape %d" % layer)
+                names += ["%s at %.6g" % (label, radius) for radius in self.radii_]
+        return np.asarray(names, dtype=object)
+
+    def _largest(self, diagrams):
+        largest = 0.0
+        for diagram in diagrams:
+            for degree in range(self.max_degree + 1):
+                finite = self._bars(diagram, degree)
+                largest = max(largest, finite.max()) if len(finite) else largest
+        self.radii_ = np.linspace(0.0, largest, self.resolution)
+
+    def _diagrams(self, X, reset):
+        return [self._diagram(points) for points in self._clouds(X, reset)]
+
+    def _clouds(self, X, reset):
+        is_list = isinstance(X, (list, tuple)) and len(X) and np.ndim(X[0]) == 2
+        if is_list or (isinstance(X, np.ndarray) and X.ndim == 3):
+            return [check_array(points) for points in X]
+        series = validate_data(self, X, dtype=np.float64, reset=reset)
+        count = series.shape[1] - (self.dimension - 1) * self.delay
+        if count < 1:
+            raise ValueError("X: a series has %d feature(s), while a minimum of %d is required by the embedding."
+                             % (series.shape[1], series.shape[1] + 1 - count))
+        starts = np.arange(count)[:, None] + self.delay * np.arange(self.dimension)
+        return series[:, starts]
+
+    def _diagram(self, points):
+        if self.filter == "rips":
+            return rips(points, max_degree=self.max_degree)
+        return persist(points, self.filter, max_degree=self.max_degree)
+
+    def _bars(self, diagram, degree):
+        if degree > diagram.max_degree:
+            return np.empty((0, 2))
+        bars = diagram.intervals(degree)
+        return bars[np.isfinite(bars[:, 1])]
+
+    def _vectors(self, diagrams):
+        rows = [np.concatenate([self._vector(self._bars(diagram, degree)) for degree in range(self.max_degree + 1)])
+                for diagram in diagrams]
+        return np.array(rows)
+
+    def _vector(self, bars):
+        if self.features == "statistics":
+            return _statistics(bars)
+        births, deaths = bars[:, :1], bars[:, 1:]
+        if self.features == "betti":
+            return ((births <= self.radii_) & (self.radii_ < deaths)).sum(axis=0).astype(np.float64)
+        tents = np.minimum(self.radii_ - births, deaths - self.radii_).clip(min=0)
+        layers = np.zeros((self.layers, len(self.radii_)))
+        shown = min(self.layers, len(tents))
+        layers[:shown] = -np.sort(-tents, axis=0)[:shown]
+        return layers.ravel()
+
+
+def _statistics(bars):
+    if not len(bars):
+        return np.zeros(len(_STATISTICS))
+    lengths = bars[:, 1] - bars[:, 0]
+    total = lengths.sum()
+    shares = lengths / total
+    entropy = -(shares * np.log(shares)).sum()
+    return np.array([len(bars), lengths.max(), total, entropy, bars[:, 0].mean(), bars[:, 1].mean()])

@@ -1,0 +1,174 @@
+/** Rows of numbers, or coordinates one row after the other with `dim`. */
+export type Points = Float64Array | Float32Array | ArrayLike<number>[];
+/** Kinds of errors. */
+export type Status = 'invalid-argument' | 'out-of-memory' | 'cancelled' | 'not-finite' | 'out-of-range' | 'flat' | 'too-close'
+    | 'no-result' | 'check-failed' | 'floating-point' | 'internal' | 'not-a-complex' | 'not-built';
+export type MeshFilter = 'complete' | 'basic' | 'alpha' | 'knn' | 'kdistance' | 'tight';
+export type Filter = 'auto' | MeshFilter | 'scales' | 'rips' | 'cech' | 'barycentric-cech' | 'barycentric-rips';
+
+export class NetmeshError extends Error {
+    status: Status;
+    /** The argument that it is about. */
+    argument: string | null;
+    /** The row of it, from 0 on. */
+    row: number | null;
+}
+
+export interface Progress { stage: string; done: number; total: number; vertices: number; cells: number }
+
+export interface RunOptions {
+    /** Bytes of the block that the job happens in; by default as many as it takes. */
+    memory?: number;
+    /** Called about every tenth of a second; true stops the job (in a worker it only watches). */
+    progress?: (progress: Progress) => unknown;
+}
+export interface PointOptions extends RunOptions {
+    /** Coordinates of a point, for typed arrays. */
+    dim?: number;
+    /** Of every random choice; 1. */
+    seed?: number;
+}
+export interface DiagramOptions {
+    /** The highest degree of homology; by default D - 1, of complexes on points 1. */
+    maxDegree?: number;
+    /** Pairs of length zero are kept. */
+    keepZeroPairs?: boolean;
+    /** A cycle for each bar. */
+    representatives?: boolean;
+}
+export interface MeshPersistOptions extends DiagramOptions {
+    filter?: MeshFilter;
+    /** Neighbours, of knn and kdistance. */
+    k?: number;
+    values?: 'certified' | 'thesis';
+    /** Where each true birth and death surely is. */
+    bounds?: boolean;
+}
+export interface PersistOptions extends PointOptions, Omit<MeshPersistOptions, 'filter'> {
+    filter?: Filter;
+    /** The certified ratio to refine to, above sqrt 2. */
+    ratio?: number;
+    /** A better ratio at radii between two bounds: [ratio, from, to]. */
+    focus?: [number, number, number];
+    eps?: number;
+    theta?: number;
+    tau?: number;
+    method?: 'svr' | 'netmesh' | 'refine';
+    finish?: boolean;
+    wholeCells?: boolean;
+}
+export interface MeshOptions extends PointOptions {
+    /** The aspect ratio of cells, above 2. */
+    tau?: number;
+    method?: 'svr' | 'netmesh' | 'refine';
+    purpose?: 'mesh' | 'persist' | 'tight';
+    eps?: number;
+    ratio?: number;
+    focus?: [number, number, number];
+    finish?: boolean;
+    wholeCells?: boolean;
+}
+export interface DelaunayOptions extends PointOptions { purpose?: 'mesh' | 'persist' }
+export interface RipsOptions extends RunOptions, DiagramOptions {
+    dim?: number;
+    /** [n, n] in place of points. */
+    distances?: Float64Array | number[][];
+    /** A radius: points farther apart than twice that are not joined. */
+    threshold?: number;
+}
+export interface Bar { degree: number; birth: number; death: number }
+export interface BarBounds {
+    /** [m, 5]: least and largest birth, least and largest death, the death from which a bar is certain. */
+    numbers: Float64Array;
+    /** [m]: 1 for a bar that is surely one of the true diagram. */
+    certain: Uint8Array;
+}
+
+/** A persistence diagram. Births and deaths are radii; what never dies has Infinity. */
+export class Diagram implements Iterable<Bar> {
+    readonly filter: string;
+    readonly certifiedRatio: number;
+    readonly valueError: number;
+    /** 16 hexadecimal digits, the same on every platform. */
+    readonly fingerprint: string;
+    readonly peakBytes: number;
+    readonly bounds: BarBounds | null;
+    /** Of each bar the vertices of its simplices, degree + 1 each. */
+    readonly representatives: Int32Array[] | null;
+    readonly length: number;
+    readonly maxDegree: number;
+    /** [m, 2]: birth, death, birth, death ... of one degree. */
+    intervals(degree: number): Float64Array;
+    /** The first bar of a degree, and the first one behind it. */
+    rows(degree: number): [number, number];
+    [Symbol.iterator](): Iterator<Bar>;
+}
+
+export interface MeshData {
+    readonly dim: number;
+    readonly vertexCount: number;
+    readonly inputCount: number;
+    readonly cellCount: number;
+    readonly isMesh: boolean;
+    readonly aspectRatioMax: number;
+    readonly fingerprint: string;
+    /** [v, D], inputs first. */
+    readonly vertices: Float64Array;
+    /** [v]: 0 an input, 1 a Steiner point, 2 exempt from quality. */
+    readonly markers: Uint8Array;
+    /** [c, D + 1]. */
+    readonly cells: Int32Array;
+    /** [c, D + 1]: the cell opposite each vertex, -1 outside. */
+    readonly neighbours: Int32Array;
+    readonly domain: { centre: Float64Array; radius: number } | null;
+}
+/** A triangulation or mesh, and the memory that it lives in. */
+export class Mesh implements MeshData {
+    readonly dim: number;
+    readonly vertexCount: number;
+    readonly inputCount: number;
+    readonly cellCount: number;
+    readonly isMesh: boolean;
+    readonly aspectRatioMax: number;
+    readonly fingerprint: string;
+    readonly vertices: Float64Array;
+    readonly markers: Uint8Array;
+    readonly cells: Int32Array;
+    readonly neighbours: Int32Array;
+    readonly domain: { centre: Float64Array; radius: number } | null;
+    /** [v] after persist on a mesh, radii. */
+    readonly values: Float64Array | null;
+    persist(options?: MeshPersistOptions): Diagram;
+    check(): void;
+}
+
+export type Bars = Diagram | Float64Array;
+export interface Transport { value: number; lower: number }
+
+export class Netmesh {
+    readonly version: string;
+    readonly filters: string[];
+    persist(points: Points, options?: PersistOptions): Diagram;
+    mesh(points: Points, options?: MeshOptions): Mesh;
+    delaunay(points: Points, options?: DelaunayOptions): Mesh;
+    rips(points: Points | null, options?: RipsOptions): Diagram;
+    bottleneck(a: Bars, b: Bars, options?: { degree?: number; log?: boolean }): number;
+    wasserstein(a: Bars, b: Bars, options?: { degree?: number; order?: number; error?: number }): Transport;
+}
+/** The same calls in a worker, as promises. */
+export interface NetmeshWorker {
+    persist(points: Points, options?: PersistOptions): Promise<Diagram>;
+    mesh(points: Points, options?: MeshOptions): Promise<MeshData>;
+    delaunay(points: Points, options?: DelaunayOptions): Promise<MeshData>;
+    rips(points: Points | null, options?: RipsOptions): Promise<Diagram>;
+    bottleneck(a: Bars, b: Bars, options?: { degree?: number; log?: boolean }): Promise<number>;
+    wasserstein(a: Bars, b: Bars, options?: { degree?: number; order?: number; error?: number }): Promise<Transport>;
+    /** Stops what is on its way, which is rejected as "cancelled". */
+    terminate(): void;
+}
+
+export type Source = string | URL | Response | Promise<Response> | BufferSource | WebAssembly.Module;
+/** Loads the library into this thread; `source` where netmesh.wasm is not beside the module. */
+export function load(source?: Source): Promise<Netmesh>;
+/** Loads the library into a worker. */
+export function loadWorker(source?: Source): Promise<NetmeshWorker>;

@@ -1,0 +1,127 @@
+// node check.mjs GOLDEN: the package as it is installed as "netmesh" beside this file: fingerprints, results by hand,
+// errors, a worker. Exits 1 with a word for each fault.
+import assert from 'node:assert/strict';
+import { readFileSync } from 'node:fs';
+import { load, loadWorker, Diagram, NetmeshError } from 'netmesh';
+import { compare } from './slice.mjs';
+
+const netmesh = await load();
+const { faults, count } = compare(netmesh, readFileSync(process.argv[2], 'utf8'));
+assert.deepEqual(faults, []);
+assert.ok(count > 100);
+
+// A circle of 60 points: a hole from sin(pi / 60) to 1.
+const circle = Array.from({ length: 60 }, (_, i) => [Math.cos(i * Math.PI / 30), Math.sin(i * Math.PI / 30)]);
+const diagram = netmesh.persist(circle, { representatives: true, bounds: true });
+const close = (a, b) => assert.ok(Math.abs(a - b) < 1e-12, `${a} where ${b} is due`);
+close(diagram.intervals(1)[0], Math.sin(Math.PI / 60));
+close(diagram.intervals(1)[1], 1);
+assert.equal(diagram.length, 61);
+assert.equal([...diagram].filter(bar => bar.death === Infinity).length, 1);
+const cycle = diagram.representatives[diagram.rows(1)[0]];
+const ends = new Map();
+for (const v of cycle) ends.set(v, (ends.get(v) ?? 0) + 1);
+assert.ok(cycle.length >= 6 && [...ends.values()].every(n => n % 2 === 0));
+assert.equal(diagram.bounds.certain.length, 61);
+assert.equal(diagram.certifiedRatio, 1);
+
+// Typed arrays, packed floats and rows are the same points.
+const packed = Float32Array.from(circle.flat());
+const rows = Array.from({ length: 60 }, (_, i) => packed.subarray(2 * i, 2 * i + 2));
+assert.equal(netmesh.persist(packed, { dim: 2 }).fingerprint, netmesh.persist(rows).fingerprint);
+assert.equal(netmesh.persist(Float64Array.from(packed), { dim: 2 }).fingerprint, netmesh.persist(rows).fingerprint);
+
+// Filters, bounds and memory.
+const proven = netmesh.persist(circle, { filter: 'complete', ratio: 1.8, bounds: true });
+assert.ok(proven.certifiedRatio <= 1.8);
+const [first, last] = proven.rows(1);
+const sure = [...proven.bounds.certain.subarray(first, last)].flatMap((c, i) => c ? [first + i] : []);
+assert.equal(sure.length, 1);
+const bounds = proven.bounds.numbers.subarray(5 * sure[0], 5 * sure[0] + 4);
+assert.ok(bounds[0] <= Math.sin(Math.PI / 60) && bounds[1] >= Math.sin(Math.PI / 60) && bounds[2] <= 1
+    && bounds[3] >= 1);
+assert.ok(netmesh.persist(circle, { filter: 'tight', ratio: 1.8 }).certifiedRatio <= 1.8);
+assert.equal(netmesh.persist(circle, { memory: 1 << 20 }).fingerprint, netmesh.persist(circle).fingerprint);
+const mesh = netmesh.mesh(circle, { tau: 2.5 });
+mesh.check();
+assert.ok(mesh.aspectRatioMax <= 2.5 && mesh.values === null);
+assert.deepEqual([...mesh.vertices.subarray(0, 120)], circle.flat());
+assert.equal(mesh.cells.length, 3 * mesh.cellCount);
+assert.ok(mesh.neighbours.includes(-1) && mesh.markers[60] > 0 && Math.abs(mesh.domain.radius - 1) < 1e-9);
+mesh.persist({ filter: 'knn', k: 2 });
+assert.equal(mesh.values.length, mesh.vertexCount);
+
+// Rips of points, by a threshold, and of distances.
+const distances = circle.map(p => circle.map(q => Math.hypot(p[0] - q[0], p[1] - q[1])));
+for (const made of [netmesh.rips(circle), netmesh.rips(circle, { threshold: 2 }), netmesh.rips(null, { distances })]) {
+    close(made.intervals(1)[0], Math.sin(Math.PI / 60));
+    close(made.intervals(1)[1], Math.sqrt(3) / 2);
+}
+assert.equal(netmesh.rips(circle, { threshold: 0.5 }).intervals(1)[1], Infinity);
+assert.equal(netmesh.rips([[0], [1], [3]]).intervals(0).length, 6);
+
+// Distances by hand.
+assert.equal(netmesh.bottleneck(Float64Array.of(0, 8), Float64Array.of(1, 8)), 1);
+assert.ok(Math.abs(netmesh.bottleneck(Float64Array.of(1, 8), Float64Array.of(2, 8), { log: true }) - Math.LN2) < 1e-15);
+const transport = netmesh.wasserstein(Float64Array.of(0, 8, 0, 2), Float64Array.of(1, 8));
+assert.ok(transport.lower <= 2 && transport.value >= 2 && transport.value <= 1.001 * transport.lower);
+assert.equal(netmesh.bottleneck(diagram, diagram), 0);
+
+// Errors name argument and row.
+const refused = (make, status, argument, row = null) => {
+    try {
+        make();
+    } catch (error) {
+        assert.ok(error instanceof NetmeshError && error.message.length > 0, error.stack);
+        assert.deepEqual([error.status, error.argument, error.row], [status, argument, row]);
+        return;
+    }
+    assert.fail(`not refused: ${make}`);
+};
+const spoiled = circle.map((p, i) => i === 17 ? [NaN, 0] : p);
+refused(() => netmesh.persist(spoiled), 'not-finite', 'points', 17);
+refused(() => netmesh.rips(spoiled, { threshold: 1 }), 'not-finite', 'points', 17);
+refused(() => netmesh.delaunay([[0, 0], [1, 1]]), 'flat', 'points');
+refused(() => netmesh.mesh([[1, 0], [1 + 2 ** -52, 0]]), 'too-close', 'points', 0);
+refused(() => netmesh.mesh([[1e200, 0], [1, 0]]), 'out-of-range', 'points', 0);
+refused(() => netmesh.persist(circle, { memory: 1000 }), 'out-of-memory', 'memory');
+refused(() => netmesh.persist(circle, { filter: 'knn', k: 61 }), 'invalid-argument', 'k');
+refused(() => netmesh.persist(circle, { filter: 'complete', ratio: 1.2 }), 'invalid-argument', 'ratio');
+refused(() => netmesh.rips(null, { distances: [[0, 1], [2, 0]] }), 'invalid-argument', 'distances', 1);
+for (const [argument, options] of Object.entries({ filter: { filter: 'x' }, k: { k: 2 }, colour: { colour: 1 },
+    maxDegree: { maxDegree: -1 }, tau: { filter: 'complete', tau: 'x' }, seed: { seed: 0.5 },
+        progress: { progress: 1 } }))
+    refused(() => netmesh.persist(circle, options), 'invalid-argument', argument);
+for (const points of [null, 3, [], [[1, 2], [3]], [['a', 'b']], [[1]], new Float64Array(3)])
+    refused(() => netmesh.persist(points, points instanceof Float64Array ? { dim: 2 } : {}), 'invalid-argument',
+        'points');
+refused(() => netmesh.bottleneck(Float64Array.of(2, 1), diagram), 'invalid-argument', 'a', 0);
+refused(() => netmesh.mesh(circle, { tau: 1.5 }), 'invalid-argument', 'tau');
+refused(() => diagram.intervals(2), 'invalid-argument', 'degree');
+
+// Progress, and stopping by it.
+const many = Float64Array.from({ length: 30000 }, (_, i) => Math.sin(i * i) * 1000 % 1);
+const seen = [];
+netmesh.persist(many, { dim: 3, progress: now => { seen.push(now); } });
+assert.ok(seen.length > 0 && seen.every(now => typeof now.stage === 'string' && now.done >= 0));
+refused(() => netmesh.persist(many, { dim: 3, progress: () => true }), 'cancelled', null);
+assert.throws(() => netmesh.persist(many, { dim: 3, progress: () => { throw new RangeError('mine'); } }), RangeError);
+
+// A worker: the same results and errors; stopped at once.
+const worker = await loadWorker();
+const fromWorker = await worker.persist(circle, { representatives: true });
+assert.ok(fromWorker instanceof Diagram && fromWorker.fingerprint === netmesh.persist(circle, { representatives: true })
+    .fingerprint);
+assert.equal(await worker.bottleneck(fromWorker, diagram), 0);
+assert.equal((await worker.mesh(circle)).fingerprint, netmesh.mesh(circle).fingerprint);
+await assert.rejects(worker.persist(spoiled), error => error instanceof NetmeshError && error.row === 17);
+let told = 0;
+await worker.persist(many, { dim: 3, progress: () => { ++told; } });
+assert.ok(told > 0);
+const stopped = assert.rejects(worker.persist(Float64Array.from({ length: 300000 }, Math.random), { dim: 3 }),
+    error => error.status === 'cancelled');
+setTimeout(() => worker.terminate(), 100);
+const begin = performance.now();
+await stopped;
+assert.ok(performance.now() - begin < 1000);
+console.log(`${count} fingerprints equal in node ${process.versions.node}`);

@@ -1,0 +1,223 @@
+"""Every exception, with argument and row."""
+import numpy as np
+import pytest
+
+import netmesh
+from netmesh import _declarations as c
+from netmesh import errors
+from netmesh._library import sized
+from netmesh.errors import error_of
+
+from conftest import uniform
+
+POINTS = uniform(2, 50)
+
+
+def bad(value, row=17, points=POINTS):
+    points = points.copy()
+    points[row, 1] = value
+    return points
+
+
+def raised(kind, call, *arguments, **options):
+    with pytest.raises(kind) as info:
+        call(*arguments, **options)
+    return info.value
+
+
+@pytest.mark.parametrize("value", [np.nan, np.inf, -np.inf])
+@pytest.mark.parametrize("filter", ["alpha", "complete", "rips", "cech", "scales", "tight"])
+def test_not_finite(filter, value):
+    error = raised(errors.NotFinite, netmesh.persist, bad(value), filter)
+    assert (error.argument, error.row) == ("points", 17) and "points, row 17" in str(error)
+    assert isinstance(error, ValueError)
+
+
+def test_not_finite_elsewhere():
+    assert raised(errors.NotFinite, netmesh.delaunay, bad(np.nan, 3)).row == 3
+    assert raised(errors.NotFinite, netmesh.mesh, bad(np.nan, 0)).row == 0
+    assert raised(errors.NotFinite, netmesh.rips, bad(np.inf, 5), 0.5).row == 5
+    error = raised(errors.NotFinite, netmesh.homology, [[0], [1]], [0, np.nan])
+    assert (error.argument, error.row) == ("simplices", 1)
+
+
+def test_out_of_range():
+    error = raised(errors.OutOfRange, netmesh.mesh, bad(1e200, 7))
+    assert (error.argument, error.row) == ("points", 7)
+
+
+def test_too_close():
+    points = POINTS.copy()
+    points[41] = points[12] + [0, 1e-16]
+    error = raised(errors.TooClose, netmesh.mesh, points)
+    assert (error.argument, error.row, error.other_row) == ("points", 12, 41) and "row 41" in str(error)
+
+
+def test_flat():
+    error = raised(errors.Flat, netmesh.delaunay, np.arange(10.0)[:, None] * [1, 2])
+    assert error.argument == "points"
+    raised(errors.Flat, netmesh.persist, [[0, 0], [1, 1]], "alpha")
+    assert netmesh.persist([[0, 0], [1, 1]]).filter == "complete"  # what auto does instead
+
+
+@pytest.mark.parametrize("options, argument", [
+    (dict(filter="nothing"), "filter"), (dict(filter=3), "filter"), (dict(max_degree=-1), "max_degree"),
+    (dict(max_degree=1.5), "max_degree"), (dict(max_degree="one"), "max_degree"), (dict(k=2), "k"),
+    (dict(filter="knn", k=0), "k"), (dict(filter="knn", k=51), "k"), (dict(filter="knn", ratio=2), "ratio"),
+    (dict(filter="complete", ratio=1.2), "ratio"), (dict(filter="complete", ratio="two"), "ratio"),
+    (dict(filter="complete", tau=1.5), "tau"), (dict(filter="complete", method="none"), "method"),
+    (dict(filter="complete", method="svr", ratio=2), "ratio"), (dict(filter="complete", focus=2), "focus"),
+    (dict(filter="complete", focus=(1.5, 2, 1)), "focus"), (dict(filter="complete", focus="auto"), "focus"),
+    (dict(filter="complete", longer_than=2), "longer_than"), (dict(filter="complete", fit=True), "fit"),
+    (dict(filter="complete", values="best"), "values"), (dict(filter="complete", seed=-1), "seed"),
+    (dict(filter="tight", eps=0.7), "eps"), (dict(filter="tight", eps=0.5, ratio=2), "eps"),
+    (dict(filter="scales", theta=0.5), "theta"), (dict(filter="alpha", tau=3), "tau"),
+    (dict(filter="function"), "function"), (dict(filter="function", function=len), "lipschitz"),
+    (dict(filter="function", function=len, lipschitz=1), "cut"),
+    (dict(filter="function", function=3, lipschitz=1, cut=1), "function"),
+    (dict(filter="function", function=len, lipschitz=-1, cut=1), "lipschitz"),
+    (dict(filter="function", function=len, lipschitz=1, cut=np.inf), "cut"),
+    (dict(filter="rips", max_degree=31), "max_degree"), (dict(filter="alpha", whole_cells=True), "whole_cells"),
+    (dict(memory="much"), "memory"), (dict(memory=0), "memory"), (dict(progress=3), "progress"),
+    (dict(filter="barycentric-cech", k=51), "k"), (dict(filter="alpha", representatives=True, eps=0.1), "eps")])
+def test_persist_refuses(options, argument):
+    error = raised(errors.InvalidArgument, netmesh.persist, POINTS, **options)
+    assert error.argument == argument and str(error).startswith(argument)
+
+
+@pytest.mark.parametrize("options, argument", [
+    (dict(tau=2), "tau"), (dict(tau=0), "tau"), (dict(tau="x"), "tau"), (dict(method="x"), "method"),
+    (dict(purpose="x"), "purpose"), (dict(domain_factor=9), "domain_factor"), (dict(cages="x"), "cages"),
+    (dict(net_spacing=100, method="refine"), "net_spacing"), (dict(focus=(1, 2, 3)), "focus"),
+    (dict(ratio=1.2, purpose="persist"), "ratio"), (dict(size=3), "size"), (dict(size=lambda x: -1.0), "size"),
+    (dict(size=lambda x: 1e-300), "size"), (dict(eps=-1), "eps"), (dict(size_at_inputs=-1), "size_at_inputs")])
+def test_mesh_refuses(options, argument):
+    assert raised(errors.InvalidArgument, netmesh.mesh, POINTS, **options).argument == argument
+
+
+@pytest.mark.parametrize("arguments, options, argument, row", [
+    ((), {}, "points", None), ((POINTS,), dict(distances=[[0]]), "points", None),
+    ((POINTS, "far"), {}, "threshold", None), ((POINTS, -1), {}, "threshold", None),
+    ((), dict(distances=[[0, 1]]), "distances", None), ((), dict(distances=[1, 2]), "distances", None),
+    ((), dict(distances=[[0, 1], [2, 0]]), "distances", 1), ((), dict(distances=[[0, -1], [-1, 0]]), "distances", 1),
+    ((), dict(distances=[[0, np.nan], [np.nan, 0]]), "distances", 1),
+    ((), dict(distances=[[0, 1], [1, 3]]), "distances", 1), ((POINTS,), dict(max_degree=31), "max_degree", None),
+    ((), dict(distances=np.eye(3) * 0, max_degree=31), "max_degree", None)])
+def test_rips_refuses(arguments, options, argument, row):
+    error = raised(errors.InvalidArgument, netmesh.rips, *arguments, **options)
+    assert (error.argument, error.row) == (argument, row)
+
+
+def test_sparse_refuses():
+    sparse = pytest.importorskip("scipy.sparse")
+    error = raised(errors.InvalidArgument, netmesh.rips, distances=sparse.coo_matrix([[0, 1.0], [2.0, 0]]))
+    assert error.argument == "distances" and error.row is not None
+    assert raised(errors.InvalidArgument, netmesh.rips, distances=sparse.csr_matrix((2, 3))).argument == "distances"
+
+
+@pytest.mark.parametrize("a, argument, row", [
+    ("x", "a", None), ([[1, 2, 3, 4]], "a", None), ([[0, 1, 2], [0.5, 1, 2]], "a", 1), ([[0, 1], [3, 2]], "a", 1),
+    ([[np.nan, 1]], "a", 0), ([[np.inf, np.inf]], "a", 0)])
+def test_distances_refuse(a, argument, row):
+    for call in (netmesh.bottleneck, netmesh.wasserstein):
+        error = raised(errors.InvalidArgument, call, a, [[0, 1]])
+        assert (error.argument, error.row) == (argument, row)
+        error = raised(errors.InvalidArgument, call, [[0, 1]], a)
+        assert (error.argument, error.row) == ("b", row)
+
+
+def test_distances_refuse_options():
+    bars = [[0.5, 1.0]]
+    assert raised(errors.InvalidArgument, netmesh.wasserstein, bars, bars, 17).argument == "order"
+    assert raised(errors.InvalidArgument, netmesh.wasserstein, bars, bars, error=0).argument == "error"
+    assert raised(errors.InvalidArgument, netmesh.bottleneck, bars, bars, -1).argument == "degree"
+    assert raised(errors.InvalidArgument, netmesh.bottleneck, [[-1.0, 1]], bars, log=True).argument == "a"
+
+
+def test_vineyard_refuses():
+    for options, argument in ((dict(k=3), "k"), (dict(k=(2, 1)), "k"), (dict(k=(1, 51)), "k"),
+                              (dict(filter="alpha"), "filter"), (dict(values="x"), "values")):
+        assert raised(errors.InvalidArgument, netmesh.vineyard, POINTS, **options).argument == argument
+    assert raised(errors.InvalidArgument, netmesh.vineyard).argument == "points"
+    assert raised(errors.InvalidArgument, netmesh.vineyard, simplices=[[0]], steps=[[1, 2]]).argument == "steps"
+    error = raised(errors.NotFinite, netmesh.vineyard, simplices=[[0], [1]], steps=[[1, np.nan]])
+    assert (error.argument, error.row) == ("simplices", 1)
+
+
+@pytest.mark.parametrize("simplices, values, row, word", [
+    ([[0], [0]], [0, 0], 1, "once more"), ([[0], [0, 0]], [0, 0], 1, "twice"), ([[0, 1], [0]], [0, 0], 0, "lacks"),
+    ([[0], [1], [0, 1]], [0, 2, 1], 2, "before its face 1"), ([[0], []], [0, 0], 1, "no vertices")])
+def test_not_a_complex(simplices, values, row, word):
+    error = raised(errors.NotAComplex, netmesh.homology, simplices, values)
+    assert (error.argument, error.row) == ("simplices", row) and word in str(error)
+
+
+def test_homology_refuses():
+    assert raised(errors.InvalidArgument, netmesh.homology, [[0]], [1, 2]).argument == "values"
+    assert raised(errors.InvalidArgument, netmesh.homology, 3, [1]).argument == "simplices"
+    assert raised(errors.InvalidArgument, netmesh.homology, [[-1]], [1]).argument == "simplices"
+    assert raised(errors.InvalidArgument, netmesh.homology, [], []).argument == "simplices"
+
+
+def test_out_of_memory():
+    points = uniform(3, 2000)
+    error = raised(errors.OutOfMemory, netmesh.persist, points, memory="64K")
+    assert error.argument == "memory" and error.bytes_wanted > 65536 and "65536" in str(error)
+    assert isinstance(error, MemoryError)
+    raised(errors.OutOfMemory, netmesh.persist, points, memory=100)
+    raised(errors.OutOfMemory, netmesh.persist, points, memory=1 << 61)
+    assert netmesh.persist(points, memory="64M") == netmesh.persist(points)
+
+
+def test_check_failed():
+    diagram = netmesh.persist(POINTS, "complete")
+    netmesh.check(diagram, POINTS)
+    error = raised(errors.CheckFailed, netmesh.check, diagram, bad(0.5))
+    assert error.argument == "result"
+    diagram._intervals[3, 1] = np.nextafter(diagram._intervals[3, 1], 9)
+    assert raised(errors.CheckFailed, netmesh.check, diagram, POINTS).row == 3
+    assert raised(errors.InvalidArgument, netmesh.check, diagram).argument == "points"
+    assert raised(errors.InvalidArgument, netmesh.check, 3).argument == "result"
+
+
+def test_no_result():
+    with netmesh.mesh(POINTS) as made:
+        assert made.values is None
+        raised(errors.NoResult, made.persist, "alpha")
+        raised(errors.InvalidArgument, made.persist, "rips")
+        raised(errors.InvalidArgument, made.check, "everything")
+        raised(errors.NoResult, made.persist, progress=lambda *_: made.persist())
+    with netmesh.mesh(np.concatenate((POINTS, POINTS * 1e-6)), method="netmesh") as caged:
+        assert len(caged.cages) > 0 and caged.cages["radius"].min() > 0
+        raised(errors.NoResult, caged.persist)
+
+
+def test_functions_that_fail():
+    def fails(x):
+        raise KeyError("mine")
+
+    for call in (lambda: netmesh.persist(POINTS, "function", function=fails, lipschitz=1, cut=1),
+                 lambda: netmesh.mesh(POINTS, size=fails)):
+        assert raised(KeyError, call).args == ("mine",)
+    error = raised(errors.NotFinite, netmesh.persist, POINTS, "function", function=lambda x: np.nan, lipschitz=1, cut=1)
+    assert error.argument == "function"
+    raised(TypeError, netmesh.persist, POINTS, "function", function=lambda x: None, lipschitz=1, cut=1)
+    raised(ZeroDivisionError, netmesh.persist, uniform(3, 3000), progress=lambda *_: 1 / 0)
+
+
+def test_cancelled():
+    raised(errors.Cancelled, netmesh.persist, uniform(3, 3000), progress=lambda *_: True)
+
+
+def test_every_status_has_a_class():
+    """Those that Python cannot bring about, too."""
+    detail = sized(c.netmesh_detail)
+    for name in ("NOT_BUILT", "FLOATING_POINT", "INTERNAL", "CHECK_FAILED", "NO_RESULT", "OUT_OF_RANGE"):
+        status = detail.status = getattr(c, "NETMESH_" + name)
+        detail.message = b"what was said"
+        error = error_of(status, detail)
+        assert isinstance(error, errors.Error) and type(error) is not errors.Error
+    names = ("INVALID_ARGUMENT", "OUT_OF_MEMORY", "CANCELLED", "NOT_FINITE", "FLAT", "TOO_CLOSE", "NOT_A_COMPLEX")
+    statuses = [getattr(c, "NETMESH_" + name) for name in names]
+    for status in statuses:
+        assert type(error_of(status, sized(c.netmesh_detail))) is not errors.Error

@@ -1,0 +1,65 @@
+"""The transformer for scikit-learn."""
+import numpy as np
+import pytest
+
+pytest.importorskip("sklearn")
+from sklearn.linear_model import LogisticRegression  # noqa: E402
+from sklearn.pipeline import make_pipeline  # noqa: E402
+from sklearn.preprocessing import StandardScaler  # noqa: E402
+from sklearn.utils.estimator_checks import check_estimator  # noqa: E402
+
+from netmesh.sklearn import PersistenceFeatures  # noqa: E402
+
+from conftest import circle  # noqa: E402
+
+KINDS = ("landscape", "betti", "statistics")
+
+
+@pytest.mark.filterwarnings("ignore")
+@pytest.mark.parametrize("estimator, check", [
+    pair for kind in KINDS for pair in check_estimator(PersistenceFeatures(features=kind), generate_only=True)],
+    ids=lambda thing: getattr(getattr(thing, "func", None), "__name__", None))
+def test_estimator_checks(estimator, check):
+    check(estimator)
+
+
+@pytest.mark.parametrize("kind, count", [("landscape", 80), ("betti", 40), ("statistics", 12)])
+def test_features(kind, count):
+    clouds = [circle(30, 0.05, seed) for seed in range(4)] + [circle(20, 0.3, 9)]
+    made = PersistenceFeatures(kind).fit(clouds)
+    numbers = made.transform(clouds)
+    assert numbers.shape == (5, count) and np.isfinite(numbers).all()
+    names = made.get_feature_names_out()
+    assert len(names) == count and len(set(names)) == count
+    assert (made.fit_transform(clouds) == numbers).all()
+    assert (made.transform(np.stack(clouds[:4])) == numbers[:4]).all()
+    assert PersistenceFeatures(kind, filter="rips").fit_transform(clouds).shape == (5, count)
+
+
+def test_a_landscape_by_hand():
+    square = [np.array([[0.0, 0], [2, 0], [0, 2], [2, 2]])]  # a bar of degree 1 from 1 to sqrt 2
+    made = PersistenceFeatures(layers=1, resolution=5, filter="rips").fit(square)
+    assert made.radii_ == pytest.approx(np.linspace(0, np.sqrt(2), 5))
+    tent = np.minimum(made.radii_ - 1, np.sqrt(2) - made.radii_).clip(min=0)
+    assert made.transform(square)[0, 5:] == pytest.approx(tent)
+    betti = PersistenceFeatures("betti", resolution=5).fit(square).transform(square)[0]
+    assert betti[:5] == pytest.approx([3, 3, 3, 0, 0])  # the essential one is left out
+
+
+def test_series_that_repeat_are_circles():
+    time = np.linspace(0, 1, 60)
+    rng = np.random.default_rng(1)
+    regular = [np.sin(2 * np.pi * (5 * time + shift)) + 0.05 * rng.normal(size=60) for shift in rng.random(20)]
+    noise = [rng.normal(size=60) for _ in range(20)]
+    X, y = np.array(regular + noise), np.repeat([1, 0], 20)
+    features = PersistenceFeatures("statistics", dimension=2, delay=3)
+    model = make_pipeline(features, StandardScaler(), LogisticRegression())
+    model.fit(X[::2], y[::2])
+    assert model.score(X[1::2], y[1::2]) >= 0.9
+
+
+def test_refusals():
+    with pytest.raises(ValueError):
+        PersistenceFeatures("cake").fit([circle(5)])
+    with pytest.raises(ValueError):
+        PersistenceFeatures().fit([[np.nan, 1.0], [1, 2]])
