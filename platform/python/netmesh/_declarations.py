@@ -150,6 +150,14 @@ NETMESH_FILTER_RIPS = 9
 NETMESH_FILTER_CECH = 10
 NETMESH_FILTER_BARYCENTRIC_CECH = 11
 NETMESH_FILTER_BARYCENTRIC_RIPS = 12
+NETMESH_WHY_ASKED = 0
+NETMESH_WHY_AFFORDABLE = 1
+NETMESH_WHY_NO_MESH = 2
+NETMESH_WHY_CELLS = 3
+NETMESH_WHY_MEMORY = 4
+NETMESH_WHY_FLAT = 5
+NETMESH_WHY_RANGE = 6
+NETMESH_WHY_NOT_BUILT = 7
 NETMESH_VALUES_CERTIFIED = 0
 NETMESH_VALUES_THESIS = 1
 NETMESH_SOURCE_MESH = 1
@@ -334,6 +342,12 @@ class netmesh_persist_request(Structure):
                 ("k", c_uint32), ("max_degree", c_uint32), ("keep_zero_pairs", c_uint32), ("function", c_void_p)]
 
 
+class netmesh_auto_request(Structure):
+    _fields_ = [("struct_bytes", c_uint32), ("dim", c_uint32), ("monitor", netmesh_monitor), ("points", c_void_p),
+                ("point_count", c_size_t), ("seed", c_uint64), ("max_degree", c_uint32),
+                ("keep_zero_pairs", c_uint32), ("point_format", c_int), ("point_stride_bytes", c_size_t)]
+
+
 class netmesh_pair(Structure):
     _fields_ = [("struct_bytes", c_uint32), ("degree", c_uint32), ("birth", c_double), ("death", c_double)]
 
@@ -490,7 +504,8 @@ class netmesh_diagram_report(Structure):
                 ("essential", c_uint64 * (NETMESH_DEGREE_MAX + 1)), ("simplices", c_uint64),
                 ("certified_ratio", c_double), ("certified_ratio_best", c_double), ("certified_from", c_double),
                 ("value_error", c_double), ("certified_focus", c_double), ("certified_error", c_double),
-                ("fitted_error", c_double)]
+                ("fitted_error", c_double), ("why", c_int), ("reserved_word", c_uint32), ("tried_points", c_uint64),
+                ("tried_cells", c_uint64)]
 
 
 class netmesh_bounds_report(Structure):
@@ -570,10 +585,10 @@ STRUCTS = [netmesh_detail, netmesh_progress, netmesh_monitor, netmesh_delaunay_r
            netmesh_vertex, netmesh_cell, netmesh_voronoi, netmesh_ball, netmesh_weighted_cell, netmesh_check_request,
            netmesh_analyse_request, netmesh_size_analysis, netmesh_structure_analysis, netmesh_boundary_analysis,
            netmesh_fatness, netmesh_fatness_analysis, netmesh_all_cells_analysis, netmesh_analysis,
-           netmesh_filter_info, netmesh_function, netmesh_persist_request, netmesh_pair, netmesh_bounds_request,
-           netmesh_bar_bounds, netmesh_scale_step, netmesh_represent_request, netmesh_simplex, netmesh_fit_request,
-           netmesh_vineyard_request, netmesh_vine_point, netmesh_scales_request, netmesh_alpha_request,
-           netmesh_points_request, netmesh_points_vineyard_request, netmesh_homology_request,
+           netmesh_filter_info, netmesh_function, netmesh_persist_request, netmesh_auto_request, netmesh_pair,
+           netmesh_bounds_request, netmesh_bar_bounds, netmesh_scale_step, netmesh_represent_request, netmesh_simplex,
+           netmesh_fit_request, netmesh_vineyard_request, netmesh_vine_point, netmesh_scales_request,
+           netmesh_alpha_request, netmesh_points_request, netmesh_points_vineyard_request, netmesh_homology_request,
            netmesh_value_vineyard_request, netmesh_distance_entry, netmesh_distances_request,
            netmesh_bottleneck_request, netmesh_distance, netmesh_wasserstein_request, netmesh_wasserstein_distance,
            netmesh_input_report, netmesh_sizes_report, netmesh_hierarchy_report, netmesh_audit_report,
@@ -622,11 +637,15 @@ FUNCTIONS = {
     "netmesh_analyse": (c_int, [c_void_p, c_void_p, c_void_p]),
     "netmesh_well_paced_order": (c_int, [c_void_p, c_void_p, c_void_p]),
     "netmesh_pace": (c_int, [c_void_p, c_void_p, c_void_p]),
+    "netmesh_why_text": (c_char_p, [c_int]),
     "netmesh_get_filter_info": (c_int, [c_uint32, c_void_p]),
     "netmesh_function_init": (None, [c_void_p, c_size_t]),
     "netmesh_size_for_error": (c_double, [c_void_p, c_double, c_void_p]),
     "netmesh_persist_request_init": (None, [c_void_p, c_size_t]),
     "netmesh_persist": (c_int, [c_void_p, c_void_p]),
+    "netmesh_auto_request_init": (None, [c_void_p, c_size_t, c_uint32]),
+    "netmesh_plan_auto": (c_size_t, [c_void_p]),
+    "netmesh_persist_auto": (c_int, [c_void_p, c_void_p]),
     "netmesh_get_pair": (c_int, [c_void_p, c_uint64, c_void_p]),
     "netmesh_bounds_request_init": (None, [c_void_p, c_size_t]),
     "netmesh_bound_bars": (c_int, [c_void_p, c_void_p]),

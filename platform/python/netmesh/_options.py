@@ -15,9 +15,8 @@ METHODS = {"svr": c.NETMESH_METHOD_SVR, "netmesh": c.NETMESH_METHOD_HIERARCHY, "
 FIT_RATIO, EPS, THETA, LONGER_THAN = 4.0, 0.5, 1.0 / 9, 1.5  # the tool's
 
 
-def auto_filter(dim):
-    """The filter "auto" of points in so many dimensions. To be replaced by the engine's own choice once it has one."""
-    return "alpha" if dim <= 3 else "complete"
+# What goes with either filter of "auto"; everything else asks for a mesh.
+OF_EITHER = {"max_degree", "keep_zero_pairs", "bounds", "representatives", "seed", "memory"}
 
 
 def filter_row(name):

@@ -9,11 +9,11 @@ from . import _declarations as c
 from . import _diagram
 from ._arrays import doubles, number, points_of, put_points, whole
 from ._diagram import Diagram
-from ._library import lib, requested
+from ._library import FILTERS, lib, requested
 from ._mesh import bound_here, function_of, persist_here, represent_here
-from ._options import Options, auto_filter
+from ._options import OF_EITHER, Options
 from ._session import Session
-from .errors import Flat, InvalidArgument
+from .errors import InvalidArgument
 
 
 def persist(points, filter: str = "auto", max_degree: Optional[int] = None, *, k: Optional[int] = None,
@@ -30,7 +30,8 @@ def persist(points, filter: str = "auto", max_degree: Optional[int] = None, *, k
     points: [n, D], any array of numbers. float64 and float32 are read where they lie, also with gaps between rows;
         anything else is copied. D is from 2 to 6; for "rips" up to 65,536.
     filter: what grows around the points.
-        "auto"        "alpha" for D <= 3, else "complete"
+        "auto"        "alpha" where it is affordable, else "complete", as the engine finds; "complete" when an argument
+                      asks for a mesh
         "alpha"       the union of balls, exactly
         "complete"    the union of balls within a ratio, on a mesh: any D
         "tight", "scales"   the same within 1 + ``eps``; "scales" for any spread of distances
@@ -68,12 +69,39 @@ def persist(points, filter: str = "auto", max_degree: Optional[int] = None, *, k
                  keep_zero_pairs=keep_zero_pairs, bounds=bounds, representatives=representatives, seed=seed, fit=fit,
                  memory=memory)
     if isinstance(filter, str) and filter == "auto":
-        filter = auto_filter(read[2])
-        try:
-            return _run(read, Options(read[2], filter, given), progress)
-        except Flat:
-            filter = "complete"
+        asked = {name for name, value in given.items() if value is not None and value is not False}
+        if asked <= OF_EITHER:
+            return _chosen(read, given, progress)
+        filter = "complete"
     return _run(read, Options(read[2], filter, given), progress)
+
+
+def _chosen(read, given, progress):
+    """By the filter that the engine chooses."""
+    asked = Options(read[2], "complete", given)
+    session = Session(asked.memory, progress)
+    request = requested(c.netmesh_auto_request, read[2])
+    request.max_degree = asked.max_degree
+    request.keep_zero_pairs = asked.keep_zero_pairs
+    at = _prepared(session, request, read, asked)
+    taken = []
+
+    def work():
+        session.call(lib.netmesh_persist_auto, session.context, at)
+        chosen = session.report().diagram.filter
+        taken[:] = [Options(read[2], name, given) for name, row in FILTERS.items() if row.filter == chosen]
+        if asked.bounds:
+            bound_here(session)
+        if asked.representatives:
+            represent_here(session)
+
+    session.request = request
+    try:
+        session.run(lib.netmesh_plan_auto(at), work)
+        diagram = _diagram.read(session, taken[0], asked.representatives)
+    finally:
+        session.end()
+    return diagram
 
 
 def _run(read, options, progress):
