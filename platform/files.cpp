@@ -91,6 +91,19 @@ bool can_write(const std::string& path, std::string* why) {
     return false;
 }
 
+bool is_one_file(const std::string& a, const std::string& b) {
+    struct stat about_a = {}, about_b = {};
+    const bool has_a = stat(a.c_str(), &about_a) == 0, has_b = stat(b.c_str(), &about_b) == 0;
+    if (has_a != has_b) return false;
+    if (has_a) return S_ISREG(about_a.st_mode) && about_a.st_dev == about_b.st_dev && about_a.st_ino == about_b.st_ino;
+    const auto folder_of = [](const std::string& path) {
+        const std::size_t slash = path.rfind('/');
+        return slash == std::string::npos ? std::string("./") : path.substr(0, slash + 1);
+    };
+    const auto name_of = [](const std::string& path) { return path.substr(path.rfind('/') + 1); };
+    return name_of(a) == name_of(b) && resolved(folder_of(a)) == resolved(folder_of(b));
+}
+
 OutputFile::~OutputFile() {
     if (descriptor_ >= 0 && !is_stdout_) ::close(descriptor_);
     if (!temporary_.empty()) unlink(temporary_.c_str());

@@ -14,6 +14,9 @@ bool read_stdin(std::string* content, std::string* why);
 // before a long computation and not after it.
 bool can_write(const std::string& path, std::string* why);
 
+// Do both names stand for the same ordinary file, be it there already or not?
+bool is_one_file(const std::string& a, const std::string& b);
+
 // A file that is either there as a whole or not at all: written under a temporary name in the same folder and renamed
 // by publish(). Without publish() the destructor removes it. A device or a pipe that already has the name is written
 // directly; of a symbolic link the target is replaced.

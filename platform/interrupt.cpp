@@ -46,6 +46,8 @@ void catch_interrupts() {
 
 bool interrupted() { return signals_seen != 0; }
 
+void take_interrupt() { signals_seen = 0; }
+
 int remove_when_killed(const char* path) {
     const std::size_t bytes = std::strlen(path) + 1;
     if (bytes > path_bytes) return -1;

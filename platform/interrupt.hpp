@@ -11,6 +11,8 @@ void catch_interrupts();
 
 // True once a signal has come.
 bool interrupted();
+// What ends because of it has to be said: interrupted() is false until the next signal.
+void take_interrupt();
 
 // Files to be removed if the process is killed as above. Returns a handle, or -1 when the name is too long or the table
 // is full (the file then merely stays). At most 8 at a time.

@@ -24,6 +24,10 @@ Outcome run(const Options& options) {
     }
     const Outcome used = check_use(options);
     if (!used.good()) return used;
+    if (options.command != Command::sample && options.positionals.size() == 1) {
+        const Outcome apart = check_apart(options);
+        if (!apart.good()) return apart;
+    }
     switch (options.command) {
     case Command::homology: return run_homology(options);
     case Command::distance: return run_distance(options);

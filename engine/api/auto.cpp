@@ -119,7 +119,9 @@ netmesh_status netmesh_persist_auto(netmesh_context* context, const netmesh_auto
     }
     if (why != NETMESH_WHY_AFFORDABLE && why != NETMESH_WHY_ASKED) {
         status = take_mesh(context, request);
-        if (why == NETMESH_WHY_CELLS && (status == NETMESH_TOO_CLOSE || status == NETMESH_OUT_OF_RANGE)) {
+        // What has no mesh may have an alpha diagram, or needs more memory for it.
+        const bool has_no_mesh = status == NETMESH_TOO_CLOSE || status == NETMESH_OUT_OF_RANGE;
+        if (has_no_mesh && (why == NETMESH_WHY_CELLS || why == NETMESH_WHY_MEMORY)) {
             status = take_alpha(context, request, nullptr);
             why = NETMESH_WHY_NO_MESH;
         }

@@ -40,9 +40,9 @@ const char* netmesh_why_text(netmesh_why why) {
     if (!netmesh::in_range(why, NETMESH_WHY_ASKED, NETMESH_WHY_NOT_BUILT)) return "unknown reason";
     switch (why) {
     case NETMESH_WHY_ASKED: return "it was asked for";
-    case NETMESH_WHY_AFFORDABLE: return "the Delaunay triangulation of the points is small";
+    case NETMESH_WHY_AFFORDABLE: return "the exact alpha complex is affordable";
     case NETMESH_WHY_NO_MESH: return "the points are too close or too far apart for a mesh";
-    case NETMESH_WHY_CELLS: return "the Delaunay triangulation of the points is large";
+    case NETMESH_WHY_CELLS: return "the exact alpha complex would take more work than a mesh";
     case NETMESH_WHY_MEMORY: return "the exact alpha complex does not fit in the memory";
     case NETMESH_WHY_FLAT: return "the points lie in a hyperplane and have no Delaunay triangulation";
     case NETMESH_WHY_RANGE: return "coordinates are too far apart in size for an exact alpha complex";

@@ -188,6 +188,25 @@ TEST_CASE("what has no mesh has its alpha complex, however large") {
     expect_result_of(s, points);
 }
 
+TEST_CASE("what has no mesh says how much memory its alpha complex wants") {
+    const inputs::Points sets[] = {{0, 0, 1, 0, 0, 1, 0x1p600, 0x1p600, 3, 4, 5, 1},
+                                   {1, 1, 1 + 0x1p-50, 1, 2, 1, 1, 2, 3, 3, 0, 5}};
+    for (const inputs::Points& points : sets) {
+        Session s(2);
+        bool good = false;
+        for (std::size_t bytes = 2560; bytes < 40000; bytes += 512) {
+            s.reserve(bytes);
+            const netmesh_status status = persist_auto(s, points);
+            CHECK((status == NETMESH_OUT_OF_MEMORY || status == NETMESH_OK));
+            CHECK((status == NETMESH_OK || s.detail().bytes_wanted > 0));
+            CHECK((status == NETMESH_OK || !good));
+            good = status == NETMESH_OK;
+        }
+        CHECK(good);
+        CHECK(s.report().diagram.filter == exact);
+    }
+}
+
 TEST_CASE("degrees, zero pairs and later calls are those of the filter") {
     const inputs::Points clouds[] = {inputs::uniform(2, 60), inputs::grid(2, 40)};
     for (const inputs::Points& points : clouds) {

@@ -332,6 +332,8 @@ void take_filter(const netmesh_diagram_report& diagram, Options* options) {
 
 Outcome run_one(const Options& from) {
     if (from.threshold) return run_distances(from);
+    const Outcome apart = check_apart(from);
+    if (!apart.good()) return apart;
     const double start = platform::seconds_now();
     Options given = from;
     Input input;

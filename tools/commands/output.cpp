@@ -40,6 +40,7 @@ void print_message(const std::string& text, const char* escape, const char* stop
 
 void tell_error(const Outcome& outcome, Command command, bool json) {
     if (outcome.good() || outcome.message.empty()) return;
+    if (outcome.exit == Exit::cancelled) platform::take_interrupt();
     if (json) write_files({{"", [&](TextWriter& out) { out << json_error(command, outcome); }}});
     print_message(outcome.message + "\n", "31");
 }
@@ -71,6 +72,51 @@ Outcome check_writable(const std::vector<std::string>& paths) {
         std::string why;
         if (!path.empty() && path != "-" && !platform::can_write(path, &why))
             return file_error(path, "cannot write: " + why);
+    }
+    return {};
+}
+
+namespace {
+
+// What is written or read besides `path`.
+std::vector<std::string> with_companions(const std::string& path) {
+    std::vector<std::string> paths = {path};
+    const std::string ending = ending_of(path);
+    if (ending == ".node")
+        for (const char* const other : {".ele", ".neigh"}) paths.push_back(stem_of(path) + other);
+    if (ending == ".mesh") paths.push_back(stem_of(path) + ".sol");
+    return paths;
+}
+
+// FILE of FILE.npz:NAME.
+std::string file_of(const std::string& input) {
+    const std::size_t at = input.rfind(".npz:");
+    return at == std::string::npos ? input : input.substr(0, at + 4);
+}
+
+}  // namespace
+
+Outcome check_apart(const Options& options) {
+    std::vector<std::string> inputs, outputs;
+    std::vector<std::string> given = options.positionals;
+    for (const std::string& path :
+         {options.values_path, options.values_at, options.complex_path, options.points_path, options.mesh_path})
+        given.push_back(path);
+    for (const std::string& path : given)
+        if (!path.empty() && path != "-")
+            for (const std::string& one : with_companions(file_of(path))) inputs.push_back(one);
+    for (const std::string& path : {options.out, options.svg, options.mesh_out, options.representatives,
+                                    options.pace_path, options.weighted_path}) {
+        if (path.empty() || path == "-") continue;
+        for (const std::string& one : with_companions(path)) {
+            for (const std::string& input : inputs)
+                if (platform::is_one_file(one, input))
+                    return usage_error(one + ": would be written over the input; give the output another name");
+            for (const std::string& other : outputs)
+                if (platform::is_one_file(one, other))
+                    return usage_error(one + ": two outputs would be written to this file");
+        }
+        for (const std::string& one : with_companions(path)) outputs.push_back(one);
     }
     return {};
 }

@@ -28,6 +28,8 @@ Outcome write_files(const std::vector<FileJob>& jobs);
 
 // Exit::data unless each of the paths (empty ones are skipped) looks writable. For before the work begins.
 Outcome check_writable(const std::vector<std::string>& paths);
+// No output may be an input, or another output; .ele and .neigh go with .node, .sol with .mesh.
+Outcome check_apart(const Options& options);
 
 // The end of a run that began at `start`: writes the files and, with --json, the report on stdout, else on stderr.
 Outcome finish_run(const std::vector<FileJob>& jobs, double start, RunReport* run);

@@ -43,6 +43,14 @@ Outcome check_numbers(const DistanceFile& file, const Rows& rows, bool sparse) {
     return {};
 }
 
+// ripser's own files have one behind the last number of a row.
+std::string_view without_last_comma(std::string_view line) {
+    std::size_t end = line.size();
+    while (end > 0 && (line[end - 1] == ' ' || line[end - 1] == '\t' || line[end - 1] == '\r')) --end;
+    const bool is_behind = end > 1 && (line[end - 1] == ',' || line[end - 1] == ';');
+    return is_behind ? line.substr(0, end - 1) : line;
+}
+
 Outcome read_rows(std::string_view content, DistanceFile* file, Rows* rows) {
     LineReader reader(content);
     std::string_view line;
@@ -50,6 +58,7 @@ Outcome read_rows(std::string_view content, DistanceFile* file, Rows* rows) {
     bool may_be_header = true;
     std::optional<bool> parted_by_commas;  // or by blanks alone, in all rows of two numbers and more
     while (reader.next_content(&line)) {
+        line = without_last_comma(line);
         const Complaint complaint = parse_numbers(line, &row, true);
         if (!complaint.empty()) {
             if (may_be_header && is_header(line)) {

@@ -185,8 +185,8 @@ typedef struct netmesh_context netmesh_context;
  * INVALID_ARGUMENT (block or context null, block misaligned), OUT_OF_MEMORY, FLOATING_POINT. */
 netmesh_status netmesh_init(void* block, size_t block_bytes, netmesh_context** context);
 
-/* After a byte copy of the block: the context in the copy. Contexts hold no addresses, so this is a cast and a check.
- * */
+/* After a byte copy of the block: the context in the copy. Contexts hold no address but their block's, which is set
+ * here, after a check. */
 netmesh_status netmesh_adopt(void* block, netmesh_context** context);
 
 /* What the context's last call said. INVALID_ARGUMENT: the context is none, or detail null or without a size. */

@@ -1,8 +1,8 @@
 /* Jobs in slices: calls that stop in the middle and go on later, without threads or an operating system.
  *
  * A job is a function of yours that makes any calls of this library. It runs on a stack of its own, so it can be left
- * at any poll and taken up again there; between two slices the program does what it wants. Results are those of an
- * undivided run, byte for byte.
+ * at any poll and taken up again there; between two slices the program does what it wants, as long as the processor
+ * rounds to nearest again when the next one begins. Results are those of an undivided run, byte for byte.
  *
  *     static netmesh_status work(void* user) {
  *         struct work* const w = user;
@@ -45,8 +45,9 @@ netmesh_status netmesh_job_init(void* stack, size_t stack_bytes, netmesh_task ta
 
 /* Begins the job, or goes on with it where it paused, until it pauses again, NETMESH_PAUSED, or ends: what its task
  * returned. Any thread may call it, one at a time. Costs some ten instructions, and what the job does.
- * INVALID_ARGUMENT: no job, or one that runs or has ended. STACK_OVERFLOW: the stack was too small; the job has ended,
- * and memory below the stack may have been written to. */
+ * INVALID_ARGUMENT: no job, or one that runs or has ended. STACK_OVERFLOW: the stack was too small, as its lowest bytes
+ * have been written to; the job has ended, and memory below the stack may have been written to. Large frames can step
+ * over these bytes, so not every overflow is seen: give NETMESH_STACK_BYTES, and what your own functions take. */
 netmesh_status netmesh_resume(netmesh_job* job);
 
 /* Ends a job that has paused: netmesh_pause returns 1 from now on, at which a poll cancels the call that is on its way.

@@ -34,8 +34,9 @@ typedef struct netmesh_delaunay_request {
 /* Defaults for dimension dim. Writes request_bytes = sizeof *request. */
 void netmesh_delaunay_request_init(netmesh_delaunay_request* request, size_t request_bytes, uint32_t dim);
 
-/* Bytes of block to plan for: enough for uniform points, an estimate for others; of 100 uniform points and more at most
- * 1.1 times what the call takes, but checks take more. SIZE_MAX when it does not fit, 0 on an invalid request. */
+/* Bytes of block to plan for: enough for uniform points, an estimate for others; at most 1.2 times what the call takes
+ * of 100 uniform points, 1.1 of 1,000 and more; checks take more. SIZE_MAX when it does not fit, 0 on an invalid
+ * request. */
 size_t netmesh_plan_delaunay(const netmesh_delaunay_request* request);
 
 /* Delaunay triangulation of points. Exact duplicates are merged into the first occurrence and counted. Ties of
@@ -151,7 +152,10 @@ void netmesh_mesh_request_init(netmesh_mesh_request* request, size_t request_byt
 double netmesh_tau(const netmesh_mesh_request* request);
 
 /* As netmesh_plan_delaunay, with the diagram of the purpose, but the fewer points there are, the more it has to leave
- * to chance: 1.1 times from 1,000 (D = 2) or 3,000 (3, 4) points on. A sizing function is not counted. */
+ * to chance: at most 1.4 times from 1,000 (D = 2) or 3,000 (3, 4) points on. Of fewer than a hundred points one set in
+ * some hundreds takes more than this, and in D = 5 and 6 METHOD_REFINE takes far more. A sizing function is not
+ * counted.
+ */
 size_t netmesh_plan_mesh(const netmesh_mesh_request* request);
 
 /* Quality mesh of points: a Delaunay triangulation of the points and of Steiner points in which each vertex that is not

@@ -35,17 +35,17 @@ typedef enum netmesh_filter {
 typedef enum netmesh_why {
     NETMESH_WHY_ASKED = 0, /* it was asked for; the others are what netmesh_persist_auto has found */
     /* ALPHA */
-    NETMESH_WHY_AFFORDABLE = 1, /* the Delaunay triangulation of the points is small */
+    NETMESH_WHY_AFFORDABLE = 1, /* it takes no more than twice the work of a mesh, as far as known */
     NETMESH_WHY_NO_MESH = 2,    /* it is not, but these points have no mesh */
     /* COMPLETE */
-    NETMESH_WHY_CELLS = 3,    /* the Delaunay triangulation of the points is large */
+    NETMESH_WHY_CELLS = 3,    /* alpha would take more work: many cells, or many ties between their radii */
     NETMESH_WHY_MEMORY = 4,   /* the alpha complex does not fit in the block */
     NETMESH_WHY_FLAT = 5,     /* the points have no Delaunay triangulation, as they lie in a hyperplane */
     NETMESH_WHY_RANGE = 6,    /* coordinates are too far apart in size for an exact alpha complex */
     NETMESH_WHY_NOT_BUILT = 7 /* ALPHA is left out of this build */
 } NETMESH_AN_INT netmesh_why;
 
-/* "its Delaunay triangulation is small": a static string. */
+/* "the exact alpha complex is affordable": a static string. */
 const char* netmesh_why_text(netmesh_why why);
 
 typedef enum netmesh_values {

@@ -412,8 +412,8 @@ TEST_CASE("persist: without --filter the engine chooses, and one line says so") 
     const Folder folder;
     CHECK(folder.run("sample torus -n 300 -o t.csv").exit == 0);
     CHECK(folder.run("sample helix -n 400 -o h.csv").exit == 0);
-    const std::string small = "filter alpha: the Delaunay triangulation of the points is small\n",
-                      large = "filter complete: the Delaunay triangulation of the points is large\n",
+    const std::string small = "filter alpha: the exact alpha complex is affordable\n",
+                      large = "filter complete: the exact alpha complex would take more work than a mesh\n",
                       of_a_mesh = "filter complete: --tau asks for a mesh\n";
     struct Call {
         std::string options, said, filter, why;

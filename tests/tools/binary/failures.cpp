@@ -86,7 +86,8 @@ struct Process {
     int input;
 };
 
-Process start(const Folder& folder, const std::vector<std::string>& arguments) {
+// out: where stdout goes, if not to the test's own.
+Process start(const Folder& folder, const std::vector<std::string>& arguments, const char* out = nullptr) {
     int ends[2];
     REQUIRE(pipe(ends) == 0);
     const pid_t id = fork();
@@ -97,6 +98,7 @@ Process start(const Folder& folder, const std::vector<std::string>& arguments) {
         if (chdir(folder.path().c_str()) != 0) _exit(99);
         const int err = open("err", O_WRONLY | O_CREAT, 0600);
         dup2(err, 2);
+        if (out != nullptr) dup2(open(out, O_WRONLY | O_CREAT, 0600), 1);
         signal(SIGINT, SIG_DFL);
         std::vector<char*> pointers = {const_cast<char*>(NETMESH_BINARY)};
         for (const std::string& argument : arguments) pointers.push_back(const_cast<char*>(argument.c_str()));
@@ -139,4 +141,36 @@ TEST_CASE("Ctrl-C, wherever it comes: exit 6, no file") {
         CHECK(folder.read("err").find("cancelled") != std::string::npos);
         CHECK(folder.names() == Names{"err"});
     }
+}
+
+TEST_CASE("Ctrl-C with --json: an object on stdout") {
+    const Folder folder;
+    const Process process = start(folder, {"mesh", "-", "-o", "m.node", "--json"}, "out");
+    feed(process);
+    kill(process.id, SIGINT);
+    close(process.input);
+    CHECK(exit_of(process) == 6);
+    CHECK(folder.read("out").find("\"code\": 6") != std::string::npos);
+}
+
+TEST_CASE("no output is written over an input or another output") {
+    const Folder folder;
+    folder.write("p.csv", "0,0\n1,0\n0,1\n2,2\n1,3\n");
+    folder.write("cx.txt", "0 0\n0 1\n1 0 1\n");
+    folder.write("d.txt", "1,\n2,1,\n3,4,5,\n");
+    const std::string points = folder.read("p.csv");
+    for (const char* const command :
+         {"persist p.csv -o p.csv", "persist p.csv -o ./p.csv", "persist p.csv p.csv -o {}.csv",
+          "persist p.csv -o {}.csv", "mesh p.csv -o m.node --pace m.ele",
+          "persist p.csv --filter complete --mesh q.obj --representatives q.obj -o q.pers",
+          "persist d.txt --distances -o d.txt", "homology cx.txt -o cx.txt"}) {
+        CAPTURE(command);
+        const Result refused = folder.run(command);
+        CHECK(refused.exit == 2);
+        CHECK((refused.says("would be written over the input") || refused.says("would be written to")));
+    }
+    CHECK(folder.read("p.csv") == points);
+    CHECK(folder.names() == Names{"cx.txt", "d.txt", "p.csv"});
+    CHECK(folder.run("persist p.csv -q --svg - -o o.pers").exit == 0);
+    CHECK(folder.run("persist d.txt --distances -q -o d.pers").exit == 0);  // rows end in commas, as ripser's own do
 }
