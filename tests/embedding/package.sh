@@ -41,7 +41,12 @@ case $(dpkg-deb -f "$tool" Depends) in *libc6*libstdc++6*) ;; *) fail "the tool 
 contents() { dpkg-deb --fsys-tarfile "$1" | tar -t | grep -v '/$' | sort; }
 contents "$tool" >"$work/tool"
 contents "$library" >"$work/library"
-[ "$(grep -v '^./usr/share/doc/netmesh/' "$work/tool")" = ./usr/bin/netmesh ] || { cat "$work/tool"; exit 1; }
+cat >"$work/expected" <<END
+./usr/bin/netmesh
+./usr/share/bash-completion/completions/netmesh
+./usr/share/zsh/site-functions/_netmesh
+END
+grep -v '^./usr/share/doc/netmesh/' "$work/tool" | diff "$work/expected" - || exit 1
 for file in include/netmesh.h include/netmesh.hpp include/netmesh/mesh.h; do
     grep -qx "./usr/$file" "$work/library" || fail "$file is in no package"
 done
