@@ -26,11 +26,12 @@ def resident_bytes():
 def slow_calls():
     points = uniform(3, 200)
     many = np.random.default_rng(1).random((LARGE, 3))
+    more = np.random.default_rng(3).random((8 * LARGE, 3))
     cloud = np.random.default_rng(2).random((900, 3))
     return {
         "alpha": lambda **options: netmesh.persist(many, "alpha", **options),
         "complete": lambda **options: netmesh.persist(many, "complete", **options),
-        "delaunay": lambda **options: netmesh.delaunay(many, **options),
+        "delaunay": lambda **options: netmesh.delaunay(more, **options),
         "mesh": lambda **options: netmesh.mesh(many, **options),
         "rips": lambda **options: netmesh.rips(cloud, max_degree=2, **options),
         "rips by threshold": lambda **options: netmesh.rips(cloud, 0.3, max_degree=2, **options),
