@@ -329,8 +329,8 @@ function known(call, options) {
     if (options.memory !== undefined) whole(options.memory, 'memory', 1, 2 ** 32);
 }
 
-/** The filter "auto" of points in so many dimensions. By D alone: netmesh_persist_auto, which counts work, is not called
- * from here, so on lattices and curves this may take another filter than Python and the tool. */
+/** The filter "auto" of points in so many dimensions. By D alone: netmesh_persist_auto, which counts work, is not
+ * called from here, so on lattices and curves this may take another filter than Python and the tool. */
 const autoFilter = dim => dim <= 3 ? 'alpha' : 'complete';
 
 /** The library in this thread. */
