@@ -41,7 +41,7 @@ template <int D> struct PlanarCavity {
     static void fill(Kernel<D>& kernel, const Cavity& cavity, VertexId id);
 };
 // How it makes the new cells in space, see spatial.hpp; false, and nothing is done, where the cavity is too large for
-// its tables. For D = 3.
+// its tables, or the gap too small. For D = 3.
 template <int D> struct SpatialCavity {
     static bool make_cells(Kernel<D>& kernel, const Cavity& cavity, VertexId id, CellSupply<D>& supply);
 };

@@ -15,6 +15,10 @@ constexpr std::uint32_t boundary_facets_max = 2 * boundary_vertices_max - 4;
 // more slots than vertices. Whether a vertex is there already cannot be predicted; so there is no branch on it.
 class BoundaryVertices {
 public:
+    void clear() {
+        next_ = 1;
+        for (std::uint8_t& number : number_) number = 0;
+    }
     std::uint32_t number_of(VertexId v) {
         vertex_[next_] = v;
         std::uint32_t slot = v * 0x9E3779B1u >> (32 - slot_bits), number = number_in(slot);
@@ -34,10 +38,33 @@ private:
     }
     static constexpr int slot_bits = 8;
     static constexpr std::uint32_t slots = 1u << slot_bits;
-    std::uint32_t next_ = 1;
-    std::uint8_t number_[slots] = {};  // 0: vacant
+    std::uint32_t next_;
+    std::uint8_t number_[slots];  // 0: vacant
     VertexId vertex_[boundary_vertices_max + 2];
 };
+
+struct BoundaryTriangle {
+    std::uint16_t edge[3];
+    std::uint16_t position;
+};
+
+// They stand in the gap below the cavity's list, as the stack has no room for them (netmesh/job.h).
+struct BoundaryTables {
+    static constexpr std::uint32_t most = boundary_vertices_max + 1;
+    BoundaryVertices vertices;
+    BoundaryTriangle triangle[boundary_facets_max];
+    std::uint8_t behind[most * most];  // 4 * triangle + position in its cell
+};
+static_assert(4 * boundary_facets_max < 256 && alignof(BoundaryTables) <= alignof(CavityLine));
+
+// null: no room for them above what the new cells may take.
+template <int D> BoundaryTables* boundary_tables(const Store<D>& store, const Cavity& cavity) {
+    const std::size_t lines = (cavity.cells > cavity.facets ? cavity.cells : cavity.facets) + std::size_t{1};
+    const std::size_t below = lines * sizeof(CavityLine) + sizeof(BoundaryTables);
+    const Arena& arena = store.arena;
+    if (below + cavity.facets * sizeof(Cell<D>) > arena.high_mark() - arena.low_mark()) return nullptr;
+    return reinterpret_cast<BoundaryTables*>(arena.at(arena.high_mark() - below));
+}
 
 template <int D> [[gnu::noinline]] void solve_cell(const Store<D>& store, double error_max, Cell<D>& cell) {
     const double* p[D + 1];
@@ -53,18 +80,17 @@ bool SpatialCavity<D>::make_cells(Kernel<D>& kernel, const Cavity& cavity, Verte
     constexpr std::uint8_t turn[4][3] = {{1, 2, 3}, {0, 3, 2}, {3, 0, 1}, {2, 1, 0}};
     if (cavity.facets > boundary_facets_max) return false;
     Store<D>& store = kernel.store_;
+    BoundaryTables* const tables = boundary_tables<D>(store, cavity);
+    if (tables == nullptr) return false;
     Cell<D>* const cells = &store.cell(0);
     CavityLine* const end = kernel.list_end();
     const double* const q = store.point(id);
     const std::uint32_t facets = cavity.facets;
-    BoundaryVertices vertices;
-    struct {
-        std::uint16_t edge[3];
-        std::uint16_t position;
-    } triangle[boundary_facets_max];
-    constexpr std::uint32_t most = boundary_vertices_max + 1;
-    std::uint8_t behind[most * most];  // 4 * triangle + position in its cell
-    static_assert(4 * boundary_facets_max < 256);
+    BoundaryVertices& vertices = tables->vertices;
+    BoundaryTriangle* const triangle = tables->triangle;
+    std::uint8_t* const behind = tables->behind;
+    constexpr std::uint32_t most = BoundaryTables::most;
+    vertices.clear();
     for (std::uint32_t k = 0; k < facets; ++k) {
         CavityLine& line = end[-static_cast<std::ptrdiff_t>(k)];
         const CellId n = line.made = supply.take();
