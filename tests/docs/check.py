@@ -11,8 +11,9 @@
 
 Blocks: ```sh is run and has to succeed; ```console has lines `$ command` and what they print, `time     differs` for a
 line that begins with time; ```python is run where numpy is there. A line in front of a block says otherwise:
-<!-- run by: TEST -->, the name of a test that does it; <!-- not run: REASON -->; <!-- file: NAME --> of a block that is
-a file in the folder of the commands that follow. In that folder `netmesh` is the project; for the README it is the
+<!-- run by: TEST -->, the name of a test that does it; <!-- not run: REASON -->; <!-- needs: PROGRAM --> of one that is
+run where there is such a program; <!-- file: NAME --> of a block that is a file in the folder of the commands that
+follow. In that folder `netmesh` is the project; for the README it is the
 project itself, with the build as `build`."""
 import argparse
 import glob
@@ -115,7 +116,9 @@ def faults_of_commands(pages, build):
                 elif says == "file":
                     with open(os.path.join(path, what), "w", encoding="utf-8") as f:
                         f.write(body)
-                elif says is not None:
+                elif says == "needs" and not shutil.which(what):
+                    print("%s: not run, there is no %s" % (place, what))
+                elif says not in (None, "needs"):
                     faults.append("%s: what is `%s`?" % (place, says))
                 elif language == "sh":
                     counts["run"] += 1
@@ -144,7 +147,7 @@ def faults_of_commands(pages, build):
                     faults.append("%s: who runs a block of %s?" % (place, language))
                 elif re.search(r"^(\$|netmesh) ", body, re.M):
                     faults.append("%s: commands in a block that is not run" % place)
-            for target in re.findall(r"!\[[^\]]*\]\(([^)]*)\)", text):
+            for target in re.findall(r"!\[[^\]]*\]\(([^)]*)\)", text) + re.findall(r'<img src="([^"]*)"', text):
                 made = os.path.join(path, os.path.basename(target))
                 shown = os.path.join(ROOT, os.path.dirname(page), target)
                 if not os.path.isfile(made):
@@ -173,7 +176,7 @@ def faults_of_links(pages):
     faults, count = [], 0
     for page, text in pages.items():
         plain = re.sub(r"`[^`\n]*`", "", BLOCK.sub("", text))
-        for target in re.findall(r"\]\(([^)\s]*)\)", plain):
+        for target in re.findall(r"\]\(([^)\s]*)\)", plain) + re.findall(r'<img src="([^"]*)"', plain):
             count += 1
             if re.match(r"https?:", target):
                 if not re.fullmatch(r"https?://[\w-]+(\.[\w-]+)+(/[\w./~%#?=&+-]*)?", target):
@@ -197,7 +200,8 @@ def said_by(program, *words):
 
 
 def commands_of(program):
-    return [name for name in re.findall(r"^  netmesh ([a-z]+) ", said_by(program, "help"), re.M) if name != "help"]
+    listed = said_by(program, "help").split("\nexamples:")[0]
+    return [name for name in re.findall(r"^  netmesh ([a-z]+) ", listed, re.M) if name != "help"]
 
 
 def options_of(program):
