@@ -56,7 +56,7 @@ std::string bash_text() {
            "    esac\n"
            "    case $command in\n"
            "    '') words='" +
-           command_names(" ") + " help --help --version --completion' ;;\n" + options +
+           command_names(" ") + " help --help --version --completion --manual' ;;\n" + options +
            "    esac\n"
            "    if [[ -z $words && $current == -* ]]; then words=$options; fi\n"
            "    if [[ -n $words ]]; then\n"

@@ -1,9 +1,23 @@
 #include <algorithm>
 
+#include "tools/manual.hpp"
 #include "tools/option_table.hpp"
 #include "tools/sample/shapes.hpp"
 
 namespace netmesh::tool {
+
+const char* const points_paragraph =
+    "POINTS is a table in text, one point a line (blanks, tabs, commas, semicolons or bars between coordinates, # for "
+    "comments, - for stdin), or .npy .npz .off .ply .obj .stl .node, or atoms in .xyz .pdb .pqr; .gz around any of "
+    "them. Data goes to stdout or to the file of -o, messages to stderr. Files appear whole or not at all. With --json "
+    "stdout holds an object also where a run fails, with `error`; of several POINTS one for each.";
+const char* const exit_paragraph =
+    "Exit: 0 done, 1 internal error, 2 usage, 3 bad data or file, 4 memory too small, 5 degenerate input refused, "
+    "6 cancelled, 7 check failed.";
+const char* const program_examples =
+    "sample circle -n 60 --noise .05 -o points.csv\n"
+    "persist points.csv -o diagram.pers --svg diagram.svg\n"
+    "check diagram.pers --points points.csv\n";
 
 std::string version_text() { return std::string("netmesh ") + netmesh_version_text() + "\n"; }
 
@@ -60,19 +74,10 @@ std::string program_help() {
     text += row("  netmesh help COMMAND", command_indent, "all options of a command; also netmesh COMMAND --help, -h");
     text += row("  netmesh --version", command_indent, "also -V");
     text += row("  netmesh --completion bash|zsh", command_indent, "what completes command lines in that shell");
-    text += "\n" + wrapped("POINTS is a table in text, one point a line (blanks, tabs, commas, semicolons or bars "
-                           "between coordinates, # for comments, - for stdin), or .npy .npz .off .ply .obj .stl "
-                           ".node, or atoms in .xyz .pdb .pqr; .gz around any of them. Data goes to stdout or to the "
-                           "file of -o, messages to stderr. Files appear whole or not at all. With --json stdout holds "
-                           "an object also where a run fails, with `error`; of several POINTS one for each.",
-                           0);
-    text += "\nexamples:\n" + examples("sample circle -n 60 --noise .05 -o points.csv\n"
-                                       "persist points.csv -o diagram.pers --svg diagram.svg\n"
-                                       "check diagram.pers --points points.csv\n");
-    return text + "\n" +
-           wrapped("Exit: 0 done, 1 internal error, 2 usage, 3 bad data or file, 4 memory too small, "
-                   "5 degenerate input refused, 6 cancelled, 7 check failed.",
-                   0);
+    text += row("  netmesh --manual [COMMAND]", command_indent, "the manual page, for man");
+    text += "\n" + wrapped(points_paragraph, 0);
+    text += "\nexamples:\n" + examples(program_examples);
+    return text + "\n" + wrapped(exit_paragraph, 0);
 }
 
 }  // namespace

@@ -8,17 +8,26 @@
 #include "tools/commands/commands.hpp"
 #include "tools/commands/output.hpp"
 #include "tools/completion.hpp"
+#include "tools/manual.hpp"
 #include "tools/option_use.hpp"
 
 namespace {
 
 using namespace netmesh::tool;
 
+bool asks_for_text(const Options& options) {
+    return options.version || options.help || options.manual || !options.completion.empty();
+}
+
 Outcome run(const Options& options) {
-    if (options.version || options.help || !options.completion.empty()) {
+    if (asks_for_text(options)) {
         std::string text = options.version ? version_text() : help_text(options.command);
         if (!options.completion.empty()) text = completion_text(options.completion);
-        const char* const key = options.version ? nullptr : options.help ? "help" : "completion";
+        if (options.manual) text = manual_text(options.command);
+        const char* const key = options.version  ? nullptr
+                                : options.help   ? "help"
+                                : options.manual ? "manual"
+                                                 : "completion";
         if (options.json) text = json_text(options.command, key, text);
         return write_files({{"", [&](TextWriter& out) { out << text; }}});
     }
@@ -47,8 +56,7 @@ int main(int count, char** arguments) {
     try {
         const std::vector<std::string> given(arguments + (count > 0), arguments + count);
         outcome = parse_options(given, &options);
-        if (!outcome.good() || options.help || options.version || !options.completion.empty())
-            options.json = asks_for_json(given);
+        if (!outcome.good() || asks_for_text(options)) options.json = asks_for_json(given);
         if (outcome.good()) {
             netmesh::platform::catch_interrupts();
             outcome = run(options);

@@ -64,9 +64,9 @@ Outcome unknown_command(const std::string& name) {
     return usage_error("unknown command '" + name + "'" + did_you_mean(name, names) + "; `netmesh --help` lists them");
 }
 
-// help, help COMMAND; --completion SHELL.
+// help, help COMMAND; --completion SHELL; --manual, --manual COMMAND.
 Outcome take_words(const std::vector<std::string>& arguments, Options* options, bool* taken) {
-    *taken = !arguments.empty() && (arguments[0] == "help" || arguments[0] == "--completion");
+    *taken = !arguments.empty() && (arguments[0] == "help" || arguments[0] == "--completion" || arguments[0] == "--manual");
     if (!*taken) return {};
     std::vector<std::string> rest;
     for (std::size_t i = 1; i < arguments.size(); i++)
@@ -76,8 +76,8 @@ Outcome take_words(const std::vector<std::string>& arguments, Options* options, 
             return options->completion = rest[0], Outcome{};
         return usage_error("--completion takes bash or zsh");
     }
-    options->help = true;
-    if (rest.size() > 1) return usage_error("help takes one command; unexpected argument " + rest[1]);
+    (arguments[0] == "help" ? options->help : options->manual) = true;
+    if (rest.size() > 1) return usage_error(arguments[0] + " takes one command; unexpected argument " + rest[1]);
     const CommandEntry* const command = rest.empty() ? nullptr : find_command(rest[0]);
     if (command != nullptr) options->command = command->command;
     return rest.empty() || command != nullptr ? Outcome{} : unknown_command(rest[0]);

@@ -27,6 +27,7 @@ struct Options {
     std::vector<std::pair<std::string, std::string>> given;  // options and their values, as they were written
     bool help = false, version = false;
     std::string completion;  // the shell whose completion file is asked for
+    bool manual = false;     // the manual page of the command, or of the program, is asked for
 
     TableOptions table;  // how points are read
     std::string out;     // empty: stdout

@@ -6,7 +6,7 @@
  *
  * A part that is left out answers with NETMESH_NOT_BUILT and a message that names its macro. Whole calls that a program
  * does not make need no switch where its linker drops unused sections (-Wl,--gc-sections), as CMake's archive lets it;
- * the README has a table of what each job takes. */
+ * tools/docs/small-parts.md has a table of what each job takes. */
 #ifndef NETMESH_CONFIG_DEFAULTS_H
 #define NETMESH_CONFIG_DEFAULTS_H
 

@@ -6,7 +6,7 @@
   check.py compile --work DIR --cxx C [--flags F] [--tools PREFIX] [--helpers] [--wasm]
                                             the plane alone compiles without a warning; its symbols and instructions
   check.py readme  --work DIR --cxx C --cc C
-                                            the README's commands, with two files of a user's in C++ and in C99; then
+                                            the commands of tools/docs/embedding.md, with two files of a user's in C++ and in C99; then
                                             all golden fingerprints from what they made
   check.py golden  --work DIR --cxx C --flags F
                                             golden fingerprints of the plane and space from another compiler or flags
@@ -184,12 +184,12 @@ def check_compile(options):
 
 
 def readme_commands():
-    """Lines of the shell blocks of the README's section."""
-    with open(os.path.join(ROOT, "README.md"), encoding="utf-8") as f:
+    """Lines of the shell blocks of the section in tools/docs."""
+    with open(os.path.join(ROOT, "tools/docs/embedding.md"), encoding="utf-8") as f:
         section = re.search(r"^## Vendoring: two files\n(.*?)^## ", f.read(), re.M | re.S)
     lines = [line for block in re.findall(r"```sh\n(.*?)```", section.group(1), re.S) for line in block.splitlines()]
     if len(lines) != 4:
-        sys.exit("FAULT the README's section has %d commands, not 4" % len(lines))
+        sys.exit("FAULT the section has %d commands, not 4" % len(lines))
     return lines
 
 
@@ -216,7 +216,7 @@ def fingerprints(options, flags):
 
 
 def check_readme(options):
-    """The compilers of the build go by the names that the README has."""
+    """The compilers of the build go by the names that the page has."""
     work = options.work
     os.symlink(ROOT, os.path.join(work, "netmesh"))
     tools = os.path.join(work, "bin")

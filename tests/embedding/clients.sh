@@ -16,7 +16,7 @@ clients() {
     fi
     PKG_CONFIG_PATH=$(dirname "$(find "$prefix" -name netmesh.pc)")
     export PKG_CONFIG_PATH
-    "$cc" -std=c99 -pedantic -Wall -Wextra -Werror "$example" $(pkg-config --cflags --libs netmesh) \
+    "$cc" -std=c11 -pedantic -Wall -Wextra -Werror "$example" $(pkg-config --cflags --libs netmesh) \
         -o "$work/by_pkg_config"
     "$work/by_pkg_config" | grep "certified ratio"
     version=$("$prefix/bin/netmesh" --version | sed 's/[^0-9.]*\([0-9.]*\).*/\1/')

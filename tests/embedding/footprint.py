@@ -1,7 +1,7 @@
 #!/usr/bin/env python3
 """What each job takes on a board and on a PC: flash, block, stack and instructions, measured.
 
-    footprint.py WORK [--jobs N] [D ...]      prints the table of the README; D: 2, 3, 4
+    footprint.py WORK [--jobs N] [D ...]      prints the table of tools/docs/small-parts.md; D: 2, 3, 4
 
 Engine in two files, one dimension, -Os for a Cortex-M3 in qemu and -O2 for x86-64 under callgrind. Flash: text,
 constants and initialised data of a program with the job above those of one without. Block: report.memory.peak_bytes.

@@ -44,6 +44,16 @@ contents "$library" >"$work/library"
 cat >"$work/expected" <<END
 ./usr/bin/netmesh
 ./usr/share/bash-completion/completions/netmesh
+./usr/share/man/man1/netmesh-check.1.gz
+./usr/share/man/man1/netmesh-delaunay.1.gz
+./usr/share/man/man1/netmesh-distance.1.gz
+./usr/share/man/man1/netmesh-homology.1.gz
+./usr/share/man/man1/netmesh-mesh.1.gz
+./usr/share/man/man1/netmesh-persist.1.gz
+./usr/share/man/man1/netmesh-sample.1.gz
+./usr/share/man/man1/netmesh-size.1.gz
+./usr/share/man/man1/netmesh-vineyard.1.gz
+./usr/share/man/man1/netmesh.1.gz
 ./usr/share/zsh/site-functions/_netmesh
 END
 grep -v '^./usr/share/doc/netmesh/' "$work/tool" | diff "$work/expected" - || exit 1

@@ -3,7 +3,7 @@
 what the whole archive takes, all dimensions, all calls.
 
     size.py SOURCE WORK CC CXX           build, run, and compare with the limits below
-    size.py SOURCE WORK CC CXX --table   the same as a table for the README
+    size.py SOURCE WORK CC CXX --table   the same as a table
 
 Where size counts some ways of computing are shorter: the build of D = 2 and 3 has to print the golden fingerprints.
 """

@@ -5,7 +5,7 @@
   write.py size BUILD       code and constants by folder and dimension                 -> tests/CHECKS.md
   write.py bare LOG         what `platform/cortexm/run` printed                        -> tests/CHECKS.md
   write.py coverage LOG     what `tests/coverage/run` printed                          -> tests/coverage/COVERAGE.md
-  write.py light WORK       what jobs take on a board, measured by tests/embedding/footprint.py in WORK -> README.md
+  write.py light WORK       what jobs take on a board, measured by tests/embedding/footprint.py in WORK -> tools/docs/small-parts.md
   write.py lemmas LOG       what `test_mesh -tc="every lemma*"` printed (CHECKS.md)    -> tests/CHECKS.md
 
 Nothing between the marks is written by hand. Exit code 1: the marks or the figures are missing."""
@@ -16,7 +16,7 @@ import sys
 
 TESTS = os.path.dirname(os.path.dirname(os.path.abspath(__file__)))
 CHECKS = os.path.join(TESTS, "CHECKS.md")
-README = os.path.join(os.path.dirname(TESTS), "README.md")
+SMALL_PARTS = os.path.join(os.path.dirname(TESTS), "tools", "docs", "small-parts.md")
 COVERAGE = os.path.join(TESTS, "coverage", "COVERAGE.md")
 STACK_LEAST = 1024  # calls with less are not listed
 
@@ -90,7 +90,7 @@ def coverage(log):
 def light(work):
     """Some minutes of building and running."""
     command = [sys.executable, os.path.join(TESTS, "embedding", "footprint.py"), work]
-    put(README, "light", subprocess.run(command, stdout=subprocess.PIPE, text=True, check=True).stdout.splitlines())
+    put(SMALL_PARTS, "light", subprocess.run(command, stdout=subprocess.PIPE, text=True, check=True).stdout.splitlines())
 
 
 def lemmas(log):

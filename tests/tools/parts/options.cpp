@@ -239,6 +239,9 @@ TEST_CASE("help and version") {
     CHECK(good({"help"}).help);
     CHECK(good({"mesh", "p", "-q"}).quiet);
     CHECK(good({"--completion", "zsh"}).completion == "zsh");
+    CHECK(good({"--manual"}).manual);
+    CHECK(good({"--manual", "mesh"}).command == Command::mesh);
+    CHECK(names(fault({"--manual", "mash"}), "did you mean mesh?"));
     CHECK(names(fault({"help", "mash"}), "did you mean mesh?"));
     CHECK(help_text(Command::persist).find("--filter F") != std::string::npos);
     CHECK(help_text(Command::mesh).find("--filter") == std::string::npos);
