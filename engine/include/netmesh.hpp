@@ -507,8 +507,8 @@ public:
     EngineIn& operator=(const EngineIn&) = delete;
 };
 
-// An engine and a block from anywhere, as of mmap or malloc, that release(block) gives back: at the end of the scope, or
-// where it was moved to. A null block is refused by status(), and not released.
+// An engine and a block from anywhere, as of mmap or malloc, that release(block) gives back: at the end of the scope,
+// or where it was moved to. A null block is refused by status(), and not released.
 template <class Release> class OwningEngine : public Engine {
 public:
     OwningEngine(void* block, std::size_t block_bytes, Release release)

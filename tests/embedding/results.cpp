@@ -1,5 +1,5 @@
-// Results in C++: an engine with its block, ranges of what it has made, spans of what these are made of. No exceptions, no
-// memory but the block. The longest loop of eight points around a square, and how long it is.
+// Results in C++: an engine with its block, ranges of what it has made, spans of what these are made of. No exceptions,
+// no memory but the block. The longest loop of eight points around a square, and how long it is.
 #include <netmesh.hpp>
 
 #include <algorithm>
@@ -25,8 +25,9 @@ int main() {
     constexpr std::array<float, 16> points = {0, 0, 2, 0, 2, 2, 0, 2, 1, -0.5F, 2.5F, 1, 1, 2.5F, -0.5F, 1};
     netmesh::requests::Delaunay delaunay(2);
     netmesh::set_points(&delaunay, points);
-    if (engine.delaunay(delaunay) != NETMESH_OK || engine.persist(netmesh::requests::Persist(NETMESH_FILTER_ALPHA)) !=
-            NETMESH_OK || engine.represent() != NETMESH_OK) {
+    if (engine.delaunay(delaunay) != NETMESH_OK ||
+        engine.persist(netmesh::requests::Persist(NETMESH_FILTER_ALPHA)) != NETMESH_OK ||
+        engine.represent() != NETMESH_OK) {
         std::puts(engine.detail().message);
         return 1;
     }
