@@ -1,7 +1,7 @@
 """bench.py [--small] [--readme]: the ten jobs that users of topological data analysis do most, in netmesh and in what
-they would use else: GUDHI, ripser (the program) and scipy. Each runs in a process of its own; seconds are the best of some runs,
-memory the growth of the process's peak. A peer that is not installed is left out. Prints a table; --readme
-also puts it into platform/python/README.md, at the mark that names this program.
+they would use else: GUDHI, ripser (the program) and scipy. Each runs in a process of its own; seconds are the best
+of some runs, memory the growth of the process's peak. A peer that is not installed is left out. Prints a table;
+--readme also puts it into platform/python/README.md, at the mark that names this program.
 """
 import importlib.util
 import json

@@ -175,7 +175,8 @@ class Job {
         const field = this.text(this.exports.field());
         const ofRow = OF_ROWS.includes(kind) || (kind === 'invalid-argument' && field === 'numbers');
         const argument = ofRow && field !== 'numbers' ? (kind === 'not-a-complex' ? 'simplices' : this.rows)
-            : kind === 'out-of-memory' ? 'memory' : kind === 'flat' ? 'points' : field ? ARGUMENTS[field] ?? field : null;
+            : kind === 'out-of-memory' ? 'memory' : kind === 'flat' ? 'points'
+            : field ? ARGUMENTS[field] ?? field : null;
         const row = ofRow ? this.exports.row() : null;
         if (kind === 'not-a-complex') said = `${FAULTS[this.exports.fault()]}${this.ofStep()}`;
         if (argument === 'steps') said += this.ofStep();
@@ -293,8 +294,9 @@ export class Vineyard {
         for (let degree = 0; degree <= this.maxDegree; ++degree)
             starts.push(starts[degree] + at.filter(i => this.degrees[i] === degree).length);
         return new Diagram({ filter: this.filter, certifiedRatio: this.ratios[k - this.k[0]],
-            valueError: this.valueError, certifiedError: 0, fingerprint: '', peakBytes: this.peakBytes, why: '', bounds: null,
-            representatives: null }, Float64Array.from(at.flatMap(i => [x[2 * i], x[2 * i + 1]])), starts);
+            valueError: this.valueError, certifiedError: 0, fingerprint: '', peakBytes: this.peakBytes, why: '',
+            bounds: null, representatives: null },
+        Float64Array.from(at.flatMap(i => [x[2 * i], x[2 * i + 1]])), starts);
     }
     /** The path of one vine: { ks, intervals }. */
     vine(number) {
@@ -571,7 +573,8 @@ export class Netmesh {
         const [from, to] = numbers.slice(-2);
         job.set({ method: choose(METHODS, options.method ?? 'svr', 'method'), finish: options.finish ?? 0,
             ratio: fitsError ? 0 : ratio ?? 0, focus: numbers.length === 3 ? numbers[0] : 0, from: from ?? 0,
-            to: to ?? 0, byError: fitsError, longerThan: automatic ? positive(longerThan ?? LONGER_THAN, 'longerThan') : 0,
+            to: to ?? 0, byError: fitsError,
+            longerThan: automatic ? positive(longerThan ?? LONGER_THAN, 'longerThan') : 0,
             bounds: automatic || (options.bounds ?? 0), purpose: refines ? PURPOSES.persist : filter.purpose,
             wholeCells: options.wholeCells || !(refines && filter.clipsCells) });
         return fit || automatic;
