@@ -1,21 +1,180 @@
-// netmesh for C++: the C interface of netmesh.h with requests that are born initialised, results as values and loops
-// over them. Header only, nothing numeric in it, no exceptions, no allocation. See netmesh.h for what each call does,
+// netmesh for C++17: the C interface of netmesh.h with requests that are born initialised, and results as ranges of
+// values. Header only, nothing numeric in it, no exceptions, no allocation. See netmesh.h for what each call does,
 // costs and returns; every call of it stands here.
 //
-//     netmesh::Engine engine(block, block_bytes);
+//     netmesh::EngineIn<1 << 20> engine;                                // with its block
 //     netmesh::requests::Mesh mesh(3);
-//     mesh.points = points;
-//     mesh.point_count = n;
+//     netmesh::set_points(&mesh, points);                               // a vector, an array, a Span of numbers
 //     if (engine.mesh(mesh) != NETMESH_OK) puts(engine.detail().message);
+//     if (engine.persist() != NETMESH_OK) puts(engine.detail().message);
+//     for (const netmesh_pair& bar : engine.pairs(1)) printf("%g %g\n", bar.birth, bar.death);
 #ifndef NETMESH_HPP
 #define NETMESH_HPP
 
 #include <cstddef>
 #include <cstdint>
+#include <iterator>
 
 #include "netmesh.h"
 
 namespace netmesh {
+
+// Numbers that stand one after the other somewhere else.
+template <class Number> class Span {
+public:
+    constexpr Span() = default;
+    constexpr Span(Number* data, std::size_t size) : data_(data), size_(size) {}
+    constexpr Number* data() const { return data_; }
+    constexpr std::size_t size() const { return size_; }
+    constexpr bool empty() const { return size_ == 0; }
+    constexpr Number& operator[](std::size_t i) const { return data_[i]; }
+    constexpr Number* begin() const { return data_; }
+    constexpr Number* end() const { return data_ + size_; }
+
+private:
+    Number* data_ = nullptr;
+    std::size_t size_ = 0;
+};
+
+// What an item is made of, as long as the item lives.
+inline Span<const double> coordinates(const netmesh_vertex& vertex, std::uint32_t dim) {
+    return {vertex.coordinates, dim};
+}
+inline Span<const std::uint32_t> vertices(const netmesh_cell& cell, std::uint32_t dim) {
+    return {cell.vertices, std::size_t{dim} + 1};
+}
+inline Span<const std::uint32_t> neighbours(const netmesh_cell& cell, std::uint32_t dim) {
+    return {cell.neighbours, std::size_t{dim} + 1};
+}
+inline Span<const std::uint32_t> vertices(const netmesh_simplex& simplex) {
+    return {simplex.vertices, std::size_t{simplex.degree} + 1};
+}
+
+// The points of a request: container.data() and .size() of doubles or floats, dim numbers a point, which stay there
+// until the job is done. Numbers behind the last whole point are not read.
+template <class Request> void set_points(Request* request, const double* numbers, std::size_t count) {
+    request->points = numbers;
+    request->point_count = request->dim == 0 ? 0 : count / request->dim;
+    request->point_format = NETMESH_POINTS_FLOAT64;
+    request->point_stride_bytes = 0;
+}
+template <class Request> void set_points(Request* request, const float* numbers, std::size_t count) {
+    request->points = numbers;
+    request->point_count = request->dim == 0 ? 0 : count / request->dim;
+    request->point_format = NETMESH_POINTS_FLOAT32;
+    request->point_stride_bytes = 0;
+}
+template <class Request, class Container> void set_points(Request* request, const Container& container) {
+    set_points(request, container.data(), container.size());
+}
+
+// Items of a result by their index, read one by one: of a context, until it is changed. read(index, &item) tells
+// whether there is such an item. An iterator holds the item that it stands at.
+template <class Item, class Read> class Items {
+public:
+    class Iterator {
+    public:
+        using iterator_category = std::input_iterator_tag;
+        using value_type = Item;
+        using difference_type = std::ptrdiff_t;
+        using pointer = const Item*;
+        using reference = const Item&;
+
+        Iterator(const Read& read, std::uint64_t index, std::uint64_t end) : read_(read), index_(index), end_(end) {
+            load();
+        }
+        const Item& operator*() const { return item_; }
+        const Item* operator->() const { return &item_; }
+        Iterator& operator++() {
+            ++index_;
+            load();
+            return *this;
+        }
+        Iterator operator++(int) {
+            const Iterator before = *this;
+            ++*this;
+            return before;
+        }
+        // Of the item; UINT64_MAX past the last one.
+        std::uint64_t index() const { return index_; }
+        friend bool operator==(const Iterator& a, const Iterator& b) { return a.index_ == b.index_; }
+        friend bool operator!=(const Iterator& a, const Iterator& b) { return a.index_ != b.index_; }
+
+    private:
+        void load() {
+            item_ = {};
+            item_.struct_bytes = sizeof item_;
+            if (index_ >= end_ || !read_(index_, &item_)) index_ = past;
+        }
+        Read read_;
+        std::uint64_t index_, end_;
+        Item item_;
+    };
+
+    explicit Items(const Read& read, std::uint64_t first = 0, std::uint64_t end = past)
+        : read_(read), first_(first), end_(end) {}
+    Iterator begin() const { return {read_, first_, end_}; }
+    Iterator end() const { return {read_, past, past}; }
+    bool empty() const { return begin() == end(); }
+    // Item i of the range; with struct_bytes 0 where there is none. O(1).
+    Item operator[](std::uint64_t i) const {
+        Item item = {};
+        item.struct_bytes = sizeof item;
+        if (i >= end_ - first_ || !read_(first_ + i, &item)) item = {};
+        return item;
+    }
+    // Costs O(log size()) looks.
+    std::uint64_t size() const {
+        return first_where([](const Item&) { return false; }) - first_;
+    }
+    // The items from the first one with at_least(item) to the first one with above(item), of a range sorted so.
+    template <class AtLeast, class Above> Items between(const AtLeast& at_least, const Above& above) const {
+        return Items(read_, first_where(at_least), first_where(above));
+    }
+
+private:
+    static constexpr std::uint64_t past = UINT64_MAX;
+    // The index of the first item of which it holds, or of the end; of the items before it, it does not hold.
+    template <class Holds> std::uint64_t first_where(const Holds& holds) const {
+        const auto is_before = [&](std::uint64_t index) {
+            Item item = {};
+            item.struct_bytes = sizeof item;
+            return index < end_ && read_(index, &item) && !holds(item);
+        };
+        std::uint64_t low = first_, step = 1;  // all items before `low` are before what is looked for
+        while (is_before(low + step - 1)) {
+            low += step;
+            step *= 2;
+        }
+        for (std::uint64_t high = low + step - 1; low < high;) {
+            const std::uint64_t middle = low + (high - low) / 2;
+            if (is_before(middle)) {
+                low = middle + 1;
+            } else {
+                high = middle;
+            }
+        }
+        return low;
+    }
+
+    Read read_;
+    std::uint64_t first_, end_;
+};
+
+// How items of a context are read.
+template <class Item> struct ByIndex {
+    const netmesh_context* context;
+    netmesh_status (*get)(const netmesh_context*, std::uint64_t, Item*);
+    bool operator()(std::uint64_t index, Item* item) const { return get(context, index, item) == NETMESH_OK; }
+};
+struct InCycle {
+    const netmesh_context* context;
+    std::uint64_t pair;
+    bool operator()(std::uint64_t index, netmesh_simplex* simplex) const {
+        return netmesh_get_cycle_simplex(context, pair, index, simplex) == NETMESH_OK;
+    }
+};
+template <class Item> using Indexed = Items<Item, ByIndex<Item>>;
 
 // The structs of netmesh.h with their defaults. Each converts to the struct of the same name.
 namespace requests {
@@ -275,6 +434,28 @@ public:
         netmesh_get_report(context_, &r);
         return r;
     }
+    // Ranges of items, in order: for (const netmesh_pair& pair : engine.pairs()). What a job changes ends them.
+    Indexed<netmesh_vertex> vertices() const { return items(netmesh_get_vertex); }
+    Indexed<netmesh_cell> cells() const { return items(netmesh_get_cell); }
+    Indexed<netmesh_cage> cages() const { return items(netmesh_get_cage); }
+    Indexed<netmesh_pair> pairs() const { return items(netmesh_get_pair); }
+    Indexed<netmesh_bar_bounds> bar_bounds() const { return items(netmesh_get_bar_bounds); }
+    Indexed<netmesh_scale_step> scale_steps() const { return items(netmesh_get_scale_step); }
+    Indexed<netmesh_vine_point> vine_points() const { return items(netmesh_get_vine_point); }
+    // Of one degree; index() of their iterators counts all pairs, as bounds and cycles are numbered.
+    Indexed<netmesh_pair> pairs(std::uint32_t degree) const {
+        return pairs().between([&](const netmesh_pair& pair) { return pair.degree >= degree; },
+                               [&](const netmesh_pair& pair) { return pair.degree > degree; });
+    }
+    // Of one vine.
+    Indexed<netmesh_vine_point> vine(std::uint32_t number) const {
+        return vine_points().between([&](const netmesh_vine_point& point) { return point.vine >= number; },
+                                     [&](const netmesh_vine_point& point) { return point.vine > number; });
+    }
+    // The representative of a pair; nothing where none is kept.
+    Items<netmesh_simplex, InCycle> cycle(std::uint64_t pair) const {
+        return Items<netmesh_simplex, InCycle>(InCycle{context_, pair});
+    }
     // Calls visit(index, item) for each vertex, cell, cage, pair, bar, step of the ratio and point of a vine, in order.
     template <class Visit> void for_each_vertex(Visit&& visit) const { for_each(netmesh_get_vertex, visit); }
     template <class Visit> void for_each_cell(Visit&& visit) const { for_each(netmesh_get_cell, visit); }
@@ -300,6 +481,10 @@ public:
 
 private:
     Engine() = default;
+    template <class Item>
+    Indexed<Item> items(netmesh_status (*get)(const netmesh_context*, std::uint64_t, Item*)) const {
+        return Indexed<Item>(ByIndex<Item>{context_, get});
+    }
     template <class Item, class Visit>
     void for_each(netmesh_status (*get)(const netmesh_context*, std::uint64_t, Item*), Visit& visit) const {
         Item item = sized<Item>();
@@ -309,6 +494,38 @@ private:
     netmesh_context* context_ = nullptr;
     netmesh_status status_ = NETMESH_NO_RESULT;
 };
+
+// An engine and its block in one object, static or of a scope, which is neither copied nor moved.
+template <std::size_t bytes> class BlockOf {
+protected:
+    alignas(16) unsigned char block_[bytes];
+};
+template <std::size_t bytes> class EngineIn : BlockOf<bytes>, public Engine {
+public:
+    EngineIn() : Engine(this->block_, bytes) {}
+    EngineIn(const EngineIn&) = delete;
+    EngineIn& operator=(const EngineIn&) = delete;
+};
+
+// An engine and a block from anywhere, as of mmap or malloc, that release(block) gives back: at the end of the scope,
+// or where it was moved to. A null block is refused by status(), and not released.
+template <class Release> class OwningEngine : public Engine {
+public:
+    OwningEngine(void* block, std::size_t block_bytes, Release release)
+        : Engine(block, block_bytes), block_(block), release_(release) {}
+    OwningEngine(OwningEngine&& other) noexcept : Engine(other), block_(other.block_), release_(other.release_) {
+        other.block_ = nullptr;
+    }
+    OwningEngine& operator=(OwningEngine&&) = delete;
+    ~OwningEngine() {
+        if (block_ != nullptr) release_(block_);
+    }
+
+private:
+    void* block_;
+    Release release_;
+};
+template <class Release> OwningEngine(void*, std::size_t, Release) -> OwningEngine<Release>;
 
 }  // namespace netmesh
 

@@ -3,6 +3,7 @@
 
 #include <cmath>
 #include <cstring>
+#include <utility>
 #include <vector>
 
 #include "common/inputs.hpp"
@@ -131,6 +132,116 @@ TEST_CASE("the C++ layer: what is measured of a mesh, vines, functions, loading"
     scales.point_count = 30;
     CHECK(engine.persist_scales(scales) == NETMESH_OK);
     CHECK(engine.report().scales.count > 0);
+}
+
+TEST_CASE("the C++ layer: ranges are the items of the calls") {
+    const inputs::Points points = inputs::uniform(2, 30);
+    static netmesh::EngineIn<std::size_t{1} << 23> engine;
+    REQUIRE(engine.status() == NETMESH_OK);
+    CHECK(engine.pairs().empty());
+    CHECK(engine.pairs().size() == 0);
+    CHECK(engine.pairs()[0].struct_bytes == 0);
+    netmesh::requests::Mesh mesh(2);
+    netmesh::set_points(&mesh, netmesh::Span<const double>(points.data(), 60));
+    CHECK(mesh.point_count == 30);
+    CHECK(mesh.point_format == NETMESH_POINTS_FLOAT64);
+    mesh.purpose = NETMESH_PURPOSE_PERSIST;
+    REQUIRE(engine.mesh(mesh) == NETMESH_OK);
+    REQUIRE(engine.persist() == NETMESH_OK);
+    REQUIRE(engine.bound_bars() == NETMESH_OK);
+    REQUIRE(engine.represent() == NETMESH_OK);
+    const netmesh_report report = engine.report();
+    CHECK(engine.vertices().size() == report.mesh.vertices);
+    CHECK(engine.cells().size() == report.mesh.cells);
+    CHECK(engine.cages().empty());
+    CHECK(engine.pairs().size() == report.diagram.pairs[0] + report.diagram.pairs[1]);
+    CHECK(engine.bar_bounds().size() == engine.pairs().size());
+    CHECK(engine.scale_steps().size() == report.bounds.steps);
+
+    // Coordinates of the inputs and corners of the cells, as the calls have them.
+    std::uint64_t n = 0;
+    netmesh_vertex vertex = netmesh::sized<netmesh_vertex>();
+    for (const netmesh_vertex& v : engine.vertices()) {
+        REQUIRE(netmesh_get_vertex(engine.context(), n, &vertex) == NETMESH_OK);
+        const auto x = netmesh::coordinates(v, 2);
+        CHECK(x.size() == 2);
+        CHECK(x[0] == vertex.coordinates[0]);
+        CHECK(*(x.end() - 1) == vertex.coordinates[1]);
+        CHECK(engine.vertices()[n].value == v.value);
+        ++n;
+    }
+    CHECK(n == report.mesh.vertices);
+    n = 0;
+    for (const netmesh_cell& cell : engine.cells()) {
+        CHECK(netmesh::vertices(cell, 2).size() == 3);
+        for (const std::uint32_t v : netmesh::vertices(cell, 2)) CHECK(v < report.mesh.vertices);
+        for (const std::uint32_t c : netmesh::neighbours(cell, 2)) n += c == NETMESH_NONE;
+    }
+    CHECK(n > 2);  // edges of the hull
+
+    // Pairs by degree, in their order and with the numbers of all.
+    for (std::uint32_t degree = 0; degree < 3; ++degree) {
+        const auto some = engine.pairs(degree);
+        CHECK(some.size() == (degree < 2 ? report.diagram.pairs[degree] : 0));
+        CHECK(some.empty() == (some.size() == 0));
+        std::uint64_t at = degree == 0 ? 0 : report.diagram.pairs[0];
+        for (auto i = some.begin(); i != some.end(); i++, ++at) {
+            CHECK(i->degree == degree);
+            CHECK(i.index() == at);
+            CHECK(engine.pairs()[at].birth == i->birth);
+        }
+    }
+    CHECK(engine.pairs(0)[report.diagram.pairs[0]].struct_bytes == 0);  // the next one is of another degree
+
+    std::uint64_t simplices = 0;
+    REQUIRE(netmesh_get_cycle(engine.context(), 0, &simplices) == NETMESH_OK);
+    CHECK(engine.cycle(0).size() == simplices);
+    for (const netmesh_simplex& simplex : engine.cycle(0)) CHECK(netmesh::vertices(simplex).size() == 1);
+    CHECK(engine.cycle(engine.pairs().size()).empty());
+
+    netmesh::requests::Vineyard vineyard(NETMESH_FILTER_KNN);
+    vineyard.k_last = 3;
+    REQUIRE(engine.vineyard(vineyard) == NETMESH_OK);
+    const netmesh_vineyard_report vines = engine.report().vineyard;
+    CHECK(engine.vine_points().size() == vines.points);
+    n = 0;
+    for (std::uint32_t v = 0; v < vines.vines; ++v) {
+        CHECK(!engine.vine(v).empty());
+        for (const netmesh_vine_point& point : engine.vine(v)) {
+            CHECK(point.vine == v);
+            ++n;
+        }
+    }
+    CHECK(n == vines.points);
+    CHECK(engine.vine(static_cast<std::uint32_t>(vines.vines)).empty());
+}
+
+TEST_CASE("the C++ layer: a block that goes with its engine") {
+    const std::vector<float> points = {0, 0, 1, 0, 0, 1, 1, 1, 9};
+    int released = 0;
+    Memory memory(std::size_t{1} << 20);
+    const auto release = [&](void* block) {
+        CHECK(block == memory.block());
+        ++released;
+    };
+    netmesh::requests::Alpha alpha(2);
+    netmesh::set_points(&alpha, points);
+    CHECK(alpha.point_count == 4);
+    CHECK(alpha.point_format == NETMESH_POINTS_FLOAT32);
+    {
+        netmesh::OwningEngine engine(memory.block(), memory.bytes(), release);
+        REQUIRE(engine.persist_alpha(alpha) == NETMESH_OK);
+        const netmesh::OwningEngine moved(std::move(engine));
+        CHECK(moved.pairs(1).size() == 1);
+        CHECK(released == 0);
+    }
+    CHECK(released == 1);
+    {
+        const netmesh::OwningEngine none(nullptr, 0, release);
+        CHECK(none.status() == NETMESH_INVALID_ARGUMENT);
+        CHECK(none.pairs().empty());
+    }
+    CHECK(released == 1);
 }
 
 TEST_CASE("the C++ layer: vineyards of values") {

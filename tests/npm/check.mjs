@@ -67,8 +67,8 @@ const transport = netmesh.wasserstein(Float64Array.of(0, 8, 0, 2), Float64Array.
 assert.ok(transport.lower <= 2 && transport.value >= 2 && transport.value <= 1.001 * transport.lower);
 assert.equal(netmesh.bottleneck(diagram, diagram), 0);
 
-// "auto" is the engine's own choice: of a lattice the mesh, as ties are dear, of the circle the exact complex. What asks
-// for a mesh takes the mesh.
+// "auto" is the engine's own choice: of a lattice the mesh, as ties are dear, of the circle the exact complex. What
+// asks for a mesh takes the mesh.
 const lattice = Array.from({ length: 3000 }, (_, i) => [i % 15, Math.floor(i / 15) % 15, Math.floor(i / 225)]);
 const cheap = netmesh.persist(lattice);
 assert.equal(cheap.filter, 'complete');

@@ -1,6 +1,7 @@
-"""bench.py [--small]: the ten jobs that users of topological data analysis do most, in netmesh and in what they would
-use else: GUDHI, ripser (the program) and scipy. Each runs in a process of its own; seconds are the best of some runs,
-memory the growth of the process's peak. A peer that is not installed is left out. Prints a table.
+"""bench.py [--small] [--readme]: the ten jobs that users of topological data analysis do most, in netmesh and in what
+they would use else: GUDHI, ripser (the program) and scipy. Each runs in a process of its own; seconds are the best
+of some runs, memory the growth of the process's peak. A peer that is not installed is left out. Prints a table;
+--readme also puts it into platform/python/README.md, at the mark that names this program.
 """
 import importlib.util
 import json
@@ -150,24 +151,42 @@ def is_there(peer):
     return bool(importlib.util.find_spec(peer))
 
 
+def put_into_readme(lines):
+    path = os.path.join(ROOT, "platform", "python", "README.md")
+    with open(path, encoding="utf-8") as file:
+        text = file.read()
+    begin, end = "<!-- tests/python/bench.py --readme -->\n", "<!-- end -->"
+    head, rest = text.split(begin)
+    with open(path, "w", encoding="utf-8") as file:
+        file.write(head + begin + "\n" + "\n".join(lines) + "\n\n" + end + rest.split(end, 1)[1])
+
+
 def main():
-    print("| job | netmesh | peer | peer's time over ours | memory over ours |")
-    print("|---|---|---|---|---|")
+    lines = []
+
+    def say(line):
+        lines.append(line)
+        print(line, flush=True)
+
+    say("| job | netmesh | peer | peer's time over ours | memory over ours |")
+    say("|---|---|---|---|---|")
     for name, program, peers in jobs():
         ours_found = measure(program)
         row = "%.4g s, %.1f MiB" % (ours_found["seconds"], ours_found["bytes"] / 2 ** 20)
         for peer, theirs in peers.items():
             if not is_there(peer):
-                print("| %s | %s | %s is not installed | | |" % (name, row, peer), flush=True)
+                say("| %s | %s | %s is not installed | | |" % (name, row, peer))
                 continue
             found = measure(theirs)
             # Below a page or so nothing is said of memory.
             least = 2 ** 18
             memory = "%.1f" % (found["bytes"] / ours_found["bytes"]) if min(
                 found["bytes"], ours_found["bytes"]) >= least else "-"
-            print("| %s | %s | %s: %.4g s, %.1f MiB | %.1f | %s |" % (
+            say("| %s | %s | %s: %.4g s, %.1f MiB | %.1f | %s |" % (
                 name, row, peer, found["seconds"], found["bytes"] / 2 ** 20, found["seconds"] / ours_found["seconds"],
-                memory), flush=True)
+                memory))
+    if "--readme" in sys.argv:
+        put_into_readme(lines)
 
 
 if __name__ == "__main__":

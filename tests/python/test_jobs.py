@@ -43,11 +43,12 @@ def slow_calls():
 
 
 def interrupted(call, after=0.25):
-    """Seconds from the signal to the exception."""
+    """Seconds from the signal to the exception: of the processor in this process, and by the clock. What else runs on
+    the machine makes only the second longer."""
     sent = []
 
     def send():
-        sent.append(time.monotonic())
+        sent.extend((time.process_time(), time.monotonic()))
         os.kill(os.getpid(), signal.SIGINT)
 
     timer = threading.Timer(after, send)
@@ -55,19 +56,20 @@ def interrupted(call, after=0.25):
     try:
         with pytest.raises(KeyboardInterrupt):
             call()
-        return time.monotonic() - sent[0]
+        return time.process_time() - sent[0], time.monotonic() - sent[1]
     finally:
         timer.cancel()
 
 
 def least_wait(call):
-    """The best of up to five: what else runs on the machine is no matter of ours."""
-    best = float("inf")
+    """Of up to five the least seconds of the processor; says what the clock has said."""
+    best = float("inf"), float("inf")
     for _ in range(5):
         best = min(best, interrupted(call))
-        if best < 0.3:
+        if best[0] < 0.3:
             break
-    return best
+    print("%.3f s, by the clock %.3f s" % best)
+    return best[0]
 
 
 @pytest.mark.parametrize("name", list(slow_calls()))
@@ -96,10 +98,11 @@ def test_a_handler_that_raises_something_else():
     previous = signal.signal(signal.SIGALRM, handle)
     try:
         signal.setitimer(signal.ITIMER_REAL, 0.2)
-        begin = time.monotonic()
+        call = slow_calls()["complete"]
+        begin = time.process_time()
         with pytest.raises(Late):
-            slow_calls()["complete"]()
-        assert time.monotonic() - begin < 0.5
+            call()
+        assert time.process_time() - begin < 0.5
     finally:
         signal.signal(signal.SIGALRM, previous)
 
@@ -125,6 +128,21 @@ def test_progress():
     stages = [stage for stage, *_ in seen]
     assert "delaunay" in stages or "sort" in stages
     assert all(done <= total or total == 0 for _, done, total, _, _ in seen)
+
+
+def test_progress_by_tqdm(capsys):
+    pytest.importorskip("tqdm")
+    points = np.random.default_rng(1).random((8000, 3))
+    assert netmesh.persist(points, progress=True).fingerprint == netmesh.persist(points).fingerprint
+    shown = capsys.readouterr().err
+    assert "it/s" in shown and ("delaunay" in shown or "sort" in shown)
+
+
+def test_progress_without_tqdm(monkeypatch):
+    monkeypatch.setitem(sys.modules, "tqdm", None)
+    with pytest.raises(errors.InvalidArgument) as caught:
+        netmesh.persist(uniform(2, 30), progress=True)
+    assert caught.value.argument == "progress" and "tqdm" in str(caught.value)
 
 
 def test_other_threads_run():

@@ -175,7 +175,8 @@ class Job {
         const field = this.text(this.exports.field());
         const ofRow = OF_ROWS.includes(kind) || (kind === 'invalid-argument' && field === 'numbers');
         const argument = ofRow && field !== 'numbers' ? (kind === 'not-a-complex' ? 'simplices' : this.rows)
-            : kind === 'out-of-memory' ? 'memory' : kind === 'flat' ? 'points' : field ? ARGUMENTS[field] ?? field : null;
+            : kind === 'out-of-memory' ? 'memory' : kind === 'flat' ? 'points'
+            : field ? ARGUMENTS[field] ?? field : null;
         const row = ofRow ? this.exports.row() : null;
         if (kind === 'not-a-complex') said = `${FAULTS[this.exports.fault()]}${this.ofStep()}`;
         if (argument === 'steps') said += this.ofStep();
@@ -259,7 +260,8 @@ function diagramOf(job, filter, options) {
     const count = starts.at(-1);
     const [intervals] = job.read('read_pairs', [count], [Float64Array, 2 * count]);
     const fields = { filter, certifiedRatio: job.exports.certified_ratio(), valueError: job.exports.value_error(),
-        certifiedError: job.exports.certified_error(), fingerprint: job.fingerprint(), peakBytes: job.exports.peak_bytes(),
+        certifiedError: job.exports.certified_error(), fingerprint: job.fingerprint(),
+        peakBytes: job.exports.peak_bytes(),
         why: job.text(job.exports.why()), bounds: null, representatives: null };
     if (options.bounds) {
         const [numbers, certain] = job.read('read_bounds', [count], [Float64Array, 5 * count], [Uint8Array, count]);
@@ -291,9 +293,10 @@ export class Vineyard {
         const starts = [0];
         for (let degree = 0; degree <= this.maxDegree; ++degree)
             starts.push(starts[degree] + at.filter(i => this.degrees[i] === degree).length);
-        return new Diagram({ filter: this.filter, certifiedRatio: this.ratios[k - this.k[0]], valueError: this.valueError,
-            certifiedError: 0, fingerprint: '', peakBytes: this.peakBytes, why: '', bounds: null,
-            representatives: null }, Float64Array.from(at.flatMap(i => [x[2 * i], x[2 * i + 1]])), starts);
+        return new Diagram({ filter: this.filter, certifiedRatio: this.ratios[k - this.k[0]],
+            valueError: this.valueError, certifiedError: 0, fingerprint: '', peakBytes: this.peakBytes, why: '',
+            bounds: null, representatives: null },
+        Float64Array.from(at.flatMap(i => [x[2 * i], x[2 * i + 1]])), starts);
     }
     /** The path of one vine: { ks, intervals }. */
     vine(number) {
@@ -327,7 +330,8 @@ function setFunction(job, dim, options) {
     job.function = options.function;
     job.dim = dim;
     job.set({ lipschitz: finite(options.lipschitz, 'lipschitz'), cut: finite(options.cut, 'cut'),
-        distanceFactor: options.distanceFactor === undefined ? 0 : positive(options.distanceFactor, 'distanceFactor') });
+        distanceFactor: options.distanceFactor === undefined ? 0
+            : positive(options.distanceFactor, 'distanceFactor') });
 }
 
 // Simplices one after the other, to the input; how many have one vertex.
@@ -568,8 +572,9 @@ export class Netmesh {
         numbers.forEach(x => finite(x, 'focus'));
         const [from, to] = numbers.slice(-2);
         job.set({ method: choose(METHODS, options.method ?? 'svr', 'method'), finish: options.finish ?? 0,
-            ratio: fitsError ? 0 : ratio ?? 0, focus: numbers.length === 3 ? numbers[0] : 0, from: from ?? 0, to: to ?? 0,
-            byError: fitsError, longerThan: automatic ? positive(longerThan ?? LONGER_THAN, 'longerThan') : 0,
+            ratio: fitsError ? 0 : ratio ?? 0, focus: numbers.length === 3 ? numbers[0] : 0, from: from ?? 0,
+            to: to ?? 0, byError: fitsError,
+            longerThan: automatic ? positive(longerThan ?? LONGER_THAN, 'longerThan') : 0,
             bounds: automatic || (options.bounds ?? 0), purpose: refines ? PURPOSES.persist : filter.purpose,
             wholeCells: options.wholeCells || !(refines && filter.clipsCells) });
         return fit || automatic;
