@@ -69,7 +69,7 @@ struct Listed {
             const std::size_t count = at[k].size();
             std::uint32_t* const faces = k == 0 ? nullptr : arena.take_low<std::uint32_t>(count * (k + 1));
             double* const value = arena.take_low<double>(count);
-            if (value == nullptr) return;
+            if (value == nullptr || (k > 0 && faces == nullptr)) return;
             for (std::uint32_t i = 0; i < count; ++i) {
                 const Simplex& s = f.simplices[at[k][i]];
                 value[i] = f.values[at[k][i]];
