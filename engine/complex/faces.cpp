@@ -1,5 +1,5 @@
-// A face belongs to the star of its least vertex. Stars are walked one by one, each depth first along ascending
-// vertices:
+// A face belongs to the star of its least vertex. Stars are walked one by one, by vertex or as vertices are first met
+// in the cells, each depth first along ascending vertices:
 //
 //   v  ->  v w  ->  v w x ...        a node is a face; its children append one greater vertex
 //
@@ -17,9 +17,9 @@ namespace {
 constexpr std::uint32_t children_max = 0xFFFFFFFEu;
 
 #ifdef __OPTIMIZE_SIZE__
-constexpr bool fetches_ahead = false;
+constexpr bool jumps_matter = false;
 #else
-constexpr bool fetches_ahead = true;
+constexpr bool jumps_matter = true;
 #endif
 
 // Cells by vertex.
@@ -61,29 +61,53 @@ template <int D> bool build_incidence(const TriangulationView<D>& complex, Arena
 template <int D>
 __attribute__((always_inline)) inline void fetch_star(const TriangulationView<D>& complex,
                                                       const Incidence<D>& incidence, std::uint32_t v) {
-    constexpr std::uint32_t ahead_max = fetches_ahead ? 64 : 0;
-    if (ahead_max == 0 || v >= complex.vertex_count) return;
+    constexpr std::uint32_t ahead_max = jumps_matter ? 64 : 0;
+    if (ahead_max == 0) return;
     const std::uint32_t begin = incidence.first[v], degree = incidence.first[v + 1] - begin;
     for (std::uint32_t i = 0; i < degree && i < ahead_max; ++i)
         __builtin_prefetch(complex.vertices(incidence.cell[begin + i]));
 }
 
+// The vertices as they are first met in the cells: *count of them. Null: out of memory.
+template <int D> std::uint32_t* vertices_met(const TriangulationView<D>& complex, Arena& arena, std::uint32_t* count) {
+    std::uint32_t* const order = arena.take_high<std::uint32_t>(complex.vertex_count);
+    const HighScope scope(arena);
+    unsigned char* const met = arena.take_high<unsigned char>(complex.vertex_count);
+    if (order == nullptr || met == nullptr) return nullptr;
+    arena.each(complex.vertex_count, 1, [met](std::uint64_t v) { met[v] = 0; });
+    std::uint32_t n = 0;
+    arena.each(complex.cell_count, 5 * (D + 1), [&](std::uint64_t c) {
+        const VertexId* const vertex = complex.vertices(CellId(static_cast<std::uint32_t>(c)));
+        for (int i = 0; i <= D; ++i) {
+            if (met[vertex[i]] == 0) order[n++] = vertex[i];
+            met[vertex[i]] = 1;
+        }
+    });
+    *count = n;
+    return order;
+}
+
 // Writes, for each used vertex, the vertex and the records of its star; then `none`.
 template <int D>
-Status walk_stars(const TriangulationView<D>& complex, int dimension_max, const Work& work, WordStream& stream) {
+Status walk_stars(const TriangulationView<D>& complex, int dimension_max, bool local, const Work& work,
+                  WordStream& stream) {
     Incidence<D> incidence;
     StarWalk<D> star;
+    std::uint32_t* order = nullptr;
+    std::uint32_t count = complex.vertex_count;
+    if (local && (order = vertices_met(complex, work.arena, &count)) == nullptr) return Status::out_of_memory;
     if (!build_incidence(complex, work.arena, &incidence)) return Status::out_of_memory;
     if (!star.reserve(complex, incidence.degree_max, dimension_max, work.arena)) return Status::out_of_memory;
-    for (std::uint32_t v = 0; v < complex.vertex_count; ++v) {
+    for (std::uint32_t i = 0; i < count; ++i) {
+        const std::uint32_t v = order == nullptr ? i : order[i];
         const std::uint32_t first = incidence.first[v], degree = incidence.first[v + 1] - first;
-        fetch_star(complex, incidence, v + 1);
+        if (i + 1 < count) fetch_star(complex, incidence, order == nullptr ? i + 1 : order[i + 1]);
         if (degree == 0) continue;
         if (!stream.reserve(1)) return Status::out_of_memory;
         stream.push(v);
         if (dimension_max > 0 && !star.walk(complex, v, incidence.cell + first, degree, stream))
             return Status::out_of_memory;
-        if (work.monitor.advance(v, 1 + degree)) return Status::cancelled;
+        if (work.monitor.advance(i, 1 + degree)) return Status::cancelled;
     }
     if (!stream.reserve(1)) return Status::out_of_memory;
     stream.push(none);
@@ -161,15 +185,16 @@ template <int D>
 __attribute__((always_inline)) inline void fetch_children(const Faces<D>& faces, const Trie<D>& trie, int k,
                                                           std::uint32_t p) {
     constexpr std::uint32_t near = 8, far = 16;
-    if (!fetches_ahead || k < 2 || p + far >= faces.count[k - 1]) return;
+    if (!jumps_matter || k < 2 || p + far >= faces.count[k - 1]) return;
     __builtin_prefetch(trie.first_child[k - 2] + faces.facets_of(k - 1, p + far)[0]);
     __builtin_prefetch(faces.last_vertex[k - 1] + trie.first_child[k - 2][faces.facets_of(k - 1, p + near)[0]]);
 }
 
-// Boundaries of the k-faces from those of the (k-1)-faces.
+// Boundaries of the k-faces from those of the (k-1)-faces. place: the 0-face of each vertex; null where 0-faces ascend.
 template <int D>
-void link_facets(const Faces<D>& faces, const Trie<D>& trie, int k, std::uint32_t vertex_count, const Arena& arena) {
-    const bool all_used = faces.count[0] == vertex_count;
+void link_facets(const Faces<D>& faces, const Trie<D>& trie, int k, std::uint32_t vertex_count,
+                 const std::uint32_t* place, const Arena& arena) {
+    const bool all_used = place == nullptr && faces.count[0] == vertex_count;
     const std::uint32_t* last = faces.last_vertex[k];
     std::uint32_t* facets = faces.facets[k];
     for (std::uint32_t p = 0; p < faces.count[k - 1];)
@@ -183,7 +208,9 @@ void link_facets(const Faces<D>& faces, const Trie<D>& trie, int k, std::uint32_
                 const std::uint32_t to = k == 1 ? faces.count[0] : trie.first_child[k - 2][f + 1];
                 std::uint32_t* entry = row + i;
                 for (std::uint32_t face = begin; face < end; ++face, entry += k + 1) {
-                    if (k == 1 && all_used) {
+                    if (k == 1 && place != nullptr) {
+                        at = place[last[face]];
+                    } else if (k == 1 && all_used) {
                         at = last[face];
                     } else {
                         at = seek(faces.last_vertex[k - 1], at, to, last[face]);
@@ -197,11 +224,11 @@ void link_facets(const Faces<D>& faces, const Trie<D>& trie, int k, std::uint32_
 }
 
 template <int D>
-Status enumerate(const TriangulationView<D>& complex, int dimension_max, const Work& work, std::size_t low,
+Status enumerate(const TriangulationView<D>& complex, int dimension_max, bool local, const Work& work, std::size_t low,
                  Faces<D>* out) {
     const std::size_t high = work.arena.high_mark();
     WordStream stream(work.arena);
-    const Status status = walk_stars(complex, dimension_max, work, stream);
+    const Status status = walk_stars(complex, dimension_max, local, work, stream);
     if (status != Status::ok) return status;
     work.arena.release_high(high);
 
@@ -219,6 +246,11 @@ Status enumerate(const TriangulationView<D>& complex, int dimension_max, const W
         trie.first_child[k] = work.arena.take_high<std::uint32_t>(static_cast<std::size_t>(faces.count[k]) + 1);
         if (trie.first_child[k] == nullptr) return Status::out_of_memory;
     }
+    std::uint32_t* place = nullptr;
+    if (local) {
+        place = work.arena.take_high<std::uint32_t>(complex.vertex_count);
+        if (place == nullptr) return Status::out_of_memory;
+    }
     std::uint32_t count[D + 1];
     unfold<D>(stream.words(), dimension_max, count, &faces, &trie, work.arena);
     work.arena.release_low(low);
@@ -227,8 +259,11 @@ Status enumerate(const TriangulationView<D>& complex, int dimension_max, const W
                                                              static_cast<std::size_t>(k + 1));
         if (faces.facets[k] == nullptr) return Status::out_of_memory;
     }
+    if (local)
+        work.arena.each(faces.count[0], 5,
+                        [&](std::uint64_t i) { place[faces.last_vertex[0][i]] = static_cast<std::uint32_t>(i); });
     for (int k = 1; k <= dimension_max; ++k) {
-        link_facets(faces, trie, k, complex.vertex_count, work.arena);
+        link_facets(faces, trie, k, complex.vertex_count, place, work.arena);
         if (work.monitor.advance(complex.vertex_count, 1)) return Status::cancelled;
     }
     work.arena.release_high(high_kept);
@@ -240,11 +275,12 @@ Status enumerate(const TriangulationView<D>& complex, int dimension_max, const W
 
 template <int D>
 Status enumerate_faces(const TriangulationView<D>& complex, int dimension_max, const Work& work, Faces<D>* out,
-                       bool drops_complex) {
+                       bool drops_complex, FaceNumbers numbers) {
     if (dimension_max < 0 || dimension_max > D) return Status::invalid_argument;
     const std::size_t high = work.arena.high_mark();
     const std::size_t low = drops_complex ? work.arena.offset_of(complex.cells) : work.arena.low_mark();
-    const Status status = enumerate(complex, dimension_max, work, low, out);
+    const bool local = jumps_matter && numbers == FaceNumbers::local;
+    const Status status = enumerate(complex, dimension_max, local, work, low, out);
     if (status != Status::ok) {
         work.arena.release_low(low);
         work.arena.release_high(high);
@@ -253,7 +289,7 @@ Status enumerate_faces(const TriangulationView<D>& complex, int dimension_max, c
 }
 
 #define NETMESH_INSTANTIATE(D)                                                                                         \
-    template Status enumerate_faces<D>(const TriangulationView<D>&, int, const Work&, Faces<D>*, bool);
+    template Status enumerate_faces<D>(const TriangulationView<D>&, int, const Work&, Faces<D>*, bool, FaceNumbers);
 NETMESH_EACH_DIMENSION(NETMESH_INSTANTIATE)
 #undef NETMESH_INSTANTIATE
 

@@ -9,8 +9,14 @@
 
 namespace netmesh {
 
-// The faces of dimension 0..dimension_max. Those of one dimension are numbered densely in lexicographic order of their
-// ascending vertex lists, so numbers depend on the set of cells alone, not on the order in which cells are stored.
+// How faces are numbered. lexicographic: those of one dimension by their ascending vertex lists, so numbers depend on
+// the set of cells alone, not on the order in which cells are stored. local: the same, but as if vertices were numbered
+// as they are first met in the cells; faces that are near each other then mostly have near numbers, as cells mostly do,
+// so that less jumps about in memory. Built for small size: always lexicographic.
+enum class FaceNumbers { lexicographic, local };
+
+// The faces of dimension 0..dimension_max, those of one dimension numbered densely. Vertex lists ascend, whatever the
+// numbers are.
 template <int D> struct Faces {
     int dimension_max;
     std::uint32_t count[D + 1];         // by dimension; 0 above dimension_max
@@ -33,6 +39,7 @@ template <int D> struct Faces {
 // Lists the faces of dimension 0..dimension_max (0 <= dimension_max <= D) of a triangulation whose neighbour words are
 // not read. Vertices that are in no cell are no faces. `facets` is left at the low end of the arena, ascending in k;
 // `last_vertex` at the high end, so that it can be released alone. Nothing else stays.
+// With local numbers a 0-face is not its vertex: last_vertex[0] says which one it is.
 // Cost: O(sum over cells of 2^(D+1)) and a few words a simplex of scratch: one word per vertex of a cell while stars
 // are walked, about two words a face while boundaries are made.
 // drops_complex: the cells are the last piece at the arena's low end; they are given back once they are read, in any
@@ -41,6 +48,6 @@ template <int D> struct Faces {
 // counts as out_of_memory.
 template <int D>
 Status enumerate_faces(const TriangulationView<D>& complex, int dimension_max, const Work& work, Faces<D>* out,
-                       bool drops_complex = false);
+                       bool drops_complex = false, FaceNumbers numbers = FaceNumbers::lexicographic);
 
 }  // namespace netmesh

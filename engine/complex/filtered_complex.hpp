@@ -16,9 +16,6 @@ struct FilteredComplex {
         const double* value;         // [count], non-decreasing, no NaN
     };
     std::uint32_t dimension;  // of[0..dimension] are read
-    // They are at the arena's low end, faces and values of dimension k behind those of k-1 and nothing behind the last:
-    // whoever is through with the highest dimensions may put something else there.
-    bool stacked = false;
     Simplices of[dimension_max + 1];
 
     // Edges of a complex that may have none.

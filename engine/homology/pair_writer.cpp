@@ -4,12 +4,78 @@
 
 namespace netmesh {
 
+#ifndef __OPTIMIZE_SIZE__
+namespace {
+
+void reverse(Pair* pairs, std::uint64_t count) {
+    for (std::uint64_t i = 0, j = count; i + 1 < j; ++i) {
+        const Pair t = pairs[i];
+        pairs[i] = pairs[--j];
+        pairs[j] = t;
+    }
+}
+
+// Pairs of one degree. Union-find writes them in order or backwards.
+void sort_degree(Pair* pairs, std::uint64_t count, const Arena& arena) {
+    constexpr CanonicalOrder before;
+    std::uint64_t up = 0, down = 0;
+    for (std::uint64_t i = 1; i < count; ++i) {
+        arena.step(i, 5);
+        up += before(pairs[i - 1], pairs[i]);
+        down += before(pairs[i], pairs[i - 1]);
+    }
+    if (down == 0) return;
+    if (up == 0) return reverse(pairs, count);
+    sort(pairs, count, before, arena);
+}
+
+// Pairs of one degree are mostly written one after the other. Puts the degrees in order, then sorts each. False: they
+// are too mixed, and nothing was done.
+bool sort_by_degree(Pair* pairs, std::uint64_t count, const Arena& arena) {
+    constexpr int runs_max = 8;
+    std::uint64_t begin[runs_max + 1] = {};
+    int runs = 0;
+    for (std::uint64_t i = 0; i < count; ++i) {
+        arena.step(i, 3);
+        if (i > 0 && pairs[i].degree == pairs[i - 1].degree) continue;
+        if (runs == runs_max) return false;
+        begin[runs++] = i;
+    }
+    begin[runs] = count;
+    for (int done = 0; done < runs; ++done) {
+        int least = done;
+        for (int r = done + 1; r < runs; ++r) {
+            if (pairs[begin[r]].degree < pairs[begin[least]].degree) least = r;
+        }
+        if (least == done) continue;
+        // Those before it change places with it.
+        const std::uint64_t start = begin[done], middle = begin[least], size = begin[least + 1] - middle;
+        arena.pass(static_cast<std::uint32_t>((begin[least + 1] - start) / 8));
+        reverse(pairs + start, middle - start);
+        reverse(pairs + middle, size);
+        reverse(pairs + start, middle + size - start);
+        for (int r = least; r > done; --r) begin[r] = begin[r - 1] + size;
+    }
+    for (int r = 0, end; r < runs; r = end) {
+        end = r + 1;
+        while (end < runs && pairs[begin[end]].degree == pairs[begin[r]].degree) ++end;
+        sort_degree(pairs + begin[r], begin[end] - begin[r], arena);
+    }
+    return true;
+}
+
+}  // namespace
+#endif
+
 PairList PairWriter::finish() {
     sort(pairs(), count_, CanonicalOrder{}, arena_);
     return PairList{pairs(), count_};
 }
 
 PairList PairWriter::finish_without_cycles() {
+#ifndef __OPTIMIZE_SIZE__
+    if (sort_by_degree(pairs(), count_, arena_)) return PairList{pairs(), count_};
+#endif
     sort_alike(pairs(), count_, CanonicalOrder{}, arena_);
     return PairList{pairs(), count_};
 }

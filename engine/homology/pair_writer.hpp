@@ -70,7 +70,7 @@ template <class Reduction> Status write_diagram(Reduction& reduction, Arena& are
     const std::size_t low = arena.low_mark();
     const Status status = reduction.run();
     if (status != Status::ok) {
-        if (arena.low_mark() < low) scope.keep_low_from_now();  // of a stacked complex something is gone
+        if (arena.low_mark() < low) scope.keep_low_from_now();  // of a stacked ball something is gone
         return status;
     }
     *out = reduction.finish();

@@ -47,7 +47,7 @@ Status diagram_of(const AlphaFiltration<D>& filtration, DiagramRequest request, 
     const std::size_t high = work.arena.high_mark();
     Faces<D> faces;
     work.monitor.begin(NETMESH_STAGE_FILTER, 0);
-    Status status = enumerate_faces(filtration.complex, D, work, &faces, filtration.drops_cells);
+    Status status = enumerate_faces(filtration.complex, D, work, &faces, filtration.drops_cells, FaceNumbers::local);
     if (status != Status::ok) return status;
     // A cell's last vertex is that of the facet opposite its first one, too.
     work.arena.release_high(work.arena.offset_of(faces.last_vertex[D - 1]));

@@ -211,6 +211,42 @@ TEST_CASE_TEMPLATE_DEFINE("one cell has all subsets of its vertices as faces", T
 }
 TEST_CASE_TEMPLATE_APPLY(subsets, Dimensions<6, 6>);
 
+TEST_CASE("local numbers: the same faces with their facets, vertices as they are met in the cells") {
+    Cells<3> cells = freudenthal<3>(3);
+    cells.vertex_count += 5;  // that are in none
+    Random random;
+    for (std::size_t i = cells.list.size(); i-- > 1;)
+        std::swap(cells.list[i], cells.list[random.below(static_cast<std::uint32_t>(i + 1))]);
+    Block block(std::size_t{1} << 22);
+    Monitor monitor;
+    Faces<3> plain, local;
+    REQUIRE(enumerate_faces<3>(cells.view(), 3, {block.arena, monitor}, &plain) == Status::ok);
+    REQUIRE(enumerate_faces<3>(cells.view(), 3, {block.arena, monitor}, &local, false, FaceNumbers::local) ==
+            Status::ok);
+    std::vector<std::uint32_t> met;
+    for (const auto& cell : cells.list)
+        for (const std::uint32_t v : cell)
+            if (std::find(met.begin(), met.end(), v) == met.end()) met.push_back(v);
+    for (int k = 0; k <= 3; ++k) {
+        REQUIRE(local.count[k] == plain.count[k]);
+        std::set<Simplex> expected, found;
+        std::size_t differ = 0;
+        for (std::uint32_t i = 0; i < local.count[k]; ++i) {
+            expected.insert(vertices_of(plain, k, i));
+            const Simplex face = vertices_of(local, k, i);
+            found.insert(face);
+            for (int j = 0; j <= k && k > 0; ++j) {
+                Simplex facet = face;
+                facet.erase(facet.begin() + j);
+                if (vertices_of(local, k - 1, local.facets_of(k, i)[j]) != facet) ++differ;
+            }
+            if (k == 0 && face[0] != met[i]) ++differ;
+        }
+        CHECK(found == expected);
+        CHECK(differ == 0);
+    }
+}
+
 TEST_CASE("vertices of very high degree") {
     for (std::uint32_t hub : {0u, 1500u, 3001u}) {
         compare_with_sets(fan(3000, hub), 2);

@@ -67,7 +67,6 @@ private:
     Status begin();
     bool take_bits(std::uint32_t k, BitSet* out);
     Status match(std::uint32_t k, std::uint32_t* mate);
-    bool is_listed(std::uint32_t k, std::uint32_t f) const;
     Status order(std::uint32_t k, FaceOrder* out);
     bool move_up(std::size_t high, FaceOrder* order);
     Status unite_vertices(const FaceOrder& edges, BitSet* joining);
@@ -79,8 +78,10 @@ private:
     Arena& arena_;
     Progress progress_;
     PairWriter writer_;
-    // By dimension. positive_: faces that are known to give birth to a class. taken_: those that end one of zero length.
+    // By dimension. positive_: faces that are known to give birth to a class. taken_: those that end one of zero
+    // length.
     BitSet positive_[dimension_most() + 1], taken_[dimension_most() + 1];
+    std::uint32_t pairs_[dimension_most() + 1] = {};  // of zero length, by the dimension of the coface
 };
 
 bool BallHomology::take_bits(std::uint32_t k, BitSet* out) {
@@ -121,6 +122,7 @@ Status BallHomology::match(std::uint32_t k, std::uint32_t* mate) {
                 if (is_first) {
                     positive_[k - 1].insert(last);
                     taken_[k].insert(j);
+                    ++pairs_[k];
                     if (writer_.keeps_zero() && !writer_.add(value, value, k - 1)) return Status::out_of_memory;
                 } else {
                     last = none;
@@ -131,23 +133,21 @@ Status BallHomology::match(std::uint32_t k, std::uint32_t* mate) {
     return Status::ok;
 }
 
-// Facets of cells, which union-find takes, are listed if nothing is known of them; what is a row below can be positive.
-bool BallHomology::is_listed(std::uint32_t k, std::uint32_t f) const {
-    return !taken_[k].has(f) && !(has_cells() && k + 1 == ball_.dim && positive_[k].has(f));
-}
-
+// Lists the faces that end no class of zero length. Facets of cells, which union-find takes, only if nothing is known
+// of them; what is a row further down can be positive.
 Status BallHomology::order(std::uint32_t k, FaceOrder* out) {
-    std::uint32_t count = 0;
-    arena_.each(of(k).count, 6, [&](std::uint64_t f) { count += is_listed(k, static_cast<std::uint32_t>(f)); });
+    const bool are_facets = has_cells() && k + 1 == ball_.dim;
+    std::uint32_t count = of(k).count - pairs_[k] - (are_facets ? pairs_[k + 1] : 0);
     out->face = arena_.take_high<std::uint32_t>(count);
     out->count = count;
     const HighScope scope(arena_);
     double* const value = arena_.take_high<double>(count);
     if (out->face == nullptr || value == nullptr) return Status::out_of_memory;
     count = 0;
-    arena_.each(of(k).count, 10, [&](std::uint64_t f) {
-        if (!is_listed(k, static_cast<std::uint32_t>(f))) return;
-        out->face[count] = static_cast<std::uint32_t>(f);
+    arena_.each(of(k).count, 10, [&](std::uint64_t i) {
+        const std::uint32_t f = static_cast<std::uint32_t>(i);
+        if (taken_[k].has(f) || (are_facets && positive_[k].has(f))) return;
+        out->face[count] = f;
         value[count++] = of(k).value[f];
     });
     return sort_labelled(value, out->face, count, arena_) ? Status::ok : Status::out_of_memory;

@@ -17,7 +17,6 @@ public:
           arena_(work.arena), progress_{work.monitor}, writer_(work.arena, request) {}
 
     Status run();
-    Status run_on_surface();
     PairList finish() { return writer_.finish_without_cycles(); }
 
 private:
@@ -80,27 +79,17 @@ Status Homology::unite_top(std::uint32_t k) {
     const std::size_t faces = std::size_t{columns} * (k + 1);
     const std::uint32_t* const face = of(k).faces;
     std::uint32_t* const first = owner_;
-    // Of a stacked complex faces give up their places meanwhile: the place of the last coface leads to that of the
-    // other one.
-    std::uint32_t* const place =
-        complex_.stacked ? reinterpret_cast<std::uint32_t*>(arena_.at(arena_.offset_of(face))) : nullptr;
-    std::uint32_t* const second = place == nullptr ? arena_.take_high<std::uint32_t>(rows) : nullptr;
+    std::uint32_t* const second = arena_.take_high<std::uint32_t>(rows);
     std::uint32_t* const parent = arena_.take_high<std::uint32_t>(std::size_t{columns} + 1);
-    if ((place == nullptr && second == nullptr) || parent == nullptr || faces >= none) return Status::out_of_memory;
+    if (second == nullptr || parent == nullptr || faces >= none) return Status::out_of_memory;
     for (std::uint32_t f = 0; f < rows;)
         for (const std::uint64_t piece = arena_.piece(f, rows, 4); f < piece; ++f) {
-            first[f] = none;
-            if (place == nullptr) second[f] = none;
+            first[f] = second[f] = none;
         }
     for (std::uint32_t i = 0; i < faces;)
         for (const std::uint64_t piece = arena_.piece(i, faces, 12); i < piece; ++i) {
             const std::uint32_t f = face[i];
-            if (place != nullptr) {
-                place[i] = first[f];
-                first[f] = i;
-            } else {
-                (first[f] == none ? first : second)[f] = i;
-            }
+            (first[f] == none ? first : second)[f] = i;
         }
     for (std::uint32_t j = 0; j <= columns; ++j) {
         arena_.step(j, 3);
@@ -109,16 +98,7 @@ Status Homology::unite_top(std::uint32_t k) {
     for (std::uint32_t f = rows; f-- > 0;) {
         if (progress_.stop(1)) return Status::cancelled;
         if (first[f] == none) continue;
-        std::uint32_t one = first[f], other = place != nullptr ? place[one] : second[f];
-        if (place != nullptr) {  // f is seen once: its places get it back
-            place[one] = f;
-            if (other != none) {
-                place[other] = f;
-                const std::uint32_t last = one;
-                one = other;
-                other = last;
-            }
-        }
+        const std::uint32_t one = first[f], other = second[f];
         std::uint32_t a = one / (k + 1), b = other == none ? outside : other / (k + 1);
         if (!unite(parent, a, b, [](std::uint32_t x, std::uint32_t y) { return x > y; })) continue;
         paired_.insert(f);
@@ -200,17 +180,6 @@ Status Homology::begin() {
     return status;
 }
 
-Status Homology::run_on_surface() {
-    Status status = begin();
-    if (status == Status::ok && top_ == 2) {
-        paired_.adopt(paired_words_[1], of(1).count);
-        status = unite_top(2);
-        if (status == Status::ok) NETMESH_VALIDATE_WHOLE(pivots_violation(of(2), 2, of(1).count, paired_));
-        paired_above_ = paired_;
-    }
-    return status == Status::ok && complex_.dimension >= 1 && max_degree_ >= 1 ? add_loops() : status;
-}
-
 Status Homology::run() {
     Status status = begin();
     for (std::uint32_t k = top_; k >= 2 && status == Status::ok; --k) {
@@ -219,28 +188,15 @@ Status Homology::run() {
         status = dual ? unite_top(k) : reduce(k);
         if (status == Status::ok) NETMESH_VALIDATE_WHOLE(pivots_violation(of(k), k, of(k - 1).count, paired_));
         paired_above_ = paired_;
-        if (complex_.stacked) writer_.move_down(arena_.offset_of(of(k).faces));
     }
     return status == Status::ok && complex_.dimension >= 1 && max_degree_ >= 1 ? add_loops() : status;
 }
-
-// In place of Homology where nothing is left to reduce.
-struct SurfaceHomology {
-    Homology homology;
-    Status run() { return homology.run_on_surface(); }
-    PairList finish() { return homology.finish(); }
-};
 
 }  // namespace
 
 Status persist_homology(const FilteredComplex& complex, DiagramRequest request, const Work& work, PairList* out) {
     if (complex.dimension > FilteredComplex::dimension_max) return Status::invalid_argument;
     Homology homology(complex, limited(request, complex), work);
-    return write_diagram(homology, work.arena, out);
-}
-
-Status persist_surface(const FilteredComplex& complex, DiagramRequest request, const Work& work, PairList* out) {
-    SurfaceHomology homology{{complex, limited(request, complex), work}};
     return write_diagram(homology, work.arena, out);
 }
 

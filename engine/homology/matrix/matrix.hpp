@@ -13,10 +13,6 @@ namespace netmesh {
 // classes. invalid_argument (dimension), out_of_memory, cancelled.
 Status persist_homology(const FilteredComplex& complex, DiagramRequest request, const Work& work, PairList* out);
 
-// The same of a complex of dimension 2 at most in which no edge has more than two cofaces, or its edges alone: nothing
-// but union-find. Takes about 8 bytes for each simplex of the most frequent dimension.
-Status persist_surface(const FilteredComplex& complex, DiagramRequest request, const Work& work, PairList* out);
-
 // The same by columns of cofaces, which only simplices of dimension max_degree and less have: faster by orders of
 // magnitude where the highest dimension has the most simplices, as in skeletons of simplices (Rips, Cech). Takes about
 // 5 bytes for each simplex of the most frequent dimension, and 4 (k + 2) for each (k+1)-simplex, one k at a time, plus
