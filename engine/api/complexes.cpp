@@ -80,6 +80,7 @@ size_t netmesh_plan_points(const netmesh_points_request* from) {
     if (request.point_count == 0 || request.point_count > NETMESH_POINTS_MAX) return 0;
     const bool is_large = request.dim > NETMESH_DIM_MAX && request.dim <= dim_max_of(request);
     if (!is_large && complaint_about_dim(request.dim).text != nullptr) return 0;
+    if (complaint_about_layout(given_rows(request)).text != nullptr) return 0;
     if (complaint_about_complex(request).text != nullptr) return 0;
     return whole_bytes(points_bytes(points_filter_of(request), request.point_count, request.dim) +
                        sizeof(netmesh_context) + complex_overhead);

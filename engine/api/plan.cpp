@@ -191,8 +191,9 @@ template <int D> double mesh_block(const MeshKind& kind, double points, const Pl
     return planned.filter && filtered > bytes ? filtered : bytes;
 }
 
-bool is_plannable(std::uint32_t dim, std::size_t points) {
-    return complaint_about_dim(dim).text == nullptr && points > 0 && points <= NETMESH_POINTS_MAX;
+template <class Request> bool is_plannable(const Request& request) {
+    return complaint_about_dim(request.dim).text == nullptr && request.point_count > 0 &&
+           request.point_count <= NETMESH_POINTS_MAX && complaint_about_layout(given_rows(request)).text == nullptr;
 }
 
 // A mesh that certifies a ratio takes no more than one of the aspect ratio that proves it.
@@ -217,7 +218,7 @@ extern "C" {
 size_t netmesh_plan_delaunay(const netmesh_delaunay_request* from) {
     netmesh_delaunay_request request;
     if (read_struct(from, &request, sizeof request) != NETMESH_FIELD_NONE) return 0;
-    if (!is_plannable(request.dim, request.point_count)) return 0;
+    if (!is_plannable(request)) return 0;
     if (!in_range(request.purpose, NETMESH_PURPOSE_MESH, NETMESH_PURPOSE_PERSIST)) return 0;
     const bool alpha = request.purpose == NETMESH_PURPOSE_PERSIST;
     return whole_bytes(with_dimension(request.dim, [&](auto dimension) {
@@ -231,7 +232,7 @@ size_t netmesh_plan_delaunay(const netmesh_delaunay_request* from) {
 size_t netmesh_plan_alpha(const netmesh_alpha_request* from) {
     netmesh_alpha_request request;
     if (read_struct(from, &request, sizeof request) != NETMESH_FIELD_NONE) return 0;
-    if (!is_plannable(request.dim, request.point_count)) return 0;
+    if (!is_plannable(request)) return 0;
     return whole_bytes(with_dimension(request.dim, [&](auto dimension) {
         constexpr int D = decltype(dimension)::value;
         constexpr PeakFigures f = DelaunayFiguresOf<D>::value.diagram;
@@ -242,7 +243,7 @@ size_t netmesh_plan_alpha(const netmesh_alpha_request* from) {
 size_t netmesh_plan_mesh(const netmesh_mesh_request* from) {
     netmesh_mesh_request request;
     if (read_struct(from, &request, sizeof request) != NETMESH_FIELD_NONE) return 0;
-    if (!is_plannable(request.dim, request.point_count)) return 0;
+    if (!is_plannable(request)) return 0;
     const double ratio = request.certificate.ratio;
     const double tau = ratio > 0 ? equivalent_tau(ratio) : tau_of(request.dim, request.tau);
     if (complaint_about_numbers(request).text != nullptr || !is_valid_tau(tau)) return 0;
@@ -285,7 +286,7 @@ size_t netmesh_plan_mesh(const netmesh_mesh_request* from) {
 size_t netmesh_plan_scales(const netmesh_scales_request* from) {
     netmesh_scales_request request;
     if (read_struct(from, &request, sizeof request) != NETMESH_FIELD_NONE) return 0;
-    if (!is_plannable(request.dim, request.point_count)) return 0;
+    if (!is_plannable(request)) return 0;
     const double eps = eps_of(request.eps), theta = theta_of(request.theta), ratio = request.ratio;
     double tau = tau_of(request.dim, request.tau);
     if (!is_valid_tau(tau) || !is_valid_eps(eps) || !is_valid_theta(theta)) return 0;

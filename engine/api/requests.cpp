@@ -35,32 +35,29 @@ Complaint complaint_about_dim(std::uint32_t dim) {
     return {NETMESH_FIELD_DIM, "left out of this build: the dimension, by NETMESH_EACH_DIMENSION", true};
 }
 
+Complaint complaint_about_layout(const GivenRows& given) {
+    if (!in_range(*given.format, NETMESH_POINTS_FLOAT64, NETMESH_POINTS_FLOAT32))
+        return {NETMESH_FIELD_POINT_FORMAT, "unknown format of points"};
+    const std::size_t stride = given.stride_bytes;
+    const std::size_t row_bytes = given.dim * (given.has_floats() ? sizeof(float) : sizeof(double));
+    if (stride != 0 && (stride < row_bytes || stride % given.alignment() != 0 || stride > SIZE_MAX / 2 / given.count))
+        return {NETMESH_FIELD_POINT_STRIDE_BYTES, "less than a row, not aligned as points are, or too large"};
+    return {};
+}
+
 Complaint complaint_about_rows(const GivenRows& given, std::uint32_t dim_max) {
-    // What the platform aligns a double to inside of a struct: 4 bytes in 32 bits on x86, 8 elsewhere.
-    struct AlignedDouble {
-        char before;
-        double x;
-    };
     if (given.points == nullptr) return {NETMESH_FIELD_POINTS, "points is null"};
     if (given.count == 0) return {NETMESH_FIELD_POINT_COUNT, "there are no points"};
     if (given.count > NETMESH_POINTS_MAX) return {NETMESH_FIELD_POINT_COUNT, "more than 2^28 points"};
     const bool is_large = given.dim > NETMESH_DIM_MAX && given.dim <= dim_max;
-    const Complaint complaint = is_large ? Complaint() : complaint_about_dim(given.dim);
+    Complaint complaint = is_large ? Complaint() : complaint_about_dim(given.dim);
     if (complaint.text != nullptr) return complaint;
     if (given.dim > SIZE_MAX / 32 / given.count)
         return {NETMESH_FIELD_POINT_COUNT, "so many coordinates do not fit an address space"};
-    if (!in_range(*given.format, NETMESH_POINTS_FLOAT64, NETMESH_POINTS_FLOAT32))
-        return {NETMESH_FIELD_POINT_FORMAT, "unknown format of points"};
-    const bool are_floats = *given.format == NETMESH_POINTS_FLOAT32;
-    const std::size_t alignment = are_floats ? alignof(float) : offsetof(AlignedDouble, x);
-    if (reinterpret_cast<std::uintptr_t>(given.points) % alignment != 0)
+    complaint = complaint_about_layout(given);
+    if (complaint.text == nullptr && reinterpret_cast<std::uintptr_t>(given.points) % given.alignment() != 0)
         return {NETMESH_FIELD_POINTS, "points is not aligned as its format asks"};
-    const std::size_t stride = given.stride_bytes;
-    if (stride == 0) return {};
-    const std::size_t row_bytes = given.dim * (are_floats ? sizeof(float) : sizeof(double));
-    if (stride < row_bytes || stride % alignment != 0 || stride > SIZE_MAX / 2 / given.count)
-        return {NETMESH_FIELD_POINT_STRIDE_BYTES, "less than a row, not aligned as points are, or too large"};
-    return {};
+    return complaint;
 }
 
 Complaint complaint_about_built_filter(netmesh_filter filter, std::uint32_t k) {

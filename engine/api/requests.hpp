@@ -1,5 +1,7 @@
 // What requests stand for: defaults filled in, and what several jobs check of them.
 #pragma once
+#include <cstddef>
+
 #include "api/call.hpp"
 #include "certificate/certificate.hpp"
 #include "filtration/filter.hpp"
@@ -44,13 +46,27 @@ struct GivenRows {
     std::uint32_t dim;
     const netmesh_point_format* format;  // may be none of the enumeration's
     std::size_t stride_bytes;
+
+    bool has_floats() const { return *format == NETMESH_POINTS_FLOAT32; }
+    std::size_t alignment() const {
+        // What the platform aligns a double to inside of a struct: 4 bytes in 32 bits on x86, 8 elsewhere.
+        struct AlignedDouble {
+            char before;
+            double x;
+        };
+        return has_floats() ? alignof(float) : offsetof(AlignedDouble, x);
+    }
 };
+template <class Request> GivenRows given_rows(const Request& request) {
+    return {request.points, request.point_count, request.dim, &request.point_format, request.point_stride_bytes};
+}
+// Of format and stride, all that a plan knows of where the points lie. count: 1 .. NETMESH_POINTS_MAX.
+Complaint complaint_about_layout(const GivenRows& given);
 // dim_max: more than NETMESH_DIM_MAX where any dimension from there on is served.
 Complaint complaint_about_rows(const GivenRows& given, std::uint32_t dim_max = NETMESH_DIM_MAX);
 template <class Request>
 Complaint complaint_about_points(const Request& request, std::uint32_t dim_max = NETMESH_DIM_MAX) {
-    return complaint_about_rows(
-        {request.points, request.point_count, request.dim, &request.point_format, request.point_stride_bytes}, dim_max);
+    return complaint_about_rows(given_rows(request), dim_max);
 }
 // Of a request that nothing is wrong with.
 template <class Request> InputRows rows_of(const Request& request) {

@@ -132,6 +132,7 @@ size_t netmesh_plan_points_vineyard(const netmesh_points_vineyard_request* from)
     if (read_struct(from, &request, sizeof request) != NETMESH_FIELD_NONE) return 0;
     if (request.point_count == 0 || request.point_count > NETMESH_POINTS_MAX) return 0;
     if (complaint_about_dim(request.dim).text != nullptr || complaint_about(request).text != nullptr) return 0;
+    if (complaint_about_layout(given_rows(request)).text != nullptr) return 0;
     const double bytes = points_vineyard_bytes(filter_of(request), request.k_last, request.point_count, request.dim);
     return whole_bytes(bytes + sizeof(netmesh_context) + complex_overhead);
 }

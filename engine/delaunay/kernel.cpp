@@ -2,6 +2,7 @@
 
 #include "delaunay/check.hpp"
 #include "delaunay/planar.hpp"
+#include "delaunay/spatial.hpp"
 #include "vocabulary/dimension.hpp"
 
 namespace netmesh {
@@ -204,29 +205,59 @@ template <int D> bool Kernel<D>::find_cavity(const double* q, VertexId id, CellI
         Line* const end = list_end();
         if (capacity < 1) return refuse_list(1);
         Cell<D>* const cells = &store_.cell(0);
-        end[0].cell = first;
+        end[0].entry = FacetId(first, 0);
         cells[first].mark = stamp;
         std::ptrdiff_t count = 1, facets = 0;
         for (std::ptrdiff_t k = 0; k < count; ++k) {
             // Each facet of this cell leads to one more cell or bounds the cavity.
             const std::size_t lines = static_cast<std::size_t>(count > facets ? count : facets) + D + 1;
             if (lines > capacity) return refuse_list(lines);
-            const CellId c = end[-k].cell;
+            const CellId c = end[-k].entry.cell();
+#ifdef __OPTIMIZE_SIZE__
             for (std::uint32_t i = 0; i <= D; ++i) {
-                const CellId n = cells[c].neighbour[i].cell();
-                Cell<D>& other = cells[n];
-                if (other.mark == stamp) continue;
-                if (other.mark != stamp + 1) {
-                    if (in_conflict(n, q, id)) {
+                const FacetId facet = cells[c].neighbour[i];
+                Cell<D>& other = cells[facet.cell()];
+                const std::uint32_t known = other.mark - stamp;  // as below
+                if (known == 0) continue;
+                if (known > 1) {
+                    if (in_conflict(facet.cell(), q, id)) {
                         other.mark = stamp;
-                        end[-count++].cell = n;
-                        ask_for_neighbours(cells, other);
+                        end[-count++].entry = facet;
                         continue;
                     }
                     other.mark = stamp + 1;
                 }
                 end[-facets++].facet = FacetId(c, i);
             }
+#else
+            // Without branches, as nothing here can be predicted: every cell is asked, known or not, and lines are
+            // overwritten when they were not meant. The cell that the search came from need not be looked at.
+            const std::uint32_t entry = k == 0 ? D + 1 : end[-k].entry.position(), others = k == 0 ? D + 1 : D;
+            std::uint64_t decided = 0;
+            ask_for_neighbours(cells, cells[end[-(k + 1 < count ? k + 1 : k)].entry.cell()]);
+            for (std::uint32_t j = 0; j < others; ++j) {
+                const std::uint32_t i = j + (j >= entry);
+                const FacetId facet = cells[c].neighbour[i];
+                Cell<D>& other = cells[facet.cell()];
+                const std::uint32_t known = other.mark - stamp;  // 0: in conflict, 1: not, else not met yet
+                const std::uint32_t fresh = known > 1;
+                double bound;
+                const double value = power<D>(other, q, &bound);
+                std::uint32_t inside = value < 0;
+                decided += fresh;
+                if (__builtin_expect(fresh & static_cast<std::uint32_t>(!(__builtin_fabs(value) > bound)), 0)) {
+                    inside = undecided_conflict(facet.cell(), q, id);
+                    --decided;
+                }
+                inside = (inside & fresh) | static_cast<std::uint32_t>(known == 0);
+                other.mark = stamp + 1 - inside;
+                end[-count].entry = facet;
+                count += inside & fresh;
+                end[-facets].facet = FacetId(c, i);
+                facets += 1 - inside;
+            }
+            store_.state.in_ball_counts.calls[0] += decided;
+#endif
         }
         *cavity = {static_cast<std::uint32_t>(count), static_cast<std::uint32_t>(facets), stamp};
         return true;
@@ -245,35 +276,44 @@ template <int D> void Kernel<D>::fill(const Cavity& cavity, VertexId id) {
         Line* const end = list_end();
         const std::ptrdiff_t facets = cavity.facets, old_cells = cavity.cells;
         CellSupply<D> supply(store_);
-        for (std::ptrdiff_t k = 0; k < facets; ++k) {
-            if (k % 256 == 255) store_.arena.pass(256 * (D - 1));  // of thousands of facets, about a hull or a shell
-            const CellId n = end[-k].made = supply.take();
-            const std::uint32_t i = end[-k].facet.position();
-            Cell<D>& old = cells[end[-k].facet.cell()];
-            Cell<D>& fresh = cells[n];
-            bool ghost = false;
-            for (std::uint32_t j = 0; j <= D; ++j) {
-                const VertexId v = j == i ? id : old.vertex[j];
-                ghost |= v == none;
-                fresh.vertex[j] = v;
-                fresh.neighbour[j] = none;
+#ifdef __OPTIMIZE_SIZE__
+        constexpr bool made = false;
+#else
+        bool made = false;
+        if constexpr (D == 3) made = SpatialCavity<D>::make_cells(*this, cavity, id, supply);
+#endif
+        if (!made) {
+            for (std::ptrdiff_t k = 0; k < facets; ++k) {
+                if (k % 256 == 255)
+                    store_.arena.pass(256 * (D - 1));  // of thousands of facets, about a hull or a shell
+                const CellId n = end[-k].made = supply.take();
+                const std::uint32_t i = end[-k].facet.position();
+                Cell<D>& old = cells[end[-k].facet.cell()];
+                Cell<D>& fresh = cells[n];
+                bool ghost = false;
+                for (std::uint32_t j = 0; j <= D; ++j) {
+                    const VertexId v = j == i ? id : old.vertex[j];
+                    ghost |= v == none;
+                    fresh.vertex[j] = v;
+                    fresh.neighbour[j] = none;
+                }
+                const FacetId outer = old.neighbour[i];
+                Cell<D>& beyond = cells[outer.cell()];
+                fresh.neighbour[i] = outer;
+                fresh.mark = 0;
+                if (ghost)
+                    make_ghost<D>(fresh);
+                else
+                    make_sphere<D>(store_, old, beyond, q, error_max_, fresh);
+                old.neighbour[i] = FacetId(n, i);
+                beyond.neighbour[outer.position()] = FacetId(n, i);
             }
-            const FacetId outer = old.neighbour[i];
-            Cell<D>& beyond = cells[outer.cell()];
-            fresh.neighbour[i] = outer;
-            fresh.mark = 0;
-            if (ghost)
-                make_ghost<D>(fresh);
-            else
-                make_sphere<D>(store_, old, beyond, q, error_max_, fresh);
-            old.neighbour[i] = FacetId(n, i);
-            beyond.neighbour[outer.position()] = FacetId(n, i);
+            for (std::ptrdiff_t k = 0; k < facets; ++k) {
+                if (k % 256 == 255) store_.arena.pass(256 * (D - 1));
+                link<D>(cells, cavity.stamp, end[-k].made, end[-k].facet);
+            }
         }
-        for (std::ptrdiff_t k = 0; k < facets; ++k) {
-            if (k % 256 == 255) store_.arena.pass(256 * (D - 1));
-            link<D>(cells, cavity.stamp, end[-k].made, end[-k].facet);
-        }
-        for (std::ptrdiff_t k = 0; k < old_cells; ++k) supply.give_back(end[-k].cell);
+        for (std::ptrdiff_t k = 0; k < old_cells; ++k) supply.give_back(end[-k].entry.cell());
         if (vertex_cells_ == VertexCells::kept)
             for (std::ptrdiff_t k = 0; k < facets; ++k)
                 for (const VertexId v : cells[end[-k].made].vertex)

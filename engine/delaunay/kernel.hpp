@@ -19,7 +19,7 @@ struct Cavity {
 
 // Line k of the list, line 0 highest in memory: columns of different lengths.
 struct CavityLine {
-    CellId cell;    // a cell in conflict
+    FacetId entry;  // a cell in conflict and, but of the first, the facet by which the search came to it
     FacetId facet;  // a bounding facet, of the cell in conflict
     CellId made;    // the cell that fill puts behind this facet
 };
@@ -39,6 +39,11 @@ template <int D> class Kernel;
 template <int D> struct PlanarCavity {
     static bool find(Kernel<D>& kernel, const double* q, VertexId id, CellId first, Cavity* cavity);
     static void fill(Kernel<D>& kernel, const Cavity& cavity, VertexId id);
+};
+// How it makes the new cells in space, see spatial.hpp; false, and nothing is done, where the cavity is too large for
+// its tables, or the gap too small. For D = 3.
+template <int D> struct SpatialCavity {
+    static bool make_cells(Kernel<D>& kernel, const Cavity& cavity, VertexId id, CellSupply<D>& supply);
 };
 
 template <int D> class Kernel {
@@ -75,7 +80,7 @@ public:
         if constexpr (D == 2)
             return line(k).made;
         else
-            return line(k).cell;
+            return line(k).entry.cell();
     }
     // Is there room to fill this cavity (and for `vertices` new vertices)?
     bool can_fill(const Cavity& cavity, std::uint32_t vertices) {
@@ -101,6 +106,7 @@ public:
 
 private:
     friend struct PlanarCavity<D>;
+    friend struct SpatialCavity<D>;
 
     CellId walk(const double* q, CellId from);
     bool ghost_in_conflict(CellId c, int infinite, const double* q, VertexId id);

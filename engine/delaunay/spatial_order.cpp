@@ -120,9 +120,17 @@ template <int D> struct Sorter {
     std::ptrdiff_t stride;
     std::uint64_t* keys;
     std::uint32_t* order;
+#ifndef __OPTIMIZE_SIZE__
     std::uint64_t* spare_keys;
     std::uint32_t* spare_items;
+#endif
 
+    bool has_tables() const {
+#ifndef __OPTIMIZE_SIZE__
+        if (spare_keys == nullptr || spare_items == nullptr) return false;
+#endif
+        return keys != nullptr;
+    }
     const double* point(std::uint32_t i) const {
         return reinterpret_cast<const double*>(coordinates + static_cast<std::ptrdiff_t>(i) * stride);
     }
@@ -238,9 +246,12 @@ Status spatial_order(const unsigned char* coordinates, std::ptrdiff_t stride_byt
                    stride_bytes,
                    arena.take_low<std::uint64_t>(count),
                    order,
+#ifndef __OPTIMIZE_SIZE__
                    arena.take_low<std::uint64_t>(count),
-                   arena.take_low<std::uint32_t>(count)};
-    if (s.keys == nullptr || s.spare_keys == nullptr || s.spare_items == nullptr) return Status::out_of_memory;
+                   arena.take_low<std::uint32_t>(count)
+#endif
+    };
+    if (!s.has_tables()) return Status::out_of_memory;
 
     arena.each(count, 1, [order](std::uint64_t i) { order[i] = static_cast<std::uint32_t>(i); });
     s.key_range(0, count);

@@ -1,61 +1,10 @@
 #include "jobs/persist_alpha.hpp"
 
-#include "homology/matrix/matrix.hpp"
-#include "numerics/real.hpp"
-#include "numerics/value_order.hpp"
+#include "homology/matrix/ball.hpp"
 #include "vocabulary/dimension.hpp"
 
 namespace netmesh {
 namespace {
-
-// Moves rows of `width` words so that row j is what row from[j] was. Sets and then ignores the top bit of from.
-void permute_facets(std::uint32_t* row, std::uint32_t width, std::uint32_t* from, std::uint32_t count,
-                    const Arena& arena) {
-    constexpr std::uint32_t moved = 0x80000000u;
-    for (std::uint32_t start = 0; start < count; ++start) {
-        arena.step(start, 8);
-        if ((from[start] & moved) != 0) continue;
-        std::uint32_t first[dimension_most() + 1];
-        for (std::uint32_t i = 0; i < width; ++i) first[i] = row[static_cast<std::size_t>(start) * width + i];
-        std::uint32_t at = start;
-        for (;;) {
-            const std::uint32_t next = from[at];
-            arena.step(at + 1, 10 + 4 * width);
-            from[at] = next | moved;
-            std::uint32_t* const to = row + static_cast<std::size_t>(at) * width;
-            const std::uint32_t* const source = next == start ? first : row + static_cast<std::size_t>(next) * width;
-            for (std::uint32_t i = 0; i < width; ++i) to[i] = source[i];
-            if (next == start) break;
-            at = next;
-        }
-    }
-}
-
-// Puts the k-faces, k >= 1, into the order of their values and renames them in the boundaries of the (k+1)-faces, if
-// there are any.
-Status order_faces(int k, int dimension, const std::uint32_t* face_count, std::uint32_t* const* facets,
-                   double* const* value, Arena& arena) {
-    const ArenaScope scope(arena);
-    const std::uint32_t count = face_count[k];
-    std::uint32_t* const from = arena.take_high<std::uint32_t>(count);
-    if (from == nullptr || !sort_values(value[k], from, count, arena)) return Status::out_of_memory;
-    if (k < dimension) {
-        std::uint32_t* const place = arena.take_high<std::uint32_t>(count);
-        if (place == nullptr) return Status::out_of_memory;
-        for (std::uint32_t j = 0; j < count;)
-            for (const std::uint64_t piece = arena.piece(j, count, 5); j < piece; ++j) {
-                place[from[j]] = j;
-            }
-        const std::size_t words = std::size_t{face_count[k + 1]} * (static_cast<std::size_t>(k) + 2);
-        std::uint32_t* const face = facets[k + 1];
-        for (std::size_t i = 0; i < words;)
-            for (const std::uint64_t piece = arena.piece(i, words, 5); i < piece; ++i) {
-                face[i] = place[face[i]];
-            }
-    }
-    permute_facets(facets[k], static_cast<std::uint32_t>(k) + 1, from, count, arena);
-    return Status::ok;
-}
 
 // Drops the dimensions above `dimension` < dim; the values move down to where the facets of the others end. False: out
 // of memory.
@@ -119,21 +68,14 @@ Status diagram_of(const AlphaFiltration<D>& filtration, DiagramRequest request, 
     const int dimension = static_cast<int>(request.max_degree) + 1;
     if (dimension < D && !keep_dimensions(D, dimension, faces.count, faces.facets, value, work.arena))
         return Status::out_of_memory;
-    for (int k = 1; k <= dimension; ++k) {
-        status = order_faces(k, dimension, faces.count, faces.facets, value, work.arena);
-        if (status != Status::ok) return status;
-    }
     if (D > 2 && !stack_dimensions(dimension, faces.facets, value, work.arena)) return Status::out_of_memory;
-    FilteredComplex filtered = {};
-    filtered.stacked = D > 2;
-    filtered.dimension = static_cast<std::uint32_t>(dimension);
+    FilteredBall ball = {D, static_cast<std::uint32_t>(dimension), D > 2, {}};
     out->simplices = 0;
     for (int k = 0; k <= dimension; ++k) {
-        filtered.of[k] = {faces.count[k], faces.facets[k], value[k]};
+        ball.of[k] = {faces.count[k], faces.facets[k], value[k]};
         out->simplices += faces.count[k];
     }
-    return D == 2 ? persist_surface(filtered, request, work, &out->pairs)
-                  : persist_homology(filtered, request, work, &out->pairs);
+    return D == 2 ? persist_disk(ball, request, work, &out->pairs) : persist_ball(ball, request, work, &out->pairs);
 }
 
 }  // namespace

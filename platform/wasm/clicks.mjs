@@ -58,7 +58,7 @@ const paths = {
         await choose(page, '#sample', 'figure eight, 2D');
         await done(page);
         check((await status(page)).includes('120 points in 2 dimensions'), await status(page));
-        check((await status(page)).includes('the exact filter is cheap'), await status(page));
+        check((await status(page)).includes('auto: the exact alpha complex is affordable'), await status(page));
         check((await text(page, '#barcode-note')).startsWith('exact'), 'the certificate');
         const long = "last.result.pairs.filter(p => p.degree === 1 && p.death > 3 * p.birth).length";
         equal(await page.run(long), 2, 'holes');
@@ -130,6 +130,29 @@ const paths = {
         await page.until("last.wanted.asked.bounds === 1 && !document.querySelector('#run').disabled", 'bounds');
         equal(await page.run("last.result.pairs.find(p => p.degree === 1).real"), true, 'the hole is real');
         check((await text(page, '#barcode')).includes('surely real by its bounds'), 'the legend of bounds');
+    },
+    async 'what the engine chooses'(page) {
+        const lattice = Array.from({ length: 3000 }, (_, i) => [i % 15, Math.floor(i / 15) % 15, Math.floor(i / 225)]);
+        await page.run(`document.querySelector('#text').value = ${JSON.stringify(lattice.map(p => p.join(' '))
+            .join('\n'))}`);
+        await page.click('#run');
+        await done(page);
+        equal(await page.run('last.result.filter'), 1, 'the filter');
+        const words = await status(page);
+        check(words.includes('filter complete') && words.includes('would take more work than a mesh'), words);
+        const print = await page.run('last.result.figures.fingerprint');
+        await choose(page, '#filter', '1');
+        await page.run('last = null');
+        await page.click('#run');
+        await page.until("last !== null && !document.querySelector('#run').disabled", 'the mesh that was asked for');
+        equal(await page.run('last.result.figures.fingerprint'), print, 'fingerprint');
+        await choose(page, '#filter', '0');
+        await type(page, '#text', ring);
+        await type(page, '#ratio', '1.8');
+        await page.run('last = null');
+        await page.click('#run');
+        await page.until("last !== null && !document.querySelector('#run').disabled", 'a ratio');
+        check((await status(page)).includes('as a ratio is asked for'), await status(page));
     },
     async 'neighbours'(page) {
         await type(page, '#text', ring);

@@ -51,7 +51,7 @@ struct Asked {
     const double* points;
     std::uint32_t count, dim, k, max_degree;
     double ratio;
-    bool bounds, cycles;
+    bool bounds, cycles, automatic;
 };
 
 netmesh::requests::Mesh mesh_request(const Asked& asked) {
@@ -85,7 +85,28 @@ netmesh::requests::Points points_request(const Asked& asked) {
     return points;
 }
 
+netmesh::requests::Auto auto_request(const Asked& asked) {
+    netmesh::requests::Auto request(asked.dim);
+    request.points = asked.points;
+    request.point_count = asked.count;
+    request.max_degree = asked.max_degree;
+    request.monitor = monitor;
+    return request;
+}
+
+netmesh_status bound(netmesh::Engine& engine, netmesh_status status, const Asked& asked) {
+    if (status != NETMESH_OK || !asked.bounds) return status;
+    netmesh::requests::Bounds bounds;
+    bounds.monitor = monitor;
+    return engine.bound_bars(bounds);
+}
+
 netmesh_status make(netmesh::Engine& engine, const Asked& asked) {
+    if (asked.automatic) {
+        const netmesh_status made = engine.persist_auto(auto_request(asked));
+        choose(engine.report().diagram.filter);
+        return bound(engine, made, asked);
+    }
     if (filter.source == NETMESH_SOURCE_POINTS) return engine.persist_points(points_request(asked));
     netmesh_status status = filter.source == NETMESH_SOURCE_DELAUNAY ? engine.delaunay(delaunay_request(asked))
                                                                      : engine.mesh(mesh_request(asked));
@@ -94,11 +115,7 @@ netmesh_status make(netmesh::Engine& engine, const Asked& asked) {
     persist.max_degree = asked.max_degree;
     persist.k = filter.needs_k != 0 ? asked.k : 0;
     persist.monitor = monitor;
-    status = engine.persist(persist);
-    if (status != NETMESH_OK || !asked.bounds) return status;
-    netmesh::requests::Bounds bounds;
-    bounds.monitor = monitor;
-    return engine.bound_bars(bounds);
+    return bound(engine, engine.persist(persist), asked);
 }
 
 netmesh_status make_all(netmesh::Engine& engine, const Asked& asked) {
@@ -120,12 +137,13 @@ EXPORT(heap) unsigned char* heap() {
 // A function of the page's, an index of the table, that is called now and then with a netmesh_progress; 0: none.
 EXPORT(watch) void watch(std::uint32_t poll) { monitor.poll = reinterpret_cast<netmesh_poll>(poll); }
 
-// Bytes to plan for; 0 when nothing is known about such a request.
+// Bytes to plan for; 0 when nothing is known about such a request. id: of a filter, 0: the engine chooses.
 EXPORT(plan)
 double plan(std::uint32_t n, std::uint32_t dim, std::uint32_t id, std::uint32_t k, std::uint32_t max_degree,
             double ratio) {
+    const Asked asked{nullptr, n, dim, k, max_degree, ratio, false, false, id == 0};
+    if (asked.automatic) return static_cast<double>(netmesh::plan(auto_request(asked)));
     if (!choose(id)) return 0;
-    const Asked asked{nullptr, n, dim, k, max_degree, ratio, false, false};
     std::size_t bytes = 0;
     if (filter.source == NETMESH_SOURCE_POINTS) bytes = netmesh::plan(points_request(asked));
     if (filter.source == NETMESH_SOURCE_DELAUNAY) bytes = netmesh::plan(delaunay_request(asked));
@@ -140,10 +158,11 @@ int run(const double* points, std::uint32_t n, std::uint32_t dim, void* block, s
     context = nullptr;
     report = {};
     detail = netmesh::sized<netmesh_detail>();
-    if (!choose(id)) return NETMESH_INVALID_ARGUMENT;
+    if (id != 0 && !choose(id)) return NETMESH_INVALID_ARGUMENT;
     netmesh::Engine engine(block, bytes);
     if (engine.status() != NETMESH_OK) return engine.status();
-    const netmesh_status status = make_all(engine, {points, n, dim, k, max_degree, ratio, bounds != 0, cycles != 0});
+    const netmesh_status status =
+        make_all(engine, {points, n, dim, k, max_degree, ratio, bounds != 0, cycles != 0, id == 0});
     context = engine.context();
     report = engine.report();
     detail = engine.detail();
@@ -163,6 +182,10 @@ EXPORT(cells) double cell_count() { return static_cast<double>(report.mesh.cells
 EXPORT(simplices) double simplex_count() { return static_cast<double>(report.diagram.simplices); }
 EXPORT(peak_bytes) double peak() { return static_cast<double>(report.memory.peak_bytes); }
 EXPORT(aspect_ratio) double worst_aspect_ratio() { return report.mesh.aspect_ratio_max; }
+EXPORT(filter_taken) std::uint32_t filter_taken() { return report.diagram.filter; }
+EXPORT(why) const char* why() { return netmesh_why_text(report.diagram.why); }
+// The engine chose a mesh because the exact complex did not fit in the block.
+EXPORT(gave_up) int gave_up() { return report.diagram.why == NETMESH_WHY_MEMORY ? 1 : 0; }
 EXPORT(certified_ratio) double certified() { return report.diagram.certified_ratio; }
 EXPORT(certified_from) double certified_from() { return report.diagram.certified_from; }
 EXPORT(fingerprint_high) std::uint32_t high_half() { return static_cast<std::uint32_t>(report.fingerprint >> 32); }

@@ -401,6 +401,41 @@ TEST_CASE("plans of what cannot be") {
     }
 }
 
+// The plan knows nothing of the points but how they lie.
+template <class Request, class Plan> void check_layout(Request request, Plan plan) {
+    request.point_count = 8;
+    request.point_stride_bytes = 8 * request.dim + 8;
+    CHECK(plan(&request) > 0);
+    const std::size_t too_short = 8 * request.dim - 8, odd = 8 * request.dim + 1, too_long = SIZE_MAX / 2;
+    for (const std::size_t bad : {too_short, odd, too_long}) {
+        CAPTURE(bad);
+        request.point_stride_bytes = bad;
+        CHECK(plan(&request) == 0);
+    }
+    request.point_format = NETMESH_POINTS_FLOAT32;
+    request.point_stride_bytes = 4 * request.dim;
+    CHECK(plan(&request) > 0);
+    request.point_stride_bytes = 0;
+    request.point_format = static_cast<netmesh_point_format>(2);
+    CHECK(plan(&request) == 0);
+}
+
+TEST_CASE("plans of points that cannot lie so") {
+    for (const int served : dimensions()) {
+        const std::uint32_t dim = static_cast<std::uint32_t>(served);
+        CAPTURE(dim);
+        check_layout(netmesh::requests::Mesh(dim), netmesh_plan_mesh);
+        check_layout(netmesh::requests::Delaunay(dim), netmesh_plan_delaunay);
+        check_layout(netmesh::requests::Alpha(dim), netmesh_plan_alpha);
+        check_layout(netmesh::requests::Auto(dim), netmesh_plan_auto);
+        check_layout(netmesh::requests::Scales(dim), netmesh_plan_scales);
+        check_layout(netmesh::requests::Points(dim, NETMESH_FILTER_RIPS), netmesh_plan_points);
+        netmesh::requests::PointsVineyard nested(dim, NETMESH_FILTER_BARYCENTRIC_RIPS);
+        nested.k_last = 2;
+        check_layout(nested, netmesh_plan_points_vineyard);
+    }
+}
+
 TEST_CASE("what is planned grows with what is asked for") {
     for (const int served : dimensions()) {
         const std::uint32_t dim = static_cast<std::uint32_t>(served);

@@ -6,6 +6,7 @@
 #include <cmath>
 #include <limits>
 #include <numeric>
+#include <vector>
 
 #include "common/block.hpp"
 #include "common/dimensions.hpp"
@@ -314,6 +315,77 @@ TEST_CASE_TEMPLATE_DEFINE("a cavity's list is the same in any gap that it fits, 
     }
 }
 TEST_CASE_TEMPLATE_APPLY(lists, Dimensions<>);
+
+// The cavity of the centre is bounded by the hull of the points on the sphere. The tables hold hulls of up to 32
+// vertices; they stand in the gap, if it has room for them beside the new cells and the list.
+TEST_CASE("in space new cells border the right ones in cavities of every size, in any gap") {
+    for (const std::uint32_t n : {4u, 5u, 6u, 9u, 16u, 31u, 32u, 33u, 34u, 150u}) {
+        const double corner = std::sqrt(1.0 / 3);
+        inputs::Points points;
+        for (const double x : {1, 1, 1, 1, -1, -1, -1, 1, -1, -1, -1, 1}) points.push_back(corner * x);
+        const inputs::Points random = inputs::uniform(3, n, n);
+        for (std::size_t i = 12; i < 3 * std::size_t{n}; i += 3) {
+            double length2 = 0;
+            for (std::size_t k = 0; k < 3; ++k) length2 += (random[i + k] - 0.5) * (random[i + k] - 0.5);
+            for (std::size_t k = 0; k < 3; ++k) points.push_back((random[i + k] - 0.5) / std::sqrt(length2));
+        }
+        points.insert(points.end(), {0, 0, 0});
+        for (const double error_max : {corner_error_max, 0x1p-7}) {
+            std::vector<std::vector<std::uint32_t>> made;  // of the last point, in each gap
+            const std::size_t roomy = std::size_t{1} << 18;
+            for (const std::size_t room : {roomy, std::size_t{0}, std::size_t{1000}, std::size_t{3000}}) {
+                Block block(std::size_t{1} << 20);
+                StoreState state = {};
+                Store<3> store(block.arena, state);
+                Monitor monitor;
+                InputReport input;
+                std::uint32_t* order;
+                REQUIRE(take_input<3>(store, points.data(), n + 1, 1, monitor, &input, &order) == Status::ok);
+                REQUIRE(store.open_cells() == Status::ok);
+                Kernel<3> kernel(store, error_max, VertexCells::kept);
+                const VertexId ids[] = {VertexId(0), VertexId(1), VertexId(2), VertexId(3)};
+                REQUIRE(kernel.start(ids) == Status::ok);
+                for (std::uint32_t v = 4; v <= n; ++v) {
+                    Cavity cavity;
+                    const double* const q = store.point(v);
+                    const CellId hit = kernel.locate(q, VertexId(v), state.last_cell);
+                    REQUIRE(kernel.find_cavity(q, VertexId(v), hit, &cavity));
+                    if (v == n && room != roomy) {
+                        const std::uint32_t lines = cavity.cells > cavity.facets ? cavity.cells : cavity.facets;
+                        const std::uint32_t fresh = cavity.facets - std::min(cavity.facets, state.cells_free);
+                        const std::size_t need = fresh * sizeof(Cell<3>) + (lines + 1) * sizeof(CavityLine) + 48;
+                        REQUIRE(block.arena.bytes_free() > need + room);
+                        REQUIRE(block.arena.take_high<char>(block.arena.bytes_free() - need - room) != nullptr);
+                        REQUIRE(kernel.find_cavity(q, VertexId(v), hit, &cavity));
+                    }
+                    if (v == n) CHECK(cavity.facets == 2 * n - 4);
+                    REQUIRE(kernel.can_fill(cavity, 0));
+                    kernel.fill(cavity, VertexId(v));
+                    for (std::uint32_t k = 0; k < cavity.facets; ++k)
+                        for (std::uint32_t i = 0; i <= 3; ++i) {
+                            const FacetId beyond = store.cell(kernel.new_cell(k)).neighbour[i];
+                            REQUIRE(store.cell(beyond.cell()).neighbour[beyond.position()] ==
+                                    FacetId(kernel.new_cell(k), i));
+                        }
+                    if (v < n) continue;
+                    made.emplace_back();
+                    for (std::uint32_t k = 0; k < cavity.facets; ++k) {
+                        made.back().push_back(kernel.new_cell(k));
+                        const Cell<3>& cell = store.cell(kernel.new_cell(k));
+                        for (std::uint32_t i = 0; i <= 3; ++i) {
+                            made.back().push_back(cell.vertex[i]);
+                            made.back().push_back(cell.neighbour[i].word());
+                        }
+                    }
+                    CHECK(made.back() == made.front());
+                }
+                // The cells stay where they are.
+                store.compact(block.arena.low_mark() - std::size_t{state.cell_slots} * sizeof(Cell<3>));
+                CHECK(violation<3>(store) == nullptr);
+            }
+        }
+    }
+}
 
 TEST_CASE_TEMPLATE_DEFINE("a point in the plane of a hull facet: the ghost is in conflict when the cell behind is", T,
                           coplanar) {

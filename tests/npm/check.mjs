@@ -2,7 +2,7 @@
 // errors, a worker. Exits 1 with a word for each fault.
 import assert from 'node:assert/strict';
 import { readFileSync } from 'node:fs';
-import { load, loadWorker, Diagram, NetmeshError } from 'netmesh';
+import { load, loadWorker, Diagram, NetmeshError, Vineyard } from 'netmesh';
 import { compare } from './slice.mjs';
 
 const netmesh = await load();
@@ -67,6 +67,74 @@ const transport = netmesh.wasserstein(Float64Array.of(0, 8, 0, 2), Float64Array.
 assert.ok(transport.lower <= 2 && transport.value >= 2 && transport.value <= 1.001 * transport.lower);
 assert.equal(netmesh.bottleneck(diagram, diagram), 0);
 
+// "auto" is the engine's own choice: of a lattice the mesh, as ties are dear, of the circle the exact complex. What asks
+// for a mesh takes the mesh.
+const lattice = Array.from({ length: 3000 }, (_, i) => [i % 15, Math.floor(i / 15) % 15, Math.floor(i / 225)]);
+const cheap = netmesh.persist(lattice);
+assert.equal(cheap.filter, 'complete');
+assert.equal(cheap.why, 'the exact alpha complex would take more work than a mesh');
+assert.equal(cheap.fingerprint, netmesh.persist(lattice, { filter: 'complete' }).fingerprint);
+assert.equal(diagram.filter, 'alpha');
+assert.equal(netmesh.persist(circle, { ratio: 2, bounds: false }).filter, 'complete');
+const line = [[0, 0], [1, 0], [3, 0]];
+const flat = netmesh.persist(line, { bounds: true, representatives: true });
+assert.equal(flat.filter, 'complete');
+assert.ok(flat.bounds.certain.length === flat.length && flat.representatives.length === flat.length);
+
+// A function: the height of two pits, the second one of which joins the first at the saddle between them.
+const pits = x => Math.min(Math.hypot(x[0] + 0.5, x[1]), Math.hypot(x[0] - 0.5, x[1]) + 0.25);
+const heights = { filter: 'function', function: pits, lipschitz: 1, cut: 1 };
+const corners = [[-2, 0], [2, 0], [0, 2], [0, -2]];
+const valleys = netmesh.persist(corners, { ...heights, error: 0.05, bounds: true });
+assert.ok(valleys.certifiedError <= 0.05 && valleys.bounds.certain.length === valleys.length);
+const [low, never, second, saddle] = [...valleys.intervals(0)].slice(0, 4);
+assert.ok(Math.abs(low) <= 0.05 && never === Infinity && Math.abs(second - 0.25) <= 0.05
+    && Math.abs(saddle - 0.625) <= 0.05);
+const fitted = netmesh.persist(corners, { ...heights, fit: true, memory: 1 << 20 });
+assert.ok(fitted.certifiedError < 0.5 && netmesh.persist(corners, { ...heights, fit: true, memory: 1 << 22 })
+    .certifiedError < fitted.certifiedError);
+
+// The best that fits: more memory, a better ratio; and scales of interest.
+const small = netmesh.persist(circle, { filter: 'complete', fit: true, memory: 1 << 17 });
+const large = netmesh.persist(circle, { filter: 'complete', fit: true, memory: 1 << 23 });
+assert.ok(large.certifiedRatio < small.certifiedRatio && large.peakBytes <= 1 << 23);
+const focused = netmesh.persist(circle, { filter: 'complete', ratio: 3, focus: [1.5, 0.5, 1.5], bounds: true });
+const rough = netmesh.persist(circle, { filter: 'complete', ratio: 3, bounds: true });
+const width = of => {
+    const [begin, end] = of.rows(1), n = of.bounds.numbers;
+    const longest = Array.from({ length: end - begin }, (_, i) => 5 * (begin + i)).sort((i, j) => n[j + 4] - n[i + 4])
+        .at(-1);
+    return n[longest + 3] / n[longest + 2];
+};
+assert.ok(width(focused) < width(rough), `${width(focused)} ${width(rough)}`);
+const decided = netmesh.persist(circle, { focus: 'auto', longerThan: 2, memory: 1 << 24 });
+assert.ok(decided.bounds.certain.subarray(...decided.rows(1)).filter(Boolean).length === 1);
+
+// A complex by its simplices: a hollow triangle, filled at 3.
+const triangle = [[0], [1], [2], [0, 1], [1, 2], [0, 2], [0, 1, 2]];
+const filled = netmesh.homology(triangle, [0, 0, 0, 1, 1, 2, 3], { representatives: true });
+assert.deepEqual([...filled.intervals(1)], [2, 3]);
+assert.deepEqual([...filled.intervals(0)], [0, 1, 0, 1, 0, Infinity]);
+assert.equal(filled.representatives[filled.rows(1)[0]].length, 6);
+
+// Vineyards: in k on a mesh, in k on the points, and of values; each k is that k's diagram.
+const inK = netmesh.vineyard(circle, { k: [1, 3] });
+assert.deepEqual(inK.k, [1, 3]);
+const meshed = netmesh.mesh(circle, { purpose: 'persist' });
+for (const k of [1, 2, 3]) {
+    const alone = meshed.persist({ filter: 'knn', k });
+    assert.deepEqual([...inK.diagram(k).intervals(1)], [...alone.intervals(1)]);
+    assert.equal(inK.ratios[k - 1], alone.certifiedRatio);
+}
+const nested = netmesh.vineyard(circle.slice(0, 8), { k: [1, 2], filter: 'barycentric-cech' });
+assert.deepEqual([...nested.diagram(2).intervals(0)],
+    [...netmesh.persist(circle.slice(0, 8), { filter: 'barycentric-cech', k: 2 }).intervals(0)]);
+const moved = netmesh.vineyard(null, { simplices: triangle, steps: [[0, 0, 0, 1, 1, 2, 3], [0, 0, 0, 1, 1, 2, 5]] });
+const loop = Array.from({ length: moved.count }, (_, i) => moved.vine(i)).find(v => v.intervals[0] === 2);
+assert.deepEqual([[...loop.ks], [...loop.intervals]], [[1, 2], [2, 3, 2, 5]]);
+const byVertex = netmesh.vineyard(null, { simplices: triangle, steps: [[0, 1, 2]], byVertex: true });
+assert.deepEqual([...byVertex.diagram(1).intervals(0)], [0, Infinity]);
+
 // Errors name argument and row.
 const refused = (make, status, argument, row = null) => {
     try {
@@ -95,6 +163,29 @@ for (const [argument, options] of Object.entries({ filter: { filter: 'x' }, k: {
 for (const points of [null, 3, [], [[1, 2], [3]], [['a', 'b']], [[1]], new Float64Array(3)])
     refused(() => netmesh.persist(points, points instanceof Float64Array ? { dim: 2 } : {}), 'invalid-argument',
         'points');
+refused(() => netmesh.homology([[0], [0, 1]], [0, 1]), 'not-a-complex', 'simplices', 1);
+refused(() => netmesh.homology([[0], [1]], [0, NaN]), 'not-finite', 'values', 1);
+refused(() => netmesh.homology([[0], [1]], [0]), 'invalid-argument', 'values');
+refused(() => netmesh.homology([[0.5]], [0]), 'invalid-argument', 'simplices');
+refused(() => netmesh.vineyard(null, { simplices: [[0], [1], [0, 1]], steps: [[0, 0, 1], [0, 2, 1]] }), 'not-a-complex',
+    'simplices', 2);
+refused(() => netmesh.vineyard(null, { simplices: [[0]], steps: [[1, 2]] }), 'invalid-argument', 'steps');
+refused(() => netmesh.vineyard(circle, { k: [2, 1] }), 'invalid-argument', 'k');
+refused(() => netmesh.vineyard(circle, { k: [1, 61] }), 'invalid-argument', 'k');
+refused(() => netmesh.vineyard(circle, { filter: 'alpha' }), 'invalid-argument', 'filter');
+refused(() => netmesh.persist(circle, { filter: 'function' }), 'invalid-argument', 'function');
+refused(() => netmesh.persist(circle, { ...heights, cut: undefined }), 'invalid-argument', 'cut');
+refused(() => netmesh.persist(circle, { ...heights, function: () => 'x' }), 'invalid-argument', 'function');
+refused(() => netmesh.persist(circle, { ...heights, function: () => NaN }), 'not-finite', 'function');
+refused(() => netmesh.persist(circle, { filter: 'alpha', function: pits }), 'invalid-argument', 'function');
+refused(() => netmesh.persist(circle, { filter: 'complete', fit: true }), 'invalid-argument', 'fit');
+refused(() => netmesh.persist(circle, { filter: 'tight', fit: true, memory: 1 << 20 }), 'invalid-argument', 'fit');
+refused(() => netmesh.persist(circle, { filter: 'complete', fit: true, memory: 1 << 14 }), 'out-of-memory', 'memory');
+refused(() => netmesh.persist(circle, { focus: 'auto' }), 'invalid-argument', 'focus');
+refused(() => netmesh.persist(circle, { focus: [1, 2] }), 'invalid-argument', 'focus');
+refused(() => netmesh.persist(circle, { longerThan: 2 }), 'invalid-argument', 'longerThan');
+assert.throws(() => netmesh.persist(circle, { ...heights, function: () => { throw new RangeError('mine'); } }),
+    RangeError);
 refused(() => netmesh.bottleneck(Float64Array.of(2, 1), diagram), 'invalid-argument', 'a', 0);
 refused(() => netmesh.mesh(circle, { tau: 1.5 }), 'invalid-argument', 'tau');
 refused(() => diagram.intervals(2), 'invalid-argument', 'degree');
@@ -113,6 +204,10 @@ const fromWorker = await worker.persist(circle, { representatives: true });
 assert.ok(fromWorker instanceof Diagram && fromWorker.fingerprint === netmesh.persist(circle, { representatives: true })
     .fingerprint);
 assert.equal(await worker.bottleneck(fromWorker, diagram), 0);
+const grown = await worker.vineyard(circle, { k: [1, 3] });
+assert.ok(grown instanceof Vineyard && grown.fingerprint === inK.fingerprint && grown.diagram(2).length > 0);
+assert.deepEqual([...(await worker.homology(triangle, [0, 0, 0, 1, 1, 2, 3])).intervals(1)], [2, 3]);
+await assert.rejects(worker.persist(circle, heights), error => error.argument === 'function');
 assert.equal((await worker.mesh(circle)).fingerprint, netmesh.mesh(circle).fingerprint);
 await assert.rejects(worker.persist(spoiled), error => error instanceof NetmeshError && error.row === 17);
 let told = 0;

@@ -110,11 +110,24 @@ export function compare(netmesh, golden) {
                 const mesh = netmesh.mesh(uniform(dim, 11, dim < 5 ? dim + 2 : 3), { purpose: 'persist' });
                 for (const filter of ['tight', 'kdistance', 'knn'])
                     expect(due[filter], mesh.persist({ filter, ...filter !== 'tight' && { k: 2 } }).fingerprint);
+                const slope = x => Math.abs(x[0]) * 0.5 + Math.abs(x[1]) * 0.25;
+                expect(due.function, mesh.persist({ filter: 'function', function: slope, lipschitz: 0.75, cut: 2 })
+                    .fingerprint);
+                expect(due.vineyard, mesh.vineyard({ k: [1, 2] }).fingerprint);
             }
             if ('cages' in due)
                 expect(due.cages, netmesh.mesh(zoom(dim, dim < 5 ? 5 : 3, 6, 13), { method: 'netmesh' }).fingerprint);
-            if ('scales' in due) expect(due.scales, netmesh.persist(zoom(2, 2, 30, 14),
-                { filter: 'scales' }).fingerprint);
+            for (const kind of ['cech', 'rips'])
+                if (`nested-${kind}` in due)
+                    expect(due[`nested-${kind}`], netmesh.vineyard(points.slice(0, 6), { k: [1, 3],
+                        filter: `barycentric-${kind}` }).fingerprint);
+            if ('scales' in due) {
+                expect(due.scales, netmesh.persist(zoom(2, 2, 30, 14), { filter: 'scales' }).fingerprint);
+                const simplices = [[0], [1], [2], [3], [0, 1], [1, 2], [2, 0], [3, 1], [2, 3], [0, 1, 2]];
+                const values = [0, 0.5, 0.25, 0, 1, 2, 1.5, 2, 3, 2.5];
+                expect(due.homology, netmesh.homology(simplices, values, { maxDegree: 2, representatives: true })
+                    .fingerprint);
+            }
             continue;
         }
         if (!/^\d+$/.test(words[1])) continue;

@@ -1,5 +1,5 @@
 // What the types of the package admit, and what they do not.
-import { load, loadWorker, Diagram, Mesh, NetmeshError, Status } from 'netmesh';
+import { load, loadWorker, Diagram, Mesh, NetmeshError, Status, Vineyard } from 'netmesh';
 
 const netmesh = await load();
 const diagram: Diagram = netmesh.persist([[0, 0], [1, 0], [0, 1]], { filter: 'complete', ratio: 2, bounds: true });
@@ -10,10 +10,20 @@ const cells: Int32Array = mesh.cells;
 const sure: Uint8Array | undefined = diagram.bounds?.certain;
 const other: Diagram = await (await loadWorker()).rips(null, { distances: [[0, 1], [1, 0]], threshold: 1 });
 const distance: number = netmesh.bottleneck(diagram, bars, { log: true }) + netmesh.wasserstein(other, bars).lower;
+const vines: Vineyard = netmesh.vineyard([[0, 0], [1, 0]], { k: [1, 2], filter: 'kdistance' });
+const path: Float64Array = vines.vine(0).intervals;
+const filled: Diagram = netmesh.homology([[0], [1], [0, 1]], [0, 0, 1], { maxDegree: 1 });
+netmesh.persist([[0, 0]], { filter: 'function', function: x => x[0], lipschitz: 1, cut: 1, fit: true, memory: 1e6 });
+netmesh.persist([[0, 0]], { focus: 'auto', longerThan: 2, memory: 1e6 });
+console.log(path, filled.why, mesh.vineyard({ k: [1, 2] }).count);
 const status: Status = new NetmeshError().status;
 console.log(cells, sure, distance, status);
 // @ts-expect-error
 netmesh.persist([[0, 0]], { filter: 'nothing' });
+// @ts-expect-error
+netmesh.vineyard([[0, 0]], { k: 2 });
+// @ts-expect-error
+netmesh.persist([[0, 0]], { filter: 'function', function: () => 'x' });
 // @ts-expect-error
 netmesh.persist([[0, 0]], { colour: 1 });
 // @ts-expect-error

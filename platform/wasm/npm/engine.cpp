@@ -12,7 +12,19 @@
 // 1 stops the job.
 extern "C" __attribute__((import_module("netmesh"), import_name("poll"))) int
 poll_javascript(int stage, double done, double total, double vertices, double cells);
+// A function of the caller's at x[D].
+extern "C" __attribute__((import_module("netmesh"), import_name("evaluate"))) double
+evaluate_javascript(const double* x);
 extern "C" unsigned char __heap_base;
+
+// What the engine asks of a C library; the others are instructions.
+extern "C" int memcmp(const void* a, const void* b, std::size_t bytes) {
+    const auto* x = static_cast<const unsigned char*>(a);
+    const auto* y = static_cast<const unsigned char*>(b);
+    for (std::size_t i = 0; i < bytes; ++i)
+        if (x[i] != y[i]) return x[i] < y[i] ? -1 : 1;
+    return 0;
+}
 
 namespace {
 
@@ -50,6 +62,18 @@ enum Option {
     count_a,
     count_b,
     watched,
+    longer_than,
+    by_error,
+    lipschitz,
+    distance_factor,
+    cut,
+    vertices_at,
+    starts_at,
+    entries_at,
+    simplices,
+    vertex_count,
+    step_count,
+    by_vertex,
     options_count
 };
 
@@ -90,6 +114,26 @@ template <class Request> Request& diagram(Request& request) {
     return request;
 }
 
+double evaluate(void*, const double* x) { return evaluate_javascript(x); }
+
+bool asks_function() { return options[filter] == NETMESH_FILTER_FUNCTION; }
+
+netmesh::requests::Function function_asked() {
+    netmesh::requests::Function function;
+    function.evaluate = evaluate;
+    function.lipschitz = options[lipschitz];
+    function.distance_factor = options[distance_factor];
+    function.cut = options[cut];
+    return function;
+}
+
+double size_for_error(void*, const double* x) { return function_asked().size_for_error(options[error], x); }
+
+// An array that JavaScript has put somewhere.
+template <class Number> const Number* array(Option option) {
+    return reinterpret_cast<const Number*>(static_cast<std::uintptr_t>(options[option]));
+}
+
 netmesh_filter asked() { return static_cast<netmesh_filter>(options[filter]); }
 
 netmesh::requests::Mesh mesh_request() {
@@ -103,6 +147,69 @@ netmesh::requests::Mesh mesh_request() {
     (request.purpose == NETMESH_PURPOSE_TIGHT ? request.tight_eps : request.sizes.eps) = options[eps];
     request.certificate = {options[ratio], options[focus], options[from], options[to]};
     request.whole_cells = number(whole_cells);
+    if (asks_function() && options[error] != 0) request.sizes.size = size_for_error;
+    return request;
+}
+
+netmesh::requests::Auto auto_request() {
+    netmesh::requests::Auto request(number(dim));
+    place(request);
+    request.seed = static_cast<std::uint64_t>(options[seed]);
+    request.max_degree = number(max_degree);
+    request.keep_zero_pairs = number(keep_zero_pairs);
+    return request;
+}
+
+netmesh::requests::Fit fit_request() {
+    netmesh::requests::Fit request(number(dim));
+    place(diagram(request));
+    request.seed = static_cast<std::uint64_t>(options[seed]);
+    request.filter = asked();
+    request.k = number(k);
+    request.by_error = number(by_error);
+    request.ratio = options[ratio];
+    request.focus_from = options[from];
+    request.focus_to = options[to];
+    request.longer_than = options[longer_than];
+    request.bounds = number(bounds);
+    request.whole_cells = number(whole_cells);
+    return request;
+}
+
+netmesh::requests::PointsVineyard points_vineyard_request() {
+    netmesh::requests::PointsVineyard request(number(dim), asked());
+    place(request);
+    request.values = static_cast<netmesh_values>(options[values]);
+    request.max_degree = number(max_degree);
+    request.k_first = number(k);
+    request.k_last = number(k_last);
+    return request;
+}
+
+// A complex, and values for it or steps of them.
+template <class Request> Request complex_request() {
+    Request request;
+    watch(request);
+    request.vertices = array<std::uint32_t>(vertices_at);
+    request.starts = array<std::uint64_t>(starts_at);
+    request.entries = array<double>(entries_at);
+    request.simplex_count = size(simplices);
+    request.vertex_count = size(vertex_count);
+    request.max_degree = number(max_degree);
+    return request;
+}
+
+netmesh::requests::Homology homology_request() {
+    auto request = complex_request<netmesh::requests::Homology>();
+    request.keep_zero_pairs = number(keep_zero_pairs);
+    request.representatives = number(representatives);
+    return request;
+}
+
+netmesh::requests::ValueVineyard value_vineyard_request() {
+    auto request = complex_request<netmesh::requests::ValueVineyard>();
+    request.step_count = size(step_count);
+    request.by_vertex = number(by_vertex);
     return request;
 }
 
@@ -172,6 +279,22 @@ int end(netmesh_status status) {
     return status;
 }
 
+// What is asked for beside the diagram that a job has left, as far as the job has not made it.
+netmesh_status bound_here() {
+    netmesh::requests::Bounds request;
+    const netmesh::requests::Function function = function_asked();
+    if (asks_function()) request.function = &function;
+    return options[bounds] != 0 ? netmesh_bound_bars(context, &watch(request)) : NETMESH_OK;
+}
+netmesh_status represent_here() {
+    netmesh::requests::Represent request;
+    return options[representatives] != 0 ? netmesh_represent(context, &watch(request)) : NETMESH_OK;
+}
+netmesh_status complete(netmesh_status status) {
+    if (status == NETMESH_OK) status = bound_here();
+    return status == NETMESH_OK ? represent_here() : status;
+}
+
 template <class Request, class Call> int run(void* block, std::size_t bytes, const Request& request, Call call) {
     netmesh_status status = begin(block, bytes);
     if (status == NETMESH_OK) status = call(context, &request);
@@ -191,6 +314,12 @@ EXPORT(plan_alpha) double plan_alpha() { return static_cast<double>(netmesh::pla
 EXPORT(plan_points) double plan_points() { return static_cast<double>(netmesh::plan(points_request())); }
 EXPORT(plan_scales) double plan_scales() { return static_cast<double>(netmesh::plan(scales_request())); }
 EXPORT(plan_distances) double plan_distances() { return static_cast<double>(netmesh::plan(distances_request())); }
+EXPORT(plan_auto) double plan_auto() { return static_cast<double>(netmesh::plan(auto_request())); }
+EXPORT(plan_nested) double plan_nested() { return static_cast<double>(netmesh::plan(points_vineyard_request())); }
+EXPORT(plan_homology) double plan_homology() { return static_cast<double>(netmesh::plan(homology_request())); }
+EXPORT(plan_filtrations) double plan_filtrations() {
+    return static_cast<double>(netmesh::plan(value_vineyard_request()));
+}
 EXPORT(default_tau) double default_tau() { return netmesh::tau(mesh_request()); }
 
 // Jobs in a new context; a netmesh_status.
@@ -199,10 +328,16 @@ EXPORT(delaunay) int make_triangulation(void* block, std::size_t bytes) {
     return run(block, bytes, delaunay_request(), netmesh_delaunay);
 }
 EXPORT(alpha) int persist_alpha(void* block, std::size_t bytes) {
-    return run(block, bytes, alpha_request(), netmesh_persist_alpha);
+    return run(block, bytes, alpha_request(), [](netmesh_context* c, const netmesh_alpha_request* request) {
+        const netmesh_status status = netmesh_persist_alpha(c, request);
+        return status == NETMESH_OK ? bound_here() : status;
+    });
 }
 EXPORT(points) int persist_points(void* block, std::size_t bytes) {
-    return run(block, bytes, points_request(), netmesh_persist_points);
+    return run(block, bytes, points_request(), [](netmesh_context* c, const netmesh_points_request* request) {
+        const netmesh_status status = netmesh_persist_points(c, request);
+        return status == NETMESH_OK ? bound_here() : status;
+    });
 }
 EXPORT(scales) int persist_scales(void* block, std::size_t bytes) {
     return run(block, bytes, scales_request(), netmesh_persist_scales);
@@ -210,26 +345,48 @@ EXPORT(scales) int persist_scales(void* block, std::size_t bytes) {
 EXPORT(distances) int persist_distances(void* block, std::size_t bytes) {
     return run(block, bytes, distances_request(), netmesh_persist_distances);
 }
+// By the filter that the engine chooses.
+EXPORT(auto) int persist_auto(void* block, std::size_t bytes) {
+    return run(block, bytes, auto_request(), [](netmesh_context* c, const netmesh_auto_request* request) {
+        return complete(netmesh_persist_auto(c, request));
+    });
+}
+EXPORT(fit) int fit(void* block, std::size_t bytes) {
+    netmesh::requests::Fit request = fit_request();
+    const netmesh::requests::Function function = function_asked();
+    if (asks_function()) request.function = &function;
+    return run(block, bytes, request, [](netmesh_context* c, const netmesh_fit_request* r) {
+        const netmesh_status status = netmesh_fit(c, r);
+        return status == NETMESH_OK ? represent_here() : status;
+    });
+}
+EXPORT(nested) int points_vineyard(void* block, std::size_t bytes) {
+    return run(block, bytes, points_vineyard_request(), netmesh_points_vineyard);
+}
+EXPORT(homology) int homology(void* block, std::size_t bytes) {
+    return run(block, bytes, homology_request(), netmesh_homology);
+}
+EXPORT(filtrations) int value_vineyard(void* block, std::size_t bytes) {
+    return run(block, bytes, value_vineyard_request(), netmesh_value_vineyard);
+}
 
 // On what the context holds.
 EXPORT(persist) int persist() {
     netmesh::requests::Persist request(asked());
     watch(diagram(request));
     request.k = number(k);
-    netmesh_status status = netmesh_persist(context, &request);
-    if (status == NETMESH_OK && options[bounds] != 0) {
-        netmesh::requests::Bounds of_bars;
-        status = netmesh_bound_bars(context, &watch(of_bars));
-    }
-    if (status == NETMESH_OK && options[representatives] != 0) {
-        netmesh::requests::Represent cycles;
-        status = netmesh_represent(context, &watch(cycles));
-    }
-    return end(status);
+    const netmesh::requests::Function function = function_asked();
+    if (asks_function()) request.function = &function;
+    return end(complete(netmesh_persist(context, &request)));
 }
-EXPORT(bound_bars) int bound_bars() {
-    netmesh::requests::Bounds request;
-    return end(netmesh_bound_bars(context, &watch(request)));
+EXPORT(vineyard) int vineyard() {
+    netmesh::requests::Vineyard request(asked());
+    watch(request);
+    request.values = static_cast<netmesh_values>(options[values]);
+    request.max_degree = number(max_degree);
+    request.k_first = number(k);
+    request.k_last = number(k_last);
+    return end(netmesh_vineyard(context, &request));
 }
 EXPORT(check) int check() {
     netmesh::requests::Check request;
@@ -294,6 +451,8 @@ EXPORT(status_text) const char* text_of_status(int status) {
 }
 EXPORT(message) const char* message() { return detail.message != nullptr ? detail.message : ""; }
 EXPORT(field) const char* field() { return detail.field != 0 ? netmesh_field_text(detail.field) : ""; }
+EXPORT(fault) int fault() { return detail.fault; }
+EXPORT(step) double step() { return static_cast<double>(detail.step); }
 EXPORT(row) double row() { return static_cast<double>(detail.index_a); }
 EXPORT(other_row) double other_row() { return static_cast<double>(detail.index_b); }
 EXPORT(version) const char* version() { return netmesh_version_text(); }
@@ -308,7 +467,8 @@ EXPORT(filter_number) int filter_number(std::uint32_t index) {
     netmesh_filter_info info = netmesh::sized<netmesh_filter_info>();
     return netmesh_get_filter_info(index, &info) == NETMESH_OK ? info.filter : 0;
 }
-// source, purpose, has_eps, has_theta, has_goal, has_representatives, needs_k, needs_function, clips_cells, has_values
+// source, purpose, has_eps, has_theta, has_goal, has_representatives, needs_k, needs_function, clips_cells, has_values,
+// has_vineyard
 EXPORT(filter_fact) int filter_fact(std::uint32_t index, int which) {
     netmesh_filter_info i = netmesh::sized<netmesh_filter_info>();
     netmesh_get_filter_info(index, &i);
@@ -321,7 +481,8 @@ EXPORT(filter_fact) int filter_fact(std::uint32_t index, int which) {
                                    i.needs_k,
                                    i.needs_function,
                                    i.clips_cells,
-                                   i.has_values};
+                                   i.has_values,
+                                   i.has_vineyard};
     return static_cast<int>(facts[which]);
 }
 
@@ -339,8 +500,24 @@ EXPORT(degrees) int degrees() {
 }
 EXPORT(pairs) double pairs(int of) { return static_cast<double>(report.diagram.pairs[of]); }
 EXPORT(certified_ratio) double certified_ratio() { return report.diagram.certified_ratio; }
+EXPORT(filter_taken) int filter_taken() { return report.diagram.filter; }
+// "auto" has taken a mesh because the alpha complex did not fit in the block.
+EXPORT(gave_up) int gave_up() { return report.diagram.why == NETMESH_WHY_MEMORY ? 1 : 0; }
+EXPORT(why) const char* why() { return netmesh_why_text(report.diagram.why); }
+EXPORT(certified_error) double certified_error() { return report.diagram.certified_error; }
 EXPORT(value_error) double value_error() { return report.diagram.value_error; }
 EXPORT(steps) double steps() { return static_cast<double>(report.bounds.steps); }
+EXPORT(vines) double vines() { return static_cast<double>(report.vineyard.vines); }
+EXPORT(vine_points) double vine_points() { return static_cast<double>(report.vineyard.points); }
+EXPORT(vine_fact) double vine_fact(int which) {
+    const double facts[] = {static_cast<double>(report.vineyard.k_first), static_cast<double>(report.vineyard.k_last),
+                            static_cast<double>(report.vineyard.max_degree), report.vineyard.value_error};
+    return facts[which];
+}
+EXPORT(vine_ratio) double vine_ratio(std::uint32_t at) {
+    double of = 0;
+    return netmesh_get_vine_ratio(context, at, &of) == NETMESH_OK ? of : 0;
+}
 EXPORT(peak_bytes) double peak_bytes() { return static_cast<double>(report.memory.peak_bytes); }
 
 // Arrays, written to where JavaScript has made room: see arrays.h.
@@ -362,4 +539,8 @@ EXPORT(read_cycle_starts) int read_cycle_starts(double n, std::uint64_t* starts)
 EXPORT(read_cycle) int read_cycle(double pair, std::uint32_t of_degree, double n, std::uint32_t* of_cycle) {
     return netmesh_array_cycle(context, static_cast<std::uint64_t>(pair), of_degree, static_cast<std::uint64_t>(n),
                                of_cycle, nullptr);
+}
+EXPORT(read_vines)
+int read_vines(double n, std::uint32_t* of_vines, std::uint32_t* of_degrees, std::uint32_t* ks, double* intervals) {
+    return netmesh_array_vines(context, static_cast<std::uint64_t>(n), of_vines, of_degrees, ks, intervals);
 }

@@ -3,7 +3,7 @@ export type Points = Float64Array | Float32Array | ArrayLike<number>[];
 /** Kinds of errors. */
 export type Status = 'invalid-argument' | 'out-of-memory' | 'cancelled' | 'not-finite' | 'out-of-range' | 'flat' | 'too-close'
     | 'no-result' | 'check-failed' | 'floating-point' | 'internal' | 'not-a-complex' | 'not-built';
-export type MeshFilter = 'complete' | 'basic' | 'alpha' | 'knn' | 'kdistance' | 'tight';
+export type MeshFilter = 'complete' | 'basic' | 'alpha' | 'knn' | 'kdistance' | 'tight' | 'function';
 export type Filter = 'auto' | MeshFilter | 'scales' | 'rips' | 'cech' | 'barycentric-cech' | 'barycentric-rips';
 
 export class NetmeshError extends Error {
@@ -36,7 +36,16 @@ export interface DiagramOptions {
     /** A cycle for each bar. */
     representatives?: boolean;
 }
-export interface MeshPersistOptions extends DiagramOptions {
+/** A function of x, Float64Array [D], of the filter "function". */
+export interface FunctionOptions {
+    /** With |f(x) - f(y)| <= lipschitz |x - y|, and at least `cut` outside of a ball around the points. */
+    function?: (x: Float64Array) => number;
+    lipschitz?: number;
+    cut?: number;
+    /** A c with f >= (distance to the second nearest point) / c. */
+    distanceFactor?: number;
+}
+export interface MeshPersistOptions extends DiagramOptions, FunctionOptions {
     filter?: MeshFilter;
     /** Neighbours, of knn and kdistance. */
     k?: number;
@@ -48,8 +57,15 @@ export interface PersistOptions extends PointOptions, Omit<MeshPersistOptions, '
     filter?: Filter;
     /** The certified ratio to refine to, above sqrt 2. */
     ratio?: number;
-    /** A better ratio at radii between two bounds: [ratio, from, to]. */
-    focus?: [number, number, number];
+    /** A better ratio at radii between two bounds: [ratio, from, to], with `fit` [from, to]; "auto": where bars are
+     * undecided, until each is surely real or surely not `longerThan` times its birth, or `memory` is full. */
+    focus?: [number, number, number] | [number, number] | 'auto';
+    /** 1.5; goes with focus: "auto". */
+    longerThan?: number;
+    /** The best ratio (of a function: the least error) that `memory` holds. */
+    fit?: boolean;
+    /** Of a function: how far births and deaths may be off. */
+    error?: number;
     eps?: number;
     theta?: number;
     tau?: number;
@@ -89,6 +105,10 @@ export class Diagram implements Iterable<Bar> {
     readonly filter: string;
     readonly certifiedRatio: number;
     readonly valueError: number;
+    /** Of the filter "function": births and deaths are off by at most this. */
+    readonly certifiedError: number;
+    /** Why this filter: what "auto" has found, or "it was asked for". */
+    readonly why: string;
     /** 16 hexadecimal digits, the same on every platform. */
     readonly fingerprint: string;
     readonly peakBytes: number;
@@ -102,6 +122,46 @@ export class Diagram implements Iterable<Bar> {
     /** The first bar of a degree, and the first one behind it. */
     rows(degree: number): [number, number];
     [Symbol.iterator](): Iterator<Bar>;
+}
+
+export interface MeshVineyardOptions {
+    /** [first, last]; [1, 2]. */
+    k?: [number, number];
+    filter?: 'knn' | 'kdistance';
+    maxDegree?: number;
+    values?: 'certified' | 'thesis';
+}
+export interface VineyardOptions extends Omit<MeshVineyardOptions, 'filter'>, PointOptions {
+    filter?: 'knn' | 'kdistance' | 'barycentric-cech' | 'barycentric-rips';
+    /** Of the mesh of knn and kdistance. */
+    tau?: number;
+    /** In place of points: a complex, its values at each step, and whether these are of its vertices alone. */
+    simplices?: ArrayLike<number>[];
+    steps?: (Float64Array | number[])[];
+    byVertex?: boolean;
+}
+export interface HomologyOptions extends RunOptions, DiagramOptions {}
+/** Diagrams over a range of k, or of steps, and the vines through them: points of vines, sorted by vine and k. */
+export class Vineyard {
+    readonly filter: string;
+    /** The first and the last k. */
+    readonly k: [number, number];
+    /** How many vines there are. */
+    readonly count: number;
+    readonly maxDegree: number;
+    readonly vines: Int32Array;
+    readonly degrees: Int32Array;
+    readonly ks: Int32Array;
+    /** [m, 2]: birth and death. */
+    readonly intervals: Float64Array;
+    /** The certified ratio of each k's diagram. */
+    readonly ratios: Float64Array;
+    readonly valueError: number;
+    readonly fingerprint: string;
+    readonly peakBytes: number;
+    readonly length: number;
+    diagram(k: number): Diagram;
+    vine(number: number): { ks: Int32Array; intervals: Float64Array };
 }
 
 export interface MeshData {
@@ -139,6 +199,7 @@ export class Mesh implements MeshData {
     /** [v] after persist on a mesh, radii. */
     readonly values: Float64Array | null;
     persist(options?: MeshPersistOptions): Diagram;
+    vineyard(options?: MeshVineyardOptions): Vineyard;
     check(): void;
 }
 
@@ -152,15 +213,20 @@ export class Netmesh {
     mesh(points: Points, options?: MeshOptions): Mesh;
     delaunay(points: Points, options?: DelaunayOptions): Mesh;
     rips(points: Points | null, options?: RipsOptions): Diagram;
+    /** Lists of vertices in any order, every face among them, and when each enters. */
+    homology(simplices: ArrayLike<number>[], values: Float64Array | number[], options?: HomologyOptions): Diagram;
+    vineyard(points: Points | null, options?: VineyardOptions): Vineyard;
     bottleneck(a: Bars, b: Bars, options?: { degree?: number; log?: boolean }): number;
     wasserstein(a: Bars, b: Bars, options?: { degree?: number; order?: number; error?: number }): Transport;
 }
-/** The same calls in a worker, as promises. */
+/** The same calls in a worker, as promises; functions do not cross to it. */
 export interface NetmeshWorker {
     persist(points: Points, options?: PersistOptions): Promise<Diagram>;
     mesh(points: Points, options?: MeshOptions): Promise<MeshData>;
     delaunay(points: Points, options?: DelaunayOptions): Promise<MeshData>;
     rips(points: Points | null, options?: RipsOptions): Promise<Diagram>;
+    homology(simplices: ArrayLike<number>[], values: Float64Array | number[], options?: HomologyOptions): Promise<Diagram>;
+    vineyard(points: Points | null, options?: VineyardOptions): Promise<Vineyard>;
     bottleneck(a: Bars, b: Bars, options?: { degree?: number; log?: boolean }): Promise<number>;
     wasserstein(a: Bars, b: Bars, options?: { degree?: number; order?: number; error?: number }): Promise<Transport>;
     /** Stops what is on its way, which is rejected as "cancelled". */

@@ -1,13 +1,13 @@
 // netmesh for JavaScript: typed arrays in, typed arrays out. Each call runs in an instance of its own, whose memory
-// goes
-// with it; a mesh keeps its instance. No dependency.
+// goes with it; a mesh keeps its instance. No dependency.
 
 const OPTIONS = ['dim', 'points', 'format', 'filter', 'values', 'k', 'kLast', 'maxDegree', 'ratio', 'focus', 'from',
-    'to',
-    'tau', 'method', 'finish', 'eps', 'theta', 'seed', 'keepZeroPairs', 'bounds', 'representatives', 'wholeCells',
-    'purpose', 'threshold', 'layout', 'degree', 'isLog', 'order', 'error', 'countA', 'countB', 'watched'];
+    'to', 'tau', 'method', 'finish', 'eps', 'theta', 'seed', 'keepZeroPairs', 'bounds', 'representatives', 'wholeCells',
+    'purpose', 'threshold', 'layout', 'degree', 'isLog', 'order', 'error', 'countA', 'countB', 'watched', 'longerThan',
+    'byError', 'lipschitz', 'distanceFactor', 'cut', 'verticesAt', 'startsAt', 'entriesAt', 'simplices', 'vertexCount',
+    'stepCount', 'byVertex'];
 const FACTS = ['source', 'purpose', 'hasEps', 'hasTheta', 'hasGoal', 'hasRepresentatives', 'needsK', 'needsFunction',
-    'clipsCells', 'hasValues'];
+    'clipsCells', 'hasValues', 'hasVineyard'];
 const STAGES = ['none', 'sort', 'delaunay', 'refine', 'certify', 'filter', 'gradient', 'reduce', 'check', 'analyse'];
 const STATUSES = ['ok', 'invalid-argument', 'out-of-memory', 'cancelled', 'not-finite', 'out-of-range', 'flat',
     'too-close', 'no-result', 'check-failed', 'floating-point', 'internal', 'not-a-complex', 'not-built'];
@@ -16,9 +16,14 @@ const PURPOSES = { mesh: 0, persist: 1, tight: 2 };
 const VALUES = { certified: 0, thesis: 1 };
 const SOURCE = { mesh: 1, delaunay: 2, scales: 3, points: 4 };
 const ARGUMENTS = { dim: 'points', point_count: 'points', max_degree: 'maxDegree', focus_ratio: 'focus',
-    focus_from: 'focus',
-    focus_to: 'focus', tight_eps: 'eps', numbers: 'distances', pairs_a: 'a', pairs_b: 'b', relative_error: 'error' };
-const OF_ROWS = ['not-finite', 'out-of-range', 'too-close'];
+    focus_from: 'focus', focus_to: 'focus', tight_eps: 'eps', numbers: 'distances', pairs_a: 'a', pairs_b: 'b',
+    relative_error: 'error', longer_than: 'longerThan', distance_factor: 'distanceFactor', k_first: 'k', k_last: 'k',
+    whole_cells: 'wholeCells', simplex_count: 'simplices', vertices: 'simplices', starts: 'simplices',
+    entries: 'values', step_count: 'steps' };
+const OF_ROWS = ['not-finite', 'out-of-range', 'too-close', 'not-a-complex'];
+const FAULTS = ['', 'no vertices, or more than 32', 'more simplices of its dimension than can be numbered',
+    'a vertex twice', 'is there already', 'a face is not there', 'a face enters later'];
+const FIT_RATIO = 4, LONGER_THAN = 1.5;
 const PAGE = 65536, PAIR_BYTES = 24, LARGEST_PAGES = 65536;
 
 /** Anything that is refused or cannot be done. `status` says what, `argument` and `row` what it is about. */
@@ -37,6 +42,8 @@ const choose = (table, value, argument) => Object.hasOwn(table, value) ? table[v
     : refuse(argument, `${value} is none of ${Object.keys(table).join(', ')}`);
 const positive = (value, argument) => typeof value === 'number' && value > 0 && Number.isFinite(value) ? value
     : refuse(argument, 'must be a finite number above 0');
+const finite = (value, argument) => typeof value === 'number' && Number.isFinite(value) ? value
+    : refuse(argument, 'must be a finite number');
 const whole = (value, argument, least, most) => Number.isInteger(value) && value >= least && value <= most ? value
     : refuse(argument, `must be a whole number from ${least} to ${most}`);
 
@@ -72,8 +79,24 @@ class Job {
                 return 1;
             }
         };
+        // A function of the caller's; what it throws ends the job.
+        const evaluate = at => {
+            if (this.failure) return NaN;
+            const x = new Float64Array(this.memory.buffer, at, this.dim).slice();
+            try {
+                const value = this.function(x);
+                if (typeof value !== 'number') refuse('function', 'has returned something that is not a number');
+                if (!Number.isFinite(value))
+                    throw new NetmeshError('not-finite', `function: ${value} at ${[...x].join(', ')}`, 'function');
+                return value;
+            } catch (error) {
+                this.failure = { error };
+                return NaN;
+            }
+        };
         this.next = 0;
-        this.exports = new WebAssembly.Instance(module, { netmesh: { poll } }).exports;
+        this.rows = 'points';
+        this.exports = new WebAssembly.Instance(module, { netmesh: { poll, evaluate } }).exports;
         this.memory = this.exports.memory;
         this.inputEnd = this.exports.input();
         this.set({ seed: 1, watched: progress ? 1 : 0, maxDegree: 6, k: 1, threshold: Infinity });
@@ -98,12 +121,13 @@ class Job {
             return false;
         }
     }
-    // A typed array goes to the input, behind what is there.
+    // A typed array goes to the input, behind what is there; returns where it is.
     put(array) {
         const at = this.inputEnd;
         if (!this.grow(at + array.byteLength + 16)) this.outOfMemory();
         new array.constructor(this.memory.buffer, at, array.length).set(array);
         this.inputEnd = Math.ceil((at + array.byteLength) / 16) * 16;
+        return at;
     }
     outOfMemory() {
         throw new NetmeshError('out-of-memory', 'memory: more than a module can have, or the browser gives', 'memory');
@@ -113,21 +137,23 @@ class Job {
         const begin = Math.ceil(this.inputEnd / 16) * 16;
         const limit = LARGEST_PAGES * PAGE - begin - PAGE;
         let bytes = memory ?? Math.min(limit, Math.max(PAGE, Math.ceil((plan > 0 ? plan : 0) * 1.05)));
-        for (;;) {
-            if (!this.grow(begin + bytes)) this.outOfMemory();
+        for (let made = false;;) {
+            if (!this.grow(begin + bytes)) return made ? undefined : this.outOfMemory();
             const status = this.exports[name](begin, bytes);
             this.end = begin + bytes;
-            if (STATUSES[status] !== 'out-of-memory' || memory !== undefined || bytes >= limit) return this.done(
-                status);
+            made = status === 0;
+            // "auto" does not choose by how large the block happens to be.
+            const isSmall = STATUSES[status] === 'out-of-memory' || (name === 'auto' && made && this.exports.gave_up());
+            if (this.failure || !isSmall || memory !== undefined || bytes >= limit) return this.done(status);
             bytes = Math.min(limit, 2 * bytes);
         }
     }
     // A diagram on a mesh may need more memory than the plan had: the mesh is made again in twice as much.
-    persist(memory) {
+    persist(memory, call = 'persist') {
         const name = this.exports.is_mesh() ? 'mesh' : 'delaunay';
         for (;;) {
             try {
-                this.go('persist');
+                this.go(call);
                 return;
             } catch (error) {
                 if (error.status !== 'out-of-memory' || memory !== undefined) throw error;
@@ -145,15 +171,18 @@ class Job {
         }
         if (status === 0) return;
         const kind = STATUSES[status] ?? 'internal';
-        const said = this.text(this.exports.message()) || this.text(this.exports.status_text(status));
+        let said = this.text(this.exports.message()) || this.text(this.exports.status_text(status));
         const field = this.text(this.exports.field());
         const ofRow = OF_ROWS.includes(kind) || (kind === 'invalid-argument' && field === 'numbers');
-        const argument = ofRow && field !== 'numbers' ? 'points' : kind === 'out-of-memory' ? 'memory'
-            : kind === 'flat' ? 'points' : field ? ARGUMENTS[field] ?? field : null;
+        const argument = ofRow && field !== 'numbers' ? (kind === 'not-a-complex' ? 'simplices' : this.rows)
+            : kind === 'out-of-memory' ? 'memory' : kind === 'flat' ? 'points' : field ? ARGUMENTS[field] ?? field : null;
         const row = ofRow ? this.exports.row() : null;
+        if (kind === 'not-a-complex') said = `${FAULTS[this.exports.fault()]}${this.ofStep()}`;
+        if (argument === 'steps') said += this.ofStep();
         const place = argument === null ? '' : row === null ? `${argument}: ` : `${argument}, row ${row}: `;
         throw new NetmeshError(kind, place + said, argument, row);
     }
+    ofStep() { return this.exports.step() > 0 ? `, at step ${this.exports.step()}` : ''; }
     // Arrays that an export writes behind the block: read([Float64Array, 6], [Uint8Array, 3]), null for none.
     read(name, first, ...wanted) {
         let at = Math.ceil(this.end / 16) * 16;
@@ -230,7 +259,8 @@ function diagramOf(job, filter, options) {
     const count = starts.at(-1);
     const [intervals] = job.read('read_pairs', [count], [Float64Array, 2 * count]);
     const fields = { filter, certifiedRatio: job.exports.certified_ratio(), valueError: job.exports.value_error(),
-        fingerprint: job.fingerprint(), peakBytes: job.exports.peak_bytes(), bounds: null, representatives: null };
+        certifiedError: job.exports.certified_error(), fingerprint: job.fingerprint(), peakBytes: job.exports.peak_bytes(),
+        why: job.text(job.exports.why()), bounds: null, representatives: null };
     if (options.bounds) {
         const [numbers, certain] = job.read('read_bounds', [count], [Float64Array, 5 * count], [Uint8Array, count]);
         fields.bounds = { numbers, certain };
@@ -246,6 +276,81 @@ function diagramOf(job, filter, options) {
     }
     return new Diagram(fields, intervals, starts);
 }
+
+/** Diagrams over a range of k or over the steps of a filtration, and the vines through them: points of vines, sorted by
+ * vine and k. Each k's points are that k's diagram. */
+export class Vineyard {
+    constructor(fields) { Object.assign(this, fields); }
+    get length() { return this.vines.length; }
+    /** The diagram at one k. */
+    diagram(k) {
+        whole(k, 'k', ...this.k);
+        const at = [...this.ks.keys()].filter(i => this.ks[i] === k), x = this.intervals;
+        at.sort((i, j) => this.degrees[i] - this.degrees[j] || x[2 * i] - x[2 * j] || x[2 * i + 1] - x[2 * j + 1]
+            || 0);
+        const starts = [0];
+        for (let degree = 0; degree <= this.maxDegree; ++degree)
+            starts.push(starts[degree] + at.filter(i => this.degrees[i] === degree).length);
+        return new Diagram({ filter: this.filter, certifiedRatio: this.ratios[k - this.k[0]], valueError: this.valueError,
+            certifiedError: 0, fingerprint: '', peakBytes: this.peakBytes, why: '', bounds: null,
+            representatives: null }, Float64Array.from(at.flatMap(i => [x[2 * i], x[2 * i + 1]])), starts);
+    }
+    /** The path of one vine: { ks, intervals }. */
+    vine(number) {
+        whole(number, 'number', 0, Math.max(0, this.count - 1));
+        const first = this.vines.indexOf(number), last = this.vines.lastIndexOf(number) + 1;
+        return { ks: this.ks.slice(first, last), intervals: this.intervals.slice(2 * first, 2 * last) };
+    }
+    /** What crosses to another thread, and back by Vineyard.from. */
+    toObject() { return { ...this }; }
+    static from(fields) { return new Vineyard(fields); }
+}
+
+function vineyardOf(job, filter) {
+    const count = job.exports.vine_points(), fact = job.exports.vine_fact;
+    const [vines, degrees, ks, intervals] = job.read('read_vines', [count], [Int32Array, count], [Int32Array, count],
+        [Int32Array, count], [Float64Array, 2 * count]);
+    const k = [fact(0), fact(1)];
+    return new Vineyard({ filter, k, count: job.exports.vines(), maxDegree: fact(2), vines, degrees, ks, intervals,
+        ratios: Float64Array.from({ length: k[1] - k[0] + 1 }, (_, i) => job.exports.vine_ratio(k[0] + i)),
+        valueError: fact(3), fingerprint: job.fingerprint(), peakBytes: job.exports.peak_bytes() });
+}
+
+const rangeOf = k => {
+    if (!Array.isArray(k) || k.length !== 2) refuse('k', '[first, last]');
+    return { k: whole(k[0], 'k', 1, 2 ** 28), kLast: whole(k[1], 'k', k[0], 2 ** 28) };
+};
+
+// A function of the caller's and what is known of it; sets it in the job.
+function setFunction(job, dim, options) {
+    if (typeof options.function !== 'function') refuse('function', 'the filter function needs one');
+    job.function = options.function;
+    job.dim = dim;
+    job.set({ lipschitz: finite(options.lipschitz, 'lipschitz'), cut: finite(options.cut, 'cut'),
+        distanceFactor: options.distanceFactor === undefined ? 0 : positive(options.distanceFactor, 'distanceFactor') });
+}
+
+// Simplices one after the other, to the input; how many have one vertex.
+function putSimplices(job, simplices) {
+    if (!Array.isArray(simplices) || !simplices.every(s => typeof s?.length === 'number'))
+        refuse('simplices', 'not lists of vertices');
+    const starts = new BigUint64Array(simplices.length + 1);
+    simplices.forEach((simplex, i) => { starts[i + 1] = starts[i] + BigInt(simplex.length); });
+    const vertices = new Uint32Array(Number(starts.at(-1)));
+    let at = 0;
+    for (const simplex of simplices)
+        for (const v of simplex) vertices[at++] = whole(v, 'simplices', 0, 2 ** 32 - 1);
+    job.set({ verticesAt: job.put(vertices), startsAt: job.put(starts), simplices: simplices.length,
+        vertexCount: vertices.length });
+    job.rows = 'simplices';
+    return simplices.filter(s => s.length === 1).length;
+}
+const numbersOf = (values, argument) => {
+    if (values instanceof Float64Array) return values;
+    if (!Array.isArray(values) || !values.every(v => typeof v === 'number')) refuse(argument, 'not numbers');
+    return Float64Array.from(values);
+};
+const complexDegree = options => options.maxDegree === undefined ? 31 : whole(options.maxDegree, 'maxDegree', 0, 31);
 
 /** A Delaunay triangulation or quality mesh, and the instance that it lives in. */
 export class Mesh {
@@ -300,7 +405,7 @@ export class Mesh {
     persist(options = {}) {
         const name = options.filter ?? (this.isMesh ? 'complete' : 'alpha');
         const filter = choose(this.#filters, name, 'filter');
-        if (filter.needsFunction) refuse('filter', 'functions are not for JavaScript yet');
+        if (filter.needsFunction) setFunction(this.#job, this.dim, options);
         this.#job.set({ filter: filter.number, values: choose(VALUES, options.values ?? 'certified', 'values'),
             k: whole(options.k ?? 1, 'k', 1, 2 ** 28), maxDegree: whole(options.maxDegree ?? this.dim - 1,
                 'maxDegree', 0, 30),
@@ -309,13 +414,29 @@ export class Mesh {
         this.#job.persist(this.#memory);
         return diagramOf(this.#job, name, options);
     }
+    /** The diagrams of "knn" or "kdistance" for k from options.k[0] to options.k[1] on this mesh, and the vines through
+     * them. */
+    vineyard(options = {}) {
+        known('meshVineyard', options);
+        const name = options.filter ?? 'knn', filter = choose(this.#filters, name, 'filter');
+        if (!filter.hasVineyard || filter.source !== SOURCE.mesh) refuse('filter', `${name} has no vineyard on a mesh`);
+        this.#job.set({ filter: filter.number, values: choose(VALUES, options.values ?? 'certified', 'values'),
+            maxDegree: whole(options.maxDegree ?? this.dim - 1, 'maxDegree', 0, 30), ...rangeOf(options.k ?? [1, 2]) });
+        this.#job.persist(this.#memory, 'vineyard');
+        return vineyardOf(this.#job, name);
+    }
     /** Checks the mesh anew, exactly, by code that shares nothing with what made it; throws "check-failed". */
     check() { this.#job.go('check'); }
 }
 
 const KNOWN = {
     persist: ['filter', 'dim', 'maxDegree', 'k', 'ratio', 'focus', 'eps', 'theta', 'values', 'tau', 'method', 'finish',
-        'wholeCells', 'keepZeroPairs', 'bounds', 'representatives', 'seed', 'memory', 'progress'],
+        'wholeCells', 'keepZeroPairs', 'bounds', 'representatives', 'seed', 'memory', 'progress', 'function',
+        'lipschitz', 'cut', 'error', 'distanceFactor', 'fit', 'longerThan'],
+    homology: ['maxDegree', 'keepZeroPairs', 'representatives', 'memory', 'progress'],
+    vineyard: ['dim', 'k', 'filter', 'maxDegree', 'values', 'tau', 'seed', 'simplices', 'steps', 'byVertex', 'memory',
+        'progress'],
+    meshVineyard: ['k', 'filter', 'maxDegree', 'values'],
     mesh: ['dim', 'tau', 'method', 'purpose', 'eps', 'ratio', 'focus', 'wholeCells', 'finish', 'seed', 'memory',
         'progress'],
     delaunay: ['dim', 'purpose', 'seed', 'memory', 'progress'],
@@ -329,9 +450,9 @@ function known(call, options) {
     if (options.memory !== undefined) whole(options.memory, 'memory', 1, 2 ** 32);
 }
 
-/** The filter "auto" of points in so many dimensions. By D alone: netmesh_persist_auto, which counts work, is not
- * called from here, so on lattices and curves this may take another filter than Python and the tool. */
-const autoFilter = dim => dim <= 3 ? 'alpha' : 'complete';
+// What goes with either filter of "auto"; everything else asks for a mesh.
+const OF_EITHER = ['filter', 'dim', 'maxDegree', 'keepZeroPairs', 'bounds', 'representatives', 'seed', 'memory',
+    'progress'];
 
 /** The library in this thread. */
 export class Netmesh {
@@ -362,34 +483,47 @@ export class Netmesh {
         known('persist', options);
         const read = pointsOf(points, options.dim);
         if ((options.filter ?? 'auto') !== 'auto') return this.#persist(read, options, options.filter);
-        try {
-            return this.#persist(read, options, autoFilter(read.dim));
-        } catch (error) {
-            if (error.status !== 'flat') throw error;
-            return this.#persist(read, options, 'complete');
-        }
+        const isGiven = name => options[name] !== undefined && options[name] !== false;
+        if (Object.keys(options).every(name => OF_EITHER.includes(name) || !isGiven(name)))
+            return this.#chosen(read, options);
+        return this.#persist(read, options, 'complete');
+    }
+    // By the filter that the engine chooses.
+    #chosen(read, options) {
+        const job = this.#job(read, options);
+        job.set({ maxDegree: whole(options.maxDegree ?? read.dim - 1, 'maxDegree', 0, 30),
+            keepZeroPairs: options.keepZeroPairs ?? 0, bounds: options.bounds ?? 0,
+            representatives: options.representatives ?? 0 });
+        job.run('auto', job.exports.plan_auto(), options.memory);
+        const taken = job.exports.filter_taken();
+        return diagramOf(job, this.filters.find(name => this.#filters[name].number === taken), options);
     }
     #persist(read, options, name) {
         const filter = choose(this.#filters, name, 'filter');
-        if (filter.needsFunction) refuse('filter', 'functions are not for JavaScript yet');
         const onMesh = filter.source === SOURCE.mesh, byScales = filter.source === SOURCE.scales;
         const reads = { k: filter.needsK, eps: filter.hasEps, theta: filter.hasTheta, values: filter.hasValues,
             ratio: onMesh || byScales, tau: onMesh || byScales, method: onMesh, finish: onMesh, focus: onMesh,
-            wholeCells: onMesh, representatives: filter.hasRepresentatives };
+            wholeCells: onMesh, representatives: filter.hasRepresentatives, fit: onMesh, longerThan: onMesh,
+            function: filter.needsFunction, lipschitz: filter.needsFunction, cut: filter.needsFunction,
+            error: filter.needsFunction, distanceFactor: filter.needsFunction };
         for (const [option, isRead] of Object.entries(reads))
             if (!isRead && options[option] !== undefined && options[option] !== false) refuse(option,
                 `not for the filter ${name}`);
         const job = this.#job(read, options);
         const onPoints = filter.source === SOURCE.points;
-        const values = choose(VALUES, options.values ?? 'certified', 'values');
-        const given = Object.fromEntries(['ratio', 'tau', 'eps', 'theta'].filter(o => options[o] !== undefined)
+        const byError = filter.needsFunction && (options.error !== undefined || Boolean(options.fit));
+        const values = choose(VALUES, options.values ?? (byError ? 'thesis' : 'certified'), 'values');
+        const given = Object.fromEntries(['ratio', 'tau', 'eps', 'theta', 'error'].filter(o => options[o] !== undefined)
             .map(o => [o, positive(options[o], o)]));
         job.set({ filter: filter.number, values, k: whole(options.k ?? 1, 'k', 0, 2 ** 28),
             maxDegree: whole(options.maxDegree ?? (onPoints ? 1 : read.dim - 1), 'maxDegree', 0, 30),
             keepZeroPairs: options.keepZeroPairs ?? 0, bounds: options.bounds ?? 0,
             representatives: options.representatives ?? 0, ...given });
-        if (onMesh || byScales) this.#settle(job, filter, options, given, values, read.dim);
-        if (onMesh) {
+        if (filter.needsFunction) setFunction(job, read.dim, options);
+        const fits = onMesh || byScales ? this.#settle(job, filter, options, given, values, read.dim) : false;
+        if (fits) {
+            job.run('fit', 0, options.memory);
+        } else if (onMesh) {
             job.run('mesh', job.exports.plan_mesh(), options.memory);
             job.persist(options.memory);
         } else if (byScales) {
@@ -403,29 +537,42 @@ export class Netmesh {
         } else {
             job.run('alpha', job.exports.plan_alpha(), options.memory);
         }
-        if (options.bounds && !onMesh && !byScales && !(options.representatives && !onPoints)) job.go('bound_bars');
-        return diagramOf(job, name, options);
+        return diagramOf(job, name, { ...options, bounds: options.bounds || options.focus === 'auto' });
     }
-    // What was left open, as the command-line tool settles it.
+    // What was left open, as the command-line tool settles it. Returns whether the best that fits is to be found.
     #settle(job, filter, options, given, values, dim) {
+        const { fit = false, focus, longerThan } = options;
         const byMethod = options.method !== undefined || Boolean(options.finish);
-        const byScales = filter.source === SOURCE.scales;
-        const open = filter.hasEps && !given.eps && !given.ratio && !byMethod;
+        const byScales = filter.source === SOURCE.scales, automatic = focus === 'auto';
+        if (fit && options.memory === undefined) refuse('fit', 'needs memory, the size to fit in');
+        if (automatic && options.memory === undefined) refuse('focus', '"auto" needs memory, the size to fit in');
+        if (automatic && fit) refuse('fit', 'finds the best ratio, focus: "auto" which bars are real');
+        if (longerThan !== undefined && !automatic) refuse('longerThan', 'goes with focus: "auto"');
+        if (fit && given.error) refuse('error', 'fit finds the least one');
+        const fitsError = fit && filter.needsFunction && !byMethod;
+        const open = filter.hasEps && !given.eps && !given.ratio && !fit && !byMethod;
         const defaultRatio = Math.sqrt(2 + job.exports.default_tau());
         let ratio = given.ratio;
         if (dim >= 4 && open && values === 0)
             ratio = defaultRatio * (1 + 3 * (filter.hasTheta ? given.theta ?? 1 / 9 : 0));
-        const refines = !byScales && !byMethod && values === 0 && (filter.hasGoal || (filter.hasEps
-            && ratio !== undefined));
+        const byGoal = filter.hasGoal || (filter.hasEps && ratio !== undefined);
+        const refines = !byScales && !byMethod && (fit ? !filter.hasEps && !filter.needsFunction
+            : values === 0 && Boolean(byGoal));
         if (ratio !== undefined && !refines && !byScales) refuse('ratio', 'for filters refined by the certificate');
-        if (refines) ratio ??= defaultRatio;
-        const focus = options.focus ?? [0, 0, 0];
-        if (focus.length !== 3 || (options.focus && !refines)) refuse('focus',
-            '[ratio, from, to], of a refined filter');
+        if (automatic && !(refines && filter.hasGoal)) refuse('focus', '"auto" is for the filter complete');
+        if (fit && !refines && !fitsError) refuse('fit', 'for filters on a mesh but tight, without method');
+        if (refines) ratio ??= fit ? FIT_RATIO : defaultRatio;
+        const numbers = focus === undefined || automatic ? [] : [...focus];
+        if (numbers.length > 0 && (!refines || numbers.length !== (fit ? 2 : 3)))
+            refuse('focus', '"auto", [ratio, from, to], or with fit [from, to], of a refined filter');
+        numbers.forEach(x => finite(x, 'focus'));
+        const [from, to] = numbers.slice(-2);
         job.set({ method: choose(METHODS, options.method ?? 'svr', 'method'), finish: options.finish ?? 0,
-            purpose: refines ? PURPOSES.persist : filter.purpose, ratio: ratio ?? 0, focus: focus[0], from: focus[1],
-            to: focus[2], eps: filter.hasEps && ratio === undefined ? given.eps ?? 0.5 : given.eps ?? 0,
+            ratio: fitsError ? 0 : ratio ?? 0, focus: numbers.length === 3 ? numbers[0] : 0, from: from ?? 0, to: to ?? 0,
+            byError: fitsError, longerThan: automatic ? positive(longerThan ?? LONGER_THAN, 'longerThan') : 0,
+            bounds: automatic || (options.bounds ?? 0), purpose: refines ? PURPOSES.persist : filter.purpose,
             wholeCells: options.wholeCells || !(refines && filter.clipsCells) });
+        return fit || automatic;
     }
     mesh(points, options = {}) {
         known('mesh', options);
@@ -447,6 +594,58 @@ export class Netmesh {
         job.set({ purpose: choose({ mesh: 0, persist: 1 }, options.purpose ?? 'persist', 'purpose') });
         job.run('delaunay', 1.5 * job.exports.plan_delaunay(), options.memory);
         return new Mesh(job, read.dim, this.#filters, options.memory);
+    }
+    /** The diagram of any filtered complex: lists of vertices, and when each simplex enters. */
+    homology(simplices, values, options = {}) {
+        known('homology', options);
+        const job = new Job(this.#module, options.progress);
+        putSimplices(job, simplices);
+        const entries = numbersOf(values, 'values');
+        if (entries.length !== simplices.length)
+            refuse('values', `${entries.length} numbers for ${simplices.length} simplices`);
+        job.set({ entriesAt: job.put(entries), maxDegree: complexDegree(options),
+            keepZeroPairs: options.keepZeroPairs ?? 0, representatives: options.representatives ?? 0 });
+        job.rows = 'values';
+        job.run('homology', job.exports.plan_homology(), options.memory);
+        return diagramOf(job, '', options);
+    }
+    /** The diagrams of a filter for every k of a range, or of a complex (`simplices`) at every step of its values, and
+     * the vines through them. */
+    vineyard(points, options = {}) {
+        known('vineyard', options);
+        if ((points == null) === (options.simplices === undefined)) refuse('points', 'give points or simplices');
+        if (points == null) return this.#filtrations(options);
+        const name = options.filter ?? 'knn', filter = choose(this.#filters, name, 'filter');
+        if (filter.hasVineyard && filter.source === SOURCE.mesh) {
+            const { simplices, steps, byVertex, tau, dim, seed, memory, progress, ...rest } = options;
+            const shared = { tau, dim, seed, memory, progress };
+            for (const name of Object.keys(shared)) if (shared[name] === undefined) delete shared[name];
+            return this.mesh(points, { ...shared, purpose: 'persist' }).vineyard(rest);
+        }
+        if (filter.source !== SOURCE.points || !filter.needsK) refuse('filter', `${name} has no vineyard`);
+        if (options.tau !== undefined) refuse('tau', `not for the filter ${name}`);
+        const job = this.#job(pointsOf(points, options.dim), options);
+        job.set({ filter: filter.number, values: choose(VALUES, options.values ?? 'certified', 'values'),
+            maxDegree: whole(options.maxDegree ?? 1, 'maxDegree', 0, 29), ...rangeOf(options.k ?? [1, 2]) });
+        job.run('nested', job.exports.plan_nested(), options.memory);
+        return vineyardOf(job, name);
+    }
+    #filtrations(options) {
+        const job = new Job(this.#module, options.progress);
+        const vertices = putSimplices(job, options.simplices);
+        const due = options.byVertex ? vertices : options.simplices.length;
+        if (!Array.isArray(options.steps) || options.steps.length === 0) refuse('steps', 'rows of numbers, one a step');
+        const entries = new Float64Array(options.steps.length * due);
+        options.steps.forEach((step, i) => {
+            const row = numbersOf(step, 'steps');
+            if (row.length !== due) refuse('steps', `row ${i} has ${row.length} values, where ${due} are due`);
+            entries.set(row, i * due);
+        });
+        job.set({ entriesAt: job.put(entries), stepCount: options.steps.length, byVertex: options.byVertex ?? 0,
+            maxDegree: complexDegree(options) });
+        job.rows = 'steps';
+        job.run('filtrations', job.exports.plan_filtrations(), options.memory);
+        return vineyardOf(job, '');
     }
     rips(points, options = {}) {
         known('rips', options);
@@ -562,7 +761,7 @@ export async function loadWorker(source) {
         if (!call) return;
         if (error) call.reject(error.status ? new NetmeshError(error.status, error.message, error.argument, error.row)
             : new Error(error.message));
-        else call.resolve(result?.intervals ? Diagram.from(result) : result);
+        else call.resolve(result?.vines ? Vineyard.from(result) : result?.intervals ? Diagram.from(result) : result);
     };
     if (inNode) {
         worker.on('message', take);
@@ -574,6 +773,8 @@ export async function loadWorker(source) {
     const call = (name, ...values) => new Promise((resolve, reject) => {
         const id = ++number, options = values.at(-1);
         const { progress, ...rest } = options ?? {};
+        if (typeof rest.function === 'function')
+            refuse('function', 'functions do not cross to a worker: call load() in it');
         waiting.set(id, { resolve, reject, progress });
         if (inNode) worker.ref();
         const sent = values.slice(0, -1).map(value => value instanceof Diagram ? value.toObject() : value);
@@ -582,6 +783,8 @@ export async function loadWorker(source) {
     return {
         persist: (points, options = {}) => call('persist', points, options),
         rips: (points, options = {}) => call('rips', points, options),
+        homology: (simplices, values, options = {}) => call('homology', simplices, values, options),
+        vineyard: (points, options = {}) => call('vineyard', points, options),
         mesh: (points, options = {}) => call('mesh', points, options),
         delaunay: (points, options = {}) => call('delaunay', points, options),
         bottleneck: (a, b, options = {}) => call('bottleneck', a, b, options),

@@ -1,5 +1,5 @@
 // The other side of loadWorker.
-import { Diagram, Mesh, Netmesh } from './index.mjs';
+import { Diagram, Mesh, Netmesh, Vineyard } from './index.mjs';
 
 const inNode = Boolean(globalThis.process?.versions?.node);
 const port = inNode ? (await import('node:worker_threads')).parentPort : globalThis;
@@ -7,7 +7,7 @@ let netmesh = null;
 
 // What crosses to another thread of a result.
 function plain(result) {
-    if (result instanceof Diagram) return result.toObject();
+    if (result instanceof Diagram || result instanceof Vineyard) return result.toObject();
     if (!(result instanceof Mesh)) return result;
     const { dim, vertexCount, inputCount, cellCount, isMesh, aspectRatioMax } = result;
     return { dim, vertexCount, inputCount, cellCount, isMesh, aspectRatioMax, fingerprint: result.fingerprint,

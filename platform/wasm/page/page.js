@@ -3,7 +3,6 @@ const MiB = 1 << 20;
 const module_bytes = Uint8Array.from(atob($('module').textContent), c => c.charCodeAt(0));
 // Compiled in place: a second thread's compiler is nothing that a browser without a screen waits for.
 const module = new WebAssembly.Module(module_bytes);
-const planner = new WebAssembly.Instance(module, {}).exports;
 const worker_url = URL.createObjectURL(new Blob([$('worker').textContent], { type: 'text/javascript' }));
 const view = new View($('view'));
 let worker = null, last = null, chosen = null;
@@ -27,7 +26,7 @@ const size_text = bytes => bytes >= 1024 * MiB ? `${(bytes / 1024 / MiB).toFixed
     : bytes < MiB ? `${Math.ceil(bytes / 1024)} KiB` : `${(bytes / MiB).toFixed(bytes < 10 * MiB ? 1 : 0)} MiB`;
 
 // What the options ask for, of so many points; degree 6: all. Throws a sentence.
-function asked_for(dim, count) {
+function asked_for() {
     const limit = Number($('memory').value) * MiB;
     const number = (id, otherwise) => $(id).value === '' ? otherwise : Number($(id).value);
     for (const id of ['k', 'ratio', 'degree']) {
@@ -38,11 +37,9 @@ function asked_for(dim, count) {
     const asked = { filter: Number($('filter').value), k: number('k', 1), ratio: number('ratio', 0),
         degree: number('degree', 6), bounds: $('bounds').checked ? 1 : 0, cycles: 1 };
     let note = '';
-    if (asked.filter === 0) {  // exact where that is cheap, else certified
-        const planned = planner.plan(count, dim, 3, 1, 6, 0);
-        asked.filter = planned > 0 && planned <= Math.min(limit, 256 * MiB) ? 3 : 1;
-        note = asked.filter === 3 ? 'auto: the exact filter is cheap here'
-            : `auto: certified, as the exact filter plans ${size_text(planned)}`;
+    if (asked.filter === 0 && asked.ratio > 0) {
+        asked.filter = 1;
+        note = 'auto: complete, as a ratio is asked for';
     }
     if (asked.filter === 9 || asked.filter === 10) asked.degree = Math.min(number('degree', 1), 30);
     return { asked, limit, note };
@@ -70,7 +67,7 @@ function compute() {
         cloud = parse_points($('text').value);
         $('read').textContent = `${cloud.count} points in ${cloud.dim} dimensions` +
             cloud.notes.map(note => `; ${note}`).join('');
-        wanted = asked_for(cloud.dim, cloud.count);
+        wanted = asked_for();
     } catch (error) {
         say(error.message, true);
         return;
@@ -102,6 +99,10 @@ function take_result(result, cloud, wanted) {
         say(result.fault, true);
         if (result.kind === 'memory') advise_memory(result, cloud, wanted);
         return;
+    }
+    if (wanted.asked.filter === 0) {  // what the engine has chosen
+        wanted.note = `auto: ${result.why}`;
+        wanted.asked.filter = result.filter;
     }
     last = { result, cloud, wanted, complex: complex_of(result, cloud.points),
         described: `filter ${filter_name(wanted.asked.filter)}, ${cloud.count} points in ${cloud.dim} dimensions` };
@@ -135,10 +136,10 @@ function advise_memory({ bytes, planned }, cloud, { asked, limit }) {
     const larger = [...$('memory').options].map(o => Number(o.value)).find(m => m * MiB > limit);
     if (larger !== undefined)
         items.push(action(`try again with ${size_text(larger * MiB)}`, () => { $('memory').value = larger; }));
-    if (![1, 9].includes(asked.filter) || (asked.filter === 9 && cloud.dim <= 3))
+    if (![0, 1, 9].includes(asked.filter) || (asked.filter === 9 && cloud.dim <= 3))
         items.push(action('try the certified filter', () => { $('filter').value = 1; }));
     if (cloud.dim > 3) items.push(action('degrees 0 and 1 only', () => { $('degree').value = 1; }));
-    if (asked.filter === 1) items.push(action('a coarser certificate: ratio 3', () => { $('ratio').value = 3; }));
+    if ([0, 1].includes(asked.filter)) items.push(action('a coarser certificate: ratio 3', () => { $('ratio').value = 3; }));
     const half = Math.ceil(cloud.count / 2);
     items.push(action(`every other point: ${half}`, () => {
         const { points, dim } = cloud, rows = [];

@@ -72,7 +72,8 @@ function results(exports, dim, asked) {
     });
     if (asked.cycles) longest_cycles(exports, pairs, data);
     const hex = word => (word >>> 0).toString(16).padStart(8, '0');
-    return { dim, places, values, markers, cells, has_values, pairs, ratio, from, filter: asked.filter,
+    return { dim, places, values, markers, cells, has_values, pairs, ratio, from, filter: exports.filter_taken(),
+        why: text_at(exports, exports.why()),
         figures: { vertices: vertex_count, inputs: exports.inputs(), cells: cell_count, simplices: exports.simplices(),
             aspect_ratio: exports.aspect_ratio(), peak_bytes: exports.peak_bytes(),
             fingerprint: hex(exports.fingerprint_high()) + hex(exports.fingerprint_low()),
@@ -102,17 +103,20 @@ function work({ module, points, dim, asked, limit }) {
     const arguments_of = [asked.filter, asked.k, asked.degree, asked.ratio];
     const planned = program(module, 0, 0).exports.plan(count, dim, ...arguments_of);
     let bytes = Math.min(limit, Math.max(4 << 20, Math.ceil(1.1 * planned)));
-    for (;;) {
+    for (let chosen = null;;) {
         const made = program(module, points.length, bytes);
+        if (made === null && chosen !== null) return chosen;
         if (made === null) return { fault: 'the browser has no more memory', kind: 'memory', bytes, planned };
         const { exports, numbers, block } = made;
         new Float64Array(exports.memory.buffer, numbers, points.length).set(points);
         watch(exports, progress => postMessage({ progress: { ...progress, bytes } }));
         const begin = performance.now();
         const status = exports.run(numbers, count, dim, block, bytes, ...arguments_of, asked.bounds, asked.cycles);
-        if (status === 0)
-            return { ...results(exports, dim, asked), milliseconds: performance.now() - begin, bytes, planned };
-        if (status !== OUT_OF_MEMORY) {
+        if (status === 0) {
+            chosen = { ...results(exports, dim, asked), milliseconds: performance.now() - begin, bytes, planned };
+            // What the engine chooses does not depend on how large the block happens to be.
+            if (asked.filter !== 0 || exports.gave_up() === 0 || bytes >= limit) return chosen;
+        } else if (status !== OUT_OF_MEMORY) {
             const message = text_at(exports, exports.message());
             return { fault: message || text_at(exports, exports.status_text(status)), kind: 'input', bytes, planned };
         }

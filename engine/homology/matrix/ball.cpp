@@ -1,0 +1,380 @@
+// Order the faces of each dimension by value, equal ones by number. A face and a coface of it, one dimension up, are an
+// apparent pair when the face is the last facet of the coface and the coface the first cofacet of the face (Bauer:
+// Ripser, 2021): in the reduction they are a pair as they stand. Those of equal value are seen without an order, for
+// the last facet is that of equal value with the greatest number and the first cofacet that with the least. Pairs of
+// zero length are no bars, so their faces need no place among the columns, and none in a sorted list but where they are
+// rows. In a filtration by radii most faces that are not critical are in such pairs (Bauer, Edelsbrunner: The Morse
+// theory of Cech and Delaunay complexes, 2017).
+//
+// What this saves: sorting, and renaming all boundaries by the sorted order, which jumps about in memory.
+#include "homology/matrix/ball.hpp"
+
+#include "homology/bit_set.hpp"
+#include "homology/matrix/listed_columns.hpp"
+#include "homology/matrix/reduction.hpp"
+#include "homology/pair_writer.hpp"
+#include "homology/union_find.hpp"
+#include "numerics/value_order.hpp"
+
+namespace netmesh {
+namespace {
+
+// Numbers of faces of one dimension, in the order of their values.
+struct FaceOrder {
+    std::uint32_t* face;
+    std::uint32_t count;
+};
+
+// Boundaries of k-faces. Rows have numbers of their own; faces without one count as absent.
+struct RankedMatrix {
+    const std::uint32_t* faces;
+    const std::uint32_t* rank;
+    std::uint32_t k;
+
+    std::uint32_t pivot_of(std::uint32_t j) const {
+        const std::uint32_t* const face = faces + std::size_t{j} * (k + 1);
+        std::uint32_t pivot = none;
+        for (std::uint32_t i = 0; i <= k; ++i) {
+            const std::uint32_t row = rank[face[i]];
+            if (row != none && (pivot == none || row > pivot)) pivot = row;
+        }
+        return pivot;
+    }
+    template <class Column> std::uint32_t add(std::uint32_t j, Column& to) const {
+        const std::uint32_t* const face = faces + std::size_t{j} * (k + 1);
+        for (std::uint32_t i = 0; i <= k; ++i) {
+            const std::uint32_t row = rank[face[i]];
+            if (row != none) to.toggle(row);
+        }
+        return 1;
+    }
+};
+
+class BallHomology {
+public:
+    BallHomology(const FilteredBall& ball, DiagramRequest request, const Work& work)
+        : ball_(ball), arena_(work.arena), progress_{work.monitor}, writer_(work.arena, request) {}
+
+    Status run();
+    Status run_on_disk();
+    PairList finish() { return writer_.finish_without_cycles(); }
+
+private:
+    class Recorder;
+
+    const FilteredBall::Simplices& of(std::uint32_t k) const { return ball_.of[k]; }
+    bool has_cells() const { return ball_.dimension == ball_.dim; }
+    Status begin();
+    bool take_bits(std::uint32_t k, BitSet* out);
+    Status match(std::uint32_t k, std::uint32_t* mate);
+    bool is_listed(std::uint32_t k, std::uint32_t f) const;
+    Status order(std::uint32_t k, FaceOrder* out);
+    bool move_up(std::size_t high, FaceOrder* order);
+    Status unite_vertices(const FaceOrder& edges, BitSet* joining);
+    Status unite_cells(std::uint32_t* parent, const FaceOrder& facets);
+    Status unite_top(FaceOrder* facets);
+    Status reduce(std::uint32_t k, const FaceOrder& columns, FaceOrder* rows);
+
+    const FilteredBall& ball_;
+    Arena& arena_;
+    Progress progress_;
+    PairWriter writer_;
+    // By dimension. positive_: faces that are known to give birth to a class. taken_: those that end one of zero length.
+    BitSet positive_[dimension_most() + 1], taken_[dimension_most() + 1];
+};
+
+bool BallHomology::take_bits(std::uint32_t k, BitSet* out) {
+    std::uint64_t* const words = arena_.take_high<std::uint64_t>(BitSet::words_needed(of(k).count));
+    if (words != nullptr) out->adopt(words, of(k).count);
+    return words != nullptr;
+}
+
+Status BallHomology::begin() {
+    std::uint64_t total = 0;
+    for (std::uint32_t k = 1; k <= ball_.dimension; ++k) total += of(k).count;
+    progress_.monitor.begin(NETMESH_STAGE_REDUCE, total);
+    for (std::uint32_t k = 1; k <= ball_.dimension; ++k) {
+        if (!take_bits(k, &positive_[k]) || !take_bits(k, &taken_[k])) return Status::out_of_memory;
+    }
+    return Status::ok;
+}
+
+// Finds the apparent pairs of zero length of (k-1)-faces and k-faces. mate, if any: the k-face's partner, or none.
+Status BallHomology::match(std::uint32_t k, std::uint32_t* mate) {
+    const HighScope scope(arena_);
+    BitSet met;  // (k-1)-faces that have a cofacet of equal value among those before
+    if (!take_bits(k - 1, &met)) return Status::out_of_memory;
+    const double* const below = of(k - 1).value;
+    const std::uint32_t* face = of(k).faces;
+    for (std::uint32_t j = 0; j < of(k).count;)
+        for (const std::uint64_t piece = arena_.piece(j, of(k).count, 8 * k); j < piece; ++j, face += k + 1) {
+            const double value = of(k).value[j];
+            std::uint32_t last = none;
+            for (std::uint32_t i = 0; i <= k; ++i) {
+                if (below[face[i]] == value && (last == none || face[i] > last)) last = face[i];
+            }
+            if (last != none) {
+                const bool is_first = !met.has(last);
+                for (std::uint32_t i = 0; i <= k; ++i) {
+                    if (below[face[i]] == value) met.insert(face[i]);
+                }
+                if (is_first) {
+                    positive_[k - 1].insert(last);
+                    taken_[k].insert(j);
+                    if (writer_.keeps_zero() && !writer_.add(value, value, k - 1)) return Status::out_of_memory;
+                } else {
+                    last = none;
+                }
+            }
+            if (mate != nullptr) mate[j] = last;
+        }
+    return Status::ok;
+}
+
+// Facets of cells, which union-find takes, are listed if nothing is known of them; what is a row below can be positive.
+bool BallHomology::is_listed(std::uint32_t k, std::uint32_t f) const {
+    return !taken_[k].has(f) && !(has_cells() && k + 1 == ball_.dim && positive_[k].has(f));
+}
+
+Status BallHomology::order(std::uint32_t k, FaceOrder* out) {
+    std::uint32_t count = 0;
+    arena_.each(of(k).count, 6, [&](std::uint64_t f) { count += is_listed(k, static_cast<std::uint32_t>(f)); });
+    out->face = arena_.take_high<std::uint32_t>(count);
+    out->count = count;
+    const HighScope scope(arena_);
+    double* const value = arena_.take_high<double>(count);
+    if (out->face == nullptr || value == nullptr) return Status::out_of_memory;
+    count = 0;
+    arena_.each(of(k).count, 10, [&](std::uint64_t f) {
+        if (!is_listed(k, static_cast<std::uint32_t>(f))) return;
+        out->face[count] = static_cast<std::uint32_t>(f);
+        value[count++] = of(k).value[f];
+    });
+    return sort_labelled(value, out->face, count, arena_) ? Status::ok : Status::out_of_memory;
+}
+
+// Gives back what was taken at the high end since it was at `high`, but for this order. False: out of memory.
+bool BallHomology::move_up(std::size_t high, FaceOrder* order) {
+    const std::uint32_t* const from = order->face;
+    arena_.release_high(high);
+    order->face = arena_.take_high<std::uint32_t>(order->count);
+    if (order->face == nullptr) return false;
+    move_bytes(order->face, from, sizeof(std::uint32_t) * order->count, arena_);
+    return true;
+}
+
+// Degree 0. joining, if any: the edges that join two components.
+Status BallHomology::unite_vertices(const FaceOrder& edges, BitSet* joining) {
+    struct Graph {
+        BallHomology& h;
+        const FaceOrder& edges;
+        BitSet* joining;
+
+        Status visit(std::uint32_t) { return h.progress_.stop(1) ? Status::cancelled : Status::ok; }
+        EdgeEnds ends(std::uint32_t i) const {
+            const std::uint32_t* const vertex = h.of(1).faces + 2 * std::size_t{edges.face[i]};
+            return {vertex[0], vertex[1]};
+        }
+        Status merge(std::uint32_t i, std::uint32_t, std::uint32_t younger) {
+            const std::uint32_t e = edges.face[i];
+            if (joining != nullptr) joining->insert(e);
+            return h.writer_.add(h.of(0).value[younger], h.of(1).value[e], 0) ? Status::ok : Status::out_of_memory;
+        }
+        Status keep(std::uint32_t v) {
+            return h.writer_.add_essential(h.of(0).value[v], 0) ? Status::ok : Status::out_of_memory;
+        }
+    };
+    const HighScope scope(arena_);
+    std::uint32_t* const parent = arena_.take_high<std::uint32_t>(of(0).count);
+    if (parent == nullptr) return Status::out_of_memory;
+    const Status status = unite_edges(parent, of(0).count, edges.count, Graph{*this, edges, joining});
+    progress_.done += edges.count;
+    return status;
+}
+
+// Degree dim-1, backwards: a facet joins its two cells, or its cell and the outside. A cell whose facet is its mate
+// belongs to what is beyond that from the start on: no other facet of it comes before.
+// parent: [cells + 1], the mates of cells; taken over.
+Status BallHomology::unite_cells(std::uint32_t* parent, const FaceOrder& facets) {
+    const std::uint32_t dim = ball_.dim, columns = of(dim).count, width = dim + 1, outside = columns;
+    std::uint32_t* const first = arena_.take_high<std::uint32_t>(of(dim - 1).count);
+    if (first == nullptr || std::size_t{columns} * width >= none) return Status::out_of_memory;
+    arena_.each(of(dim - 1).count, 1, [first](std::uint64_t f) { first[f] = none; });
+    // Faces give up their places: that of the last coface leads to that of the other one.
+    std::uint32_t* const place = of(dim).faces;
+    for (std::uint32_t i = 0; i < columns * width;)
+        for (const std::uint64_t piece = arena_.piece(i, columns * width, 12); i < piece; ++i) {
+            const std::uint32_t f = place[i];
+            place[i] = first[f];
+            first[f] = i;
+        }
+    const auto sides = [&](std::uint32_t f) {
+        const std::uint32_t one = first[f], other = place[one];
+        return EdgeEnds{one / width, other == none ? outside : other / width};
+    };
+    for (std::uint32_t j = 0; j < columns;)
+        for (const std::uint64_t piece = arena_.piece(j, columns, 15); j < piece; ++j) {
+            if (parent[j] == none) {
+                parent[j] = j;
+            } else {
+                const EdgeEnds cells = sides(parent[j]);
+                parent[j] = cells.a == j ? cells.b : cells.a;
+            }
+        }
+    parent[outside] = outside;
+    const double* const value = of(dim).value;
+    const auto is_older = [=](std::uint32_t x, std::uint32_t y) {
+        if (x == outside || y == outside) return x == outside;
+        return value[x] != value[y] ? value[x] > value[y] : x > y;
+    };
+    for (std::uint32_t i = facets.count; i-- > 0;) {
+        if (progress_.stop(1)) return Status::cancelled;
+        const std::uint32_t f = facets.face[i];
+        EdgeEnds cells = sides(f);
+        if (!unite(parent, cells.a, cells.b, is_older)) continue;
+        positive_[dim - 1].insert(f);
+        if (!writer_.add(of(dim - 1).value[f], value[cells.b], dim - 1)) return Status::out_of_memory;
+    }
+    progress_.done += columns;
+    return Status::ok;
+}
+
+// Degree dim-1, and its facets in order.
+Status BallHomology::unite_top(FaceOrder* facets) {
+    const std::uint32_t dim = ball_.dim;
+    const std::size_t high = arena_.high_mark();
+    std::uint32_t* const parent = arena_.take_high<std::uint32_t>(std::size_t{of(dim).count} + 1);
+    if (parent == nullptr) return Status::out_of_memory;
+    Status status = match(dim, parent);
+    if (status == Status::ok) status = order(dim - 1, facets);
+    if (status == Status::ok && dim == 2) status = unite_vertices(*facets, nullptr);
+    if (status == Status::ok) status = unite_cells(parent, *facets);
+    if (status == Status::ok && !move_up(high, facets)) status = Status::out_of_memory;
+    return status;
+}
+
+Status BallHomology::run_on_disk() {
+    Status status = begin();
+    if (status != Status::ok) return status;
+    FaceOrder edges;
+    if (has_cells()) return unite_top(&edges);
+    status = order(1, &edges);
+    return status == Status::ok ? unite_vertices(edges, nullptr) : status;
+}
+
+// Columns from the first to the last; those of faces that are positive are zero (clearing).
+class BallHomology::Recorder {
+public:
+    using Columns = ListedColumns<RankedMatrix, KeptSums>;
+    Recorder(BallHomology& homology, Columns& columns, std::uint32_t k, const FaceOrder& order, const FaceOrder& rows)
+        : h_(homology), columns_(columns), k_(k), order_(order), rows_(rows) {}
+
+    bool next(std::uint32_t* j) {
+        for (; next_ < order_.count; ++next_) {
+            h_.arena_.step(next_, 10);
+            ++h_.progress_.done;
+            if (h_.positive_[k_].has(order_.face[next_])) continue;
+            *j = order_.face[next_++];
+            return true;
+        }
+        return false;
+    }
+    Status pair(std::uint32_t j) {
+        const std::uint32_t face = rows_.face[columns_.pivot()];
+        h_.positive_[k_ - 1].insert(face);
+        const bool fits = h_.writer_.add(h_.of(k_ - 1).value[face], h_.of(k_).value[j], k_ - 1);
+        return fits && columns_.own_pivot(j) ? Status::ok : Status::out_of_memory;
+    }
+    // A ball has no class that lasts but the first, so this is of the highest dimension that is listed.
+    Status zero(std::uint32_t) {
+        NETMESH_ASSERT(k_ == h_.ball_.dimension);
+        return Status::ok;
+    }
+
+private:
+    BallHomology& h_;
+    Columns& columns_;
+    std::uint32_t k_, next_ = 0;
+    const FaceOrder order_, rows_;
+};
+
+// Degree k-1. rows: the (k-1)-faces that are not taken, without those that end a class when these are known. They have
+// been listed before their columns are reduced, which is a dimension further down.
+Status BallHomology::reduce(std::uint32_t k, const FaceOrder& columns, FaceOrder* rows) {
+    Status status = order(k - 1, rows);
+    if (status != Status::ok) return status;
+    const HighScope scope(arena_);
+    if (k == 2) {
+        BitSet joining;
+        if (!take_bits(1, &joining)) return Status::out_of_memory;
+        status = unite_vertices(*rows, &joining);
+        if (status != Status::ok) return status;
+        std::uint32_t kept = 0;
+        arena_.each(rows->count, 6, [&](std::uint64_t i) {
+            if (!joining.has(rows->face[i])) rows->face[kept++] = rows->face[i];
+        });
+        rows->count = kept;
+    }
+    std::uint32_t* const rank = arena_.take_high<std::uint32_t>(of(k - 1).count);
+    std::uint32_t* const owner = arena_.take_high<std::uint32_t>(rows->count);
+    std::uint64_t* const words = arena_.take_high<std::uint64_t>(BitTree::words_needed(rows->count));
+    if (rank == nullptr || owner == nullptr || words == nullptr) return Status::out_of_memory;
+    if (rows->count == 0) return Status::ok;
+    arena_.each(of(k - 1).count, 1, [rank](std::uint64_t f) { rank[f] = none; });
+    arena_.each(rows->count, 6, [&](std::uint64_t i) { rank[rows->face[i]] = static_cast<std::uint32_t>(i); });
+    ColumnStore store;
+    store.open(arena_);
+    const RankedMatrix matrix = {of(k).faces, rank, k};
+    Recorder::Columns reduced(matrix, {&store}, rows->count, owner, words, progress_);
+    arena_.each(of(k).count, 8, [&](std::uint64_t j) {
+        if (taken_[k].has(static_cast<std::uint32_t>(j)))
+            owner[matrix.pivot_of(static_cast<std::uint32_t>(j))] = static_cast<std::uint32_t>(j);
+    });
+    Recorder recorder(*this, reduced, k, columns, *rows);
+    return reduce_columns(reduced, recorder);
+}
+
+Status BallHomology::run() {
+    Status status = begin();
+    const std::uint32_t top = ball_.dimension;
+    const std::uint32_t highest = has_cells() ? top - 1 : top;  // of columns that are reduced
+    for (std::uint32_t k = 2; k <= highest && status == Status::ok; ++k) status = match(k, nullptr);
+    if (status != Status::ok) return status;
+    const std::size_t high = arena_.high_mark();
+    FaceOrder columns, rows;
+    if (!has_cells()) {
+        status = order(top, &columns);
+        if (status == Status::ok && top == 1) status = unite_vertices(columns, nullptr);
+    } else {
+        status = unite_top(&columns);
+        if (ball_.stacked) writer_.move_down(arena_.offset_of(of(top).faces));
+    }
+    for (std::uint32_t k = highest; k >= 2 && status == Status::ok; --k) {
+        status = reduce(k, columns, &rows);
+        if (ball_.stacked) writer_.move_down(arena_.offset_of(of(k).faces));
+        if (status == Status::ok && k > 2 && !move_up(high, &rows)) status = Status::out_of_memory;
+        columns = rows;
+    }
+    return status;
+}
+
+// In place of BallHomology where nothing is left to reduce.
+struct DiskHomology {
+    BallHomology homology;
+    Status run() { return homology.run_on_disk(); }
+    PairList finish() { return homology.finish(); }
+};
+
+}  // namespace
+
+Status persist_ball(const FilteredBall& ball, DiagramRequest request, const Work& work, PairList* out) {
+    BallHomology homology(ball, request, work);
+    return write_diagram(homology, work.arena, out);
+}
+
+Status persist_disk(const FilteredBall& ball, DiagramRequest request, const Work& work, PairList* out) {
+    DiskHomology homology{{ball, request, work}};
+    return write_diagram(homology, work.arena, out);
+}
+
+}  // namespace netmesh
