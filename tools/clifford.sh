@@ -17,7 +17,8 @@ if [ -n "$missing" ]; then
         # shellcheck disable=SC2086
         DEBIAN_FRONTEND=noninteractive apt-get install -y --no-install-recommends $missing >&2
     else
-        { echo "please install:$missing"; echo "on a Debian: sudo apt-get install --no-install-recommends$missing"; } >&2
+        echo "please install:$missing" >&2
+        echo "on a Debian: sudo apt-get install --no-install-recommends$missing" >&2
         exit 1
     fi
 fi

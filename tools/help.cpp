@@ -14,10 +14,9 @@ const char* const points_paragraph =
 const char* const exit_paragraph =
     "Exit: 0 done, 1 internal error, 2 usage, 3 bad data or file, 4 memory too small, 5 degenerate input refused, "
     "6 cancelled, 7 check failed.";
-const char* const program_examples =
-    "sample circle -n 60 --noise .05 -o points.csv\n"
-    "persist points.csv -o diagram.pers --svg diagram.svg\n"
-    "check diagram.pers --points points.csv\n";
+const char* const program_examples = "sample circle -n 60 --noise .05 -o points.csv\n"
+                                     "persist points.csv -o diagram.pers --svg diagram.svg\n"
+                                     "check diagram.pers --points points.csv\n";
 
 std::string version_text() { return std::string("netmesh ") + netmesh_version_text() + "\n"; }
 

@@ -66,7 +66,8 @@ Outcome unknown_command(const std::string& name) {
 
 // help, help COMMAND; --completion SHELL; --manual, --manual COMMAND.
 Outcome take_words(const std::vector<std::string>& arguments, Options* options, bool* taken) {
-    *taken = !arguments.empty() && (arguments[0] == "help" || arguments[0] == "--completion" || arguments[0] == "--manual");
+    *taken =
+        !arguments.empty() && (arguments[0] == "help" || arguments[0] == "--completion" || arguments[0] == "--manual");
     if (!*taken) return {};
     std::vector<std::string> rest;
     for (std::size_t i = 1; i < arguments.size(); i++)

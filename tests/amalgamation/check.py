@@ -6,8 +6,9 @@
   check.py compile --work DIR --cxx C [--flags F] [--tools PREFIX] [--helpers] [--wasm]
                                             the plane alone compiles without a warning; its symbols and instructions
   check.py readme  --work DIR --cxx C --cc C
-                                            the commands of tools/docs/embedding.md, with two files of a user's in C++ and in C99; then
-                                            all golden fingerprints from what they made
+                                            the commands of tools/docs/embedding.md, with two files
+                                            of a user's in C++ and in C99; then all golden
+                                            fingerprints from what they made
   check.py golden  --work DIR --cxx C --flags F
                                             golden fingerprints of the plane and space from another compiler or flags
 """

@@ -3,6 +3,7 @@
 
   check.py commands BUILD   every command block is run in a fresh folder, and its output is what the page shows; every
                             picture of a page is what its commands make
+  check.py write BUILD      writes into the pages what their commands print and draw now
   check.py links            links lead to files and headings of the project; those to elsewhere have the form of one
   check.py names BUILD      every option of `netmesh help` and every call of netmesh.h is in the pages, and no other is
   check.py schema BUILD     what --json prints for every command, and what fails, is as tools/docs/schema.json has it
@@ -13,8 +14,8 @@ Blocks: ```sh is run and has to succeed; ```console has lines `$ command` and wh
 line that begins with time; ```python is run where numpy is there. A line in front of a block says otherwise:
 <!-- run by: TEST -->, the name of a test that does it; <!-- not run: REASON -->; <!-- needs: PROGRAM --> of one that is
 run where there is such a program; <!-- file: NAME --> of a block that is a file in the folder of the commands that
-follow. In that folder `netmesh` is the project; for the README it is the
-project itself, with the build as `build`."""
+follow. In that folder are the files of the project, its build as `build`, and for pages that have it beside
+them the project as `netmesh`."""
 import argparse
 import glob
 import importlib.util
@@ -61,15 +62,13 @@ def registered_tests():
 class Folder:
     """A fresh folder with the project in it."""
 
-    def __init__(self, path, page, build):
+    def __init__(self, path, build):
         self.path = path
-        if page == "README.md":
-            for name in os.listdir(ROOT):
-                if not name.startswith((".", "build")):
-                    os.symlink(os.path.join(ROOT, name), os.path.join(path, name))
-            os.symlink(build, os.path.join(path, "build"))
-        else:
-            os.symlink(ROOT, os.path.join(path, "netmesh"))
+        for name in os.listdir(ROOT):
+            if not name.startswith((".", "build")):
+                os.symlink(os.path.join(ROOT, name), os.path.join(path, name))
+        os.symlink(build, os.path.join(path, "build"))
+        os.symlink(ROOT, os.path.join(path, "netmesh"))
         self.environment = dict(os.environ, PATH=build + os.pathsep + os.environ["PATH"], LC_ALL="C", NO_COLOR="1")
         self.environment.pop("CI", None)
 
@@ -98,12 +97,12 @@ def same(shown, printed):
         a == b or a == "time     differs" and b.startswith("time ") for a, b in zip(shown, printed))
 
 
-def faults_of_commands(pages, build):
+def faults_of_commands(pages, build, write=False):
     faults, tests = [], registered_tests()
-    for page, text in pages.items():
+    for page, text in list(pages.items()):
         counts = {"run": 0, "elsewhere": 0}
         with tempfile.TemporaryDirectory() as path:
-            folder = Folder(path, page, build)
+            folder = Folder(path, build)
             for block in BLOCK.finditer(text):
                 says, what, language, body = block.groups()
                 place = "%s:%d" % (page, text.count("\n", 0, block.start(3)) + 1)
@@ -126,15 +125,18 @@ def faults_of_commands(pages, build):
                     if status != 0:
                         faults.append("%s: ends with %d:\n%s%s" % (place, status, body, said))
                 elif language == "console":
-                    lines = sessions(body)
+                    lines, now = sessions(body), ""
                     if not lines:
                         faults.append("%s: a console block begins with `$ `" % place)
                     for command, shown in lines or []:
                         counts["run"] += 1
                         status, said = folder.run(["sh", "-c", command])
-                        if status != 0 or not same(shown, said.splitlines()):
+                        now += "$ %s\n%s" % (command, re.sub(r"^time .*", "time     differs", said, flags=re.M))
+                        if status != 0 or not write and not same(shown, said.splitlines()):
                             faults.append("%s: $ %s\nends with %d and prints\n%swhere the page has\n%s" % (
                                 place, command, status, said, "\n".join(shown)))
+                    if write and now != body:
+                        pages[page] = pages[page].replace(body, now)
                 elif language == "python":
                     if importlib.util.find_spec("numpy") and os.environ.get("NETMESH_LIBRARY"):
                         counts["run"] += 1
@@ -150,6 +152,8 @@ def faults_of_commands(pages, build):
             for target in re.findall(r"!\[[^\]]*\]\(([^)]*)\)", text) + re.findall(r'<img src="([^"]*)"', text):
                 made = os.path.join(path, os.path.basename(target))
                 shown = os.path.join(ROOT, os.path.dirname(page), target)
+                if write and os.path.isfile(made):
+                    shutil.copyfile(made, shown)
                 if not os.path.isfile(made):
                     faults.append("%s: no command makes the picture %s" % (page, target))
                 elif open(made, "rb").read() != open(shown, "rb").read():
@@ -559,7 +563,7 @@ def planted(build):
 
 def main():
     parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
-    parser.add_argument("what", choices=["commands", "links", "names", "schema", "site", "planted"])
+    parser.add_argument("what", choices=["commands", "write", "links", "names", "schema", "site", "planted"])
     parser.add_argument("build", nargs="?", default=os.path.join(ROOT, "build"))
     options = parser.parse_args()
     build = os.path.abspath(options.build)
@@ -570,6 +574,13 @@ def main():
             return 0
     if options.what == "commands":
         faults = faults_of_commands(own_pages(), build)
+    elif options.what == "write":
+        pages = own_pages()
+        faults = faults_of_commands(pages, build, True)
+        for page, text in pages.items():
+            if text != read(page):
+                with open(os.path.join(ROOT, page), "w", encoding="utf-8") as f:
+                    f.write(text)
     elif options.what == "links":
         faults = faults_of_links({**own_pages(), **other_pages()})
     elif options.what == "names":

@@ -5,7 +5,8 @@
   write.py size BUILD       code and constants by folder and dimension                 -> tests/CHECKS.md
   write.py bare LOG         what `platform/cortexm/run` printed                        -> tests/CHECKS.md
   write.py coverage LOG     what `tests/coverage/run` printed                          -> tests/coverage/COVERAGE.md
-  write.py light WORK       what jobs take on a board, measured by tests/embedding/footprint.py in WORK -> tools/docs/small-parts.md
+  write.py light WORK       what jobs take on a board, measured by tests/embedding/footprint.py in WORK
+                                                                                       -> tools/docs/small-parts.md
   write.py lemmas LOG       what `test_mesh -tc="every lemma*"` printed (CHECKS.md)    -> tests/CHECKS.md
 
 Nothing between the marks is written by hand. Exit code 1: the marks or the figures are missing."""
@@ -90,7 +91,8 @@ def coverage(log):
 def light(work):
     """Some minutes of building and running."""
     command = [sys.executable, os.path.join(TESTS, "embedding", "footprint.py"), work]
-    put(SMALL_PARTS, "light", subprocess.run(command, stdout=subprocess.PIPE, text=True, check=True).stdout.splitlines())
+    done = subprocess.run(command, stdout=subprocess.PIPE, text=True, check=True)
+    put(SMALL_PARTS, "light", done.stdout.splitlines())
 
 
 def lemmas(log):
