@@ -13,7 +13,6 @@
 
 #include <cstddef>
 #include <cstdint>
-#include <iterator>
 
 #include "netmesh.h"
 
@@ -69,17 +68,12 @@ template <class Request, class Container> void set_points(Request* request, cons
 }
 
 // Items of a result by their index, read one by one: of a context, until it is changed. read(index, &item) tells
-// whether there is such an item. An iterator holds the item that it stands at.
+// whether there is such an item. An iterator holds the item that it stands at. It has no category, which would take a
+// header of the C++ library: it is for loops.
 template <class Item, class Read> class Items {
 public:
     class Iterator {
     public:
-        using iterator_category = std::input_iterator_tag;
-        using value_type = Item;
-        using difference_type = std::ptrdiff_t;
-        using pointer = const Item*;
-        using reference = const Item&;
-
         Iterator(const Read& read, std::uint64_t index, std::uint64_t end) : read_(read), index_(index), end_(end) {
             load();
         }

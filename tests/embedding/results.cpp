@@ -2,7 +2,6 @@
 // no memory but the block. The longest loop of eight points around a square, and how long it is.
 #include <netmesh.hpp>
 
-#include <algorithm>
 #include <array>
 #include <cmath>
 #include <cstdio>
@@ -32,9 +31,9 @@ int main() {
         return 1;
     }
     const auto loops = engine.pairs(1);
-    const auto longest = std::max_element(loops.begin(), loops.end(), [](const netmesh_pair& a, const netmesh_pair& b) {
-        return a.death - a.birth < b.death - b.birth;
-    });
+    auto longest = loops.begin();
+    for (auto bar = loops.begin(); bar != loops.end(); ++bar)
+        if (bar->death - bar->birth > longest->death - longest->birth) longest = bar;
     double length = 0;
     for (const netmesh_simplex& edge : engine.cycle(longest.index())) length += length_of(edge);
     std::printf("%d vertices, %d cells, a loop from radius %.3f to %.3f of %d edges, length %.3f\n",
