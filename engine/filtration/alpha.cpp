@@ -43,9 +43,9 @@ public:
                 }
         Status status = find_radii_from<D>();
         work_.arena.release_high(high);
-        if (status == Status::ok) status = order_radii(faces_, points_, work_, value_, &error_);
+        if (status == Status::ok) status = order_radii(faces_, points_, work_, value_, &errors_);
         if (status == Status::ok) status = hand_down_from<D>();
-        *error = beyond_ ? infinity : error_;
+        *error = errors_.inner > errors_.outer ? errors_.inner : errors_.outer;
         return status;
     }
 
@@ -68,14 +68,9 @@ private:
         const ExactSphere sphere(point, k, D);
         if (!sphere.in_range()) return false;
         *out = sphere.evaluate(scratch_);
-        if (out->radius < radius_max) {
-            note_error(exact_radius_error(out->radius));
-        } else {
-            beyond_ = true;
-        }
+        errors_.note(out->radius, exact_radius_error(out->radius));
         return true;
     }
-    void note_error(double error) { error_ = error > error_ ? error : error_; }
     bool stop(std::uint32_t f, int k) {
         if (f % faces_between_polls != faces_between_polls - 1) return false;
         done_ += faces_between_polls;
@@ -88,8 +83,7 @@ private:
     double* const* value_;
     std::uint64_t* scratch_ = nullptr;
     std::uint64_t done_ = 0;
-    double error_ = 0;
-    bool beyond_ = false;  // some radius is above the largest double
+    RadiusErrors errors_ = {0, 0};
 };
 
 // The radii of the K-faces that are not marked, and marks for their facets: the least double.
@@ -115,7 +109,7 @@ template <int D> template <int K> Status AlphaValues<D>::find_radii() {
             points_.of_face(faces_, K, f, point);
             Radius edge;
             if (edge_radius<D>(point, &edge)) {
-                note_error(edge.error);
+                errors_.note(edge.value, edge.error);
                 value = edge.value;
             } else {
                 Circumsphere sphere;
@@ -125,7 +119,7 @@ template <int D> template <int K> Status AlphaValues<D>::find_radii() {
         }
         if (stop(f, K)) return Status::cancelled;
     }
-    if constexpr (K > 1) note_error(radius_error<K, D>(volume));
+    if constexpr (K > 1) errors_.note(1, radius_error<K, D>(volume));
     return Status::ok;
 }
 

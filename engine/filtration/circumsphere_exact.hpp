@@ -17,12 +17,13 @@
 namespace netmesh {
 
 constexpr double radius_max = 0x1.fffffffffffffp1023;  // stands for all above
+constexpr double radius_min = 0x1p-1021;               // smaller ones are off by 2^-1073 besides
 
 // Bound on the relative error of a radius that exact arithmetic gave: a handful of roundings, one of them to a number
 // that may be denormal.
 inline double exact_radius_error(double radius) {
     if (radius >= radius_max) return infinity;
-    return radius >= 0x1p-1021 ? 0x1p-51 : 0x1p-51 + 0x1p-1073 / radius;
+    return radius >= radius_min ? 0x1p-51 : 0x1p-51 + 0x1p-1073 / radius;
 }
 
 class ExactSphere {

@@ -59,14 +59,15 @@ struct FaceTable {
 class RadiusOrder {
 public:
     RadiusOrder(const FaceTable& faces, const PointRecords& points, const Work& work, double* const* value,
-                double error)
-        : faces_(faces), points_(points), work_(work), value_(value), error_(error), spread_(1.01 * error + 0x1p-51) {}
+                const RadiusErrors& errors)
+        : faces_(faces), points_(points), work_(work), value_(value), errors_(errors) {}
 
     Status run();
-    double error() const { return error_; }
+    const RadiusErrors& errors() const { return errors_; }
 
 private:
     static constexpr std::uint32_t few = 16;
+    static constexpr double spread_min = 0x1p-1072;  // absolute, of two radii; that of CloseValues is larger
 
     // A face among all of them: those of dimension 1 first.
     struct Place {
@@ -100,7 +101,8 @@ private:
     const Work& work_;
     std::uint64_t* scratch_ = nullptr;
     double* const* const value_;
-    double error_, spread_;
+    RadiusErrors errors_;
+    double spread_ = 0;     // relative
     double last_ = 0;       // the last radius that was settled
     double top_ = 0;        // what is settled now must not pass this: radii that were left out may be above it
     bool crowded_ = false;  // it did
@@ -154,10 +156,11 @@ bool RadiusOrder::collect(bool all) {
 }
 
 Status RadiusOrder::run() {
+    spread_ = 1.01 * errors_.inner + 0x1p-51;
     const bool all = !(spread_ < CloseValues::spread_max);
     Status status = pass(all);
     if (status == Status::ok && crowded_ && !all) {
-        spread_ = 1.01 * error_ + 0x1p-51;
+        spread_ = 1.01 * errors_.inner + 0x1p-51;
         status = pass(true);
     }
     return status;
@@ -173,7 +176,8 @@ Status RadiusOrder::pass(bool all) {
     for (std::uint32_t begin = 0, end; begin < count_; begin = end) {
         work_.arena.step(begin, 25);
         end = begin + 1;
-        while (end < count_ && radius_[end] * low <= radius_[end - 1] * high) work_.arena.step(++end, 10);
+        while (end < count_ && radius_[end] * low <= radius_[end - 1] * high + spread_min)
+            work_.arena.step(++end, 10);
         top_ = radius_[end - 1] * (1 + spread_ / 2);
         if (end == begin + 1 && radius_[begin] > last_) {
             last_ = radius_[begin];
@@ -223,7 +227,7 @@ Status RadiusOrder::pass(bool all) {
 // Radii that nothing is known of but that they are above all before.
 [[gnu::cold]] Status RadiusOrder::compute(std::uint32_t begin, std::uint32_t end) {
     if (end - begin == 1) {
-        settle(begin, end, radius_[begin], error_);
+        settle(begin, end, radius_[begin], errors_.inner);
         return Status::ok;
     }
     const double base = radius_[begin];
@@ -352,7 +356,7 @@ Status RadiusOrder::pass(bool all) {
     }
     last_ = radius;
     if (radius > top_) crowded_ = true;
-    error_ = error > error_ ? error : error_;
+    errors_.note(radius, error);
     for (std::uint32_t i = begin; i < end;)
         for (const std::uint64_t piece = work_.arena.piece(i, end, 15); i < piece; ++i) {
             const Place place = place_of(label_[i]);
@@ -364,15 +368,15 @@ Status RadiusOrder::pass(bool all) {
 
 template <int D>
 Status order_radii(const Faces<D>& faces, const PointRecords& points, const Work& work, double* const* value,
-                   double* error) {
-    RadiusOrder order({D, faces.count, faces.last_vertex, faces.facets}, points, work, value, *error);
+                   RadiusErrors* errors) {
+    RadiusOrder order({D, faces.count, faces.last_vertex, faces.facets}, points, work, value, *errors);
     const Status status = order.run();
-    *error = order.error();
+    *errors = order.errors();
     return status;
 }
 
 #define NETMESH_INSTANTIATE(D)                                                                                         \
-    template Status order_radii<D>(const Faces<D>&, const PointRecords&, const Work&, double* const*, double*);
+    template Status order_radii<D>(const Faces<D>&, const PointRecords&, const Work&, double* const*, RadiusErrors*);
 NETMESH_EACH_DIMENSION(NETMESH_INSTANTIATE)
 #undef NETMESH_INSTANTIATE
 

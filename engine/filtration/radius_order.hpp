@@ -45,10 +45,20 @@ template <int D> inline bool edge_radius(const double* const* point, Radius* out
     return squared > 0x1p-900 && squared < 0x1p1000;
 }
 
-// value[k][i], k >= 1: the radius of the i-th k-face, to *error relative, or negative: it has none. Afterwards two of
-// them are equal if and only if the true ones are, and otherwise in the same order. Nearly all stay as they are. Where
-// many different radii are within one unit in the last place, each is the next double to the one before; *error becomes
-// what then holds.
+// Bounds on the relative errors of radii. Those of very small ones, up to 2, and of those above the largest double are
+// kept apart: an order that took them for all radii would take all for close.
+struct RadiusErrors {
+    double inner, outer;
+    void note(double radius, double error) {
+        double& most = radius >= radius_min && radius < radius_max ? inner : outer;
+        if (error > most) most = error;
+    }
+};
+
+// value[k][i], k >= 1: the radius of the i-th k-face, to *errors, or negative: it has none. Afterwards two of them are
+// equal if and only if the true ones are, and otherwise in the same order. Nearly all stay as they are. Where many
+// different radii are within one unit in the last place, each is the next double to the one before; *errors become what
+// then holds.
 //
 // Those that may have another close by are found by their leading digits (close_values.hpp) and sorted: few of random
 // points, all of a grid. Where intervals of neighbours meet, the float stage's own error bounds of
@@ -60,6 +70,6 @@ template <int D> inline bool edge_radius(const double* const* point, Radius* out
 // digits than there are; cancelled.
 template <int D>
 Status order_radii(const Faces<D>& faces, const PointRecords& points, const Work& work, double* const* value,
-                   double* error);
+                   RadiusErrors* errors);
 
 }  // namespace netmesh
