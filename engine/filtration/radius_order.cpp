@@ -33,7 +33,7 @@ double deviating(double base, double x) {
     const int e = exponent_of(base);
     const double near = power_of_two(e / 2), far = power_of_two(e - e / 2), mantissa = base / near / far;
     const double root = square_root(two_product(mantissa, mantissa) * two_sum(1, x)) * near * far;
-    return root < radius_max ? root : radius_max;
+    return root >= radius_max ? radius_max : root > 0x1p-1074 ? root : 0x1p-1074;
 }
 double deviation_error(double x) { return 0x1p-87 * (1 + absolute(x)) + 0x1p-52 * absolute(x); }
 
@@ -176,8 +176,7 @@ Status RadiusOrder::pass(bool all) {
     for (std::uint32_t begin = 0, end; begin < count_; begin = end) {
         work_.arena.step(begin, 25);
         end = begin + 1;
-        while (end < count_ && radius_[end] * low <= radius_[end - 1] * high + spread_min)
-            work_.arena.step(++end, 10);
+        while (end < count_ && radius_[end] * low <= radius_[end - 1] * high + spread_min) work_.arena.step(++end, 10);
         top_ = radius_[end - 1] * (1 + spread_ / 2);
         if (end == begin + 1 && radius_[begin] > last_) {
             last_ = radius_[begin];

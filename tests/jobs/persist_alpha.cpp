@@ -307,6 +307,45 @@ TEST_CASE("many radii in one double are parted, within the error, and pass by no
     }
 }
 
+TEST_CASE("radii next to the least double have their order, and do not touch the others") {
+    // A fan of thin triangles with vertices at 0, 1, 2, 4, ... least doubles, and triangles of ordinary size.
+    std::vector<double> x = {0, 1};
+    std::vector<std::array<std::uint32_t, 3>> cells;
+    std::vector<double> at = {0};
+    for (int i = 0; i < 6; ++i) at.push_back(std::ldexp(1.0, i - 1074));
+    for (double& a : at) x.insert(x.end(), {a, 0});
+    for (std::uint32_t i = 1; i < at.size(); ++i) cells.push_back({0, i, i + 1});
+    const std::uint32_t first = 1 + static_cast<std::uint32_t>(at.size());
+    const double legs[] = {3, 5, 6, 1024, 0x1p-10};
+    for (std::uint32_t i = 0; i < 5; ++i) {
+        const double away = 1e4 * (i + 1);
+        x.insert(x.end(), {away, 0, away + legs[i], 0, away, legs[i]});
+        cells.push_back({first + 3 * i, first + 3 * i + 1, first + 3 * i + 2});
+    }
+    double error;
+    const Values values = alpha(cloud<2>(x, cells), &error);
+    CHECK(error >= 1);
+    CHECK(error < 4);  // half the least double is none
+    double before = 0;
+    for (std::uint32_t i = 1; i < at.size(); ++i) {
+        CAPTURE(i);
+        const double value = values.at({i, i + 1}), half = (at[i] - at[i - 1]) / 2;
+        CHECK(value >= half);
+        CHECK(value <= half + 0x1p-1073);
+        CHECK((i == 2 ? value == before : value > before));
+        before = value;
+        CHECK(values.at({0, i + 1}) > values.at({0, i}));  // by less than a double can tell
+        CHECK(values.at({0, i, i + 1}) == doctest::Approx(.5).epsilon(1e-14));
+    }
+    for (std::uint32_t i = 0; i < 5; ++i) {
+        CAPTURE(i);
+        const std::uint32_t a = first + 3 * i;
+        CHECK(values.at({a, a + 1}) == doctest::Approx(legs[i] / 2).epsilon(1e-13));
+        CHECK(values.at({a + 1, a + 2}) == doctest::Approx(legs[i] / std::sqrt(2)).epsilon(1e-13));
+        CHECK(values.at({a, a + 1, a + 2}) == values.at({a + 1, a + 2}));
+    }
+}
+
 TEST_CASE("flat triangles turned by an angle with rational sine have the same radius, whatever rounding says") {
     std::vector<double> x;
     std::vector<std::array<std::uint32_t, 3>> cells;
