@@ -220,8 +220,9 @@ bool ExactSphere::excess(const ExactSphere& a, const ExactSphere& b, std::uint64
     if (sign == 0) return true;
     const Floating size = sign > 0 ? floating_of_digits(difference, n) : floating_of(opposite, n);
     const Floating ratio = quotient(size, floating_of(product, n));
-    const int e = ratio.exponent > 900 ? 900 : ratio.exponent;
-    *out = sign * (e < -900 ? 0x1p-1000 : ratio.mantissa.high * power_of_two(e));
+    // By the size itself: mantissas have exponents of their own.
+    const int own = exponent_of(ratio.mantissa.high), sum = ratio.exponent + own, e = sum > 900 ? 900 : sum;
+    *out = sign * (e < -900 ? 0x1p-1000 : ratio.mantissa.high / power_of_two(own) * power_of_two(e));
     return true;
 }
 

@@ -4,6 +4,7 @@
 #include <doctest/doctest.h>
 
 #include <array>
+#include <cmath>
 #include <vector>
 
 using namespace netmesh;
@@ -45,4 +46,12 @@ TEST_CASE("squared radii are compared whatever their quanta") {
     CHECK(excess({{0, 0, 0}, {0, .75, 4}}, {{0, 0, 0}, {6, 0, 0}}) == doctest::Approx(16.5625 / 36 - 1));
     CHECK(excess({{0, 0, 0}, {4, 0, 0}, {0, 3, 0}}, {{0, 0, 0}, {0, 0, 5}}) == 0);
     CHECK(excess({{0, 0, 0}, {1, 0x1p-100, 0}}, {{0, 0, 0}, {1, 0, 0}}) == 0x1p-200);
+    for (int e = 400; e < 480; ++e) {
+        CAPTURE(e);
+        for (double m : {1.0, 1.3}) {  // other mantissas of the quotient
+            const double off = std::ldexp(m, -e), due = off * off, least = 0x1p-1000;
+            CHECK(excess({{0, 0, 0}, {1, off, 0}}, {{0, 0, 0}, {1, 0, 0}}) ==
+                  doctest::Approx(due < 0x1p-900 ? least : due).epsilon(1e-15));
+        }
+    }
 }
