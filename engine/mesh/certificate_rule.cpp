@@ -279,8 +279,6 @@ template <int D> void CertificateRule<D>::clip(VertexId v, CellView* view) const
         const double most = square_root(d2) + view->blur;
         return view->blur > 0 ? most * most : d2;
     };
-    view->farthest.offer(p, at_most2(0), store_.vertex(v).cell);
-    view->from_input.offer(p, at_most2(distance2<D>(p, input)), store_.vertex(v).cell);
     for (std::uint32_t k = 0; k < view->cells; ++k) {
         const CellId c = store_.list_top()[-1 - static_cast<std::ptrdiff_t>(k)];
         const Cell<D>& cell = store_.cell(c);
@@ -295,6 +293,9 @@ template <int D> void CertificateRule<D>::clip(VertexId v, CellView* view) const
             visit_crossings<D>(
                 store_, ball, v, c, 0, [](const Cell<D>&, const Cell<D>&) { return true; }, offer);
     }
+    // v last: where the blur drowns all differences, the cell is split at a corner that was seen.
+    view->farthest.offer(p, at_most2(0), store_.vertex(v).cell);
+    view->from_input.offer(p, at_most2(distance2<D>(p, input)), store_.vertex(v).cell);
 }
 
 // By its corners and crossings v's clipped cell is good: is it bad by another point of the sphere? Then from_input is
@@ -355,6 +356,9 @@ template <int D> Verdict CertificateRule<D>::judge(VertexId v, Split<D>* split) 
     } else if (vertex.marker == Marker::steiner) {
         level = 1 - (distance2<D>(corner->x, store_.point(nearest_input(v))) - local_distance2(vertex)) / whole2;
     }
+    // So flat are the cells about v that none of its corners is known: there is nothing to split towards, and the
+    // certificate will tell what that costs.
+    if (!(whole2 > 0)) return Verdict::good;
     const double wanted2 = overshoot * overshoot * least2;
     double fraction = wanted2 < whole2 ? square_root(wanted2 / whole2) : 1;
     if (fraction < level) fraction = level;
