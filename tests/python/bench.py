@@ -1,7 +1,10 @@
-"""bench.py [--small] [--readme]: the ten jobs that users of topological data analysis do most, in netmesh and in what
-they would use else: GUDHI, ripser (the program) and scipy. Each runs in a process of its own; seconds are the best
-of some runs, memory the growth of the process's peak. A peer that is not installed is left out. Prints a table;
---readme also puts it into platform/python/README.md, at the mark that names this program.
+"""bench.py [--small] [--readme | --overhead]: the ten jobs that users of topological data analysis do most, in netmesh
+and in what they would use else: GUDHI, ripser (the program) and scipy. Each runs in a process of its own; seconds are
+the best of some runs, memory the growth of the process's peak. A peer that is not installed is left out. Prints a
+table; --readme also puts it into platform/python/README.md, at the mark that names this program.
+--overhead compares with the same jobs in C instead, the program tests/python/plain.c that NETMESH_PLAIN names (the
+library is that of NETMESH_LIBRARY): 1 at the end when calls take more than 50 us more on 10 points, reading of results
+and making of the block included, or more than 3 % more on 1e5 points in space.
 """
 import importlib.util
 import json
@@ -10,6 +13,7 @@ import shutil
 import subprocess
 import sys
 import tempfile
+import time
 
 ROOT = os.path.normpath(os.path.join(os.path.dirname(os.path.abspath(__file__)), "..", ".."))
 SMALL = "--small" in sys.argv
@@ -161,7 +165,45 @@ def put_into_readme(lines):
         file.write(head + begin + "\n" + "\n".join(lines) + "\n\n" + end + rest.split(end, 1)[1])
 
 
+def compare_with_c():
+    """The best of runs that take turns, as the machine is shared."""
+    sys.path.insert(0, os.path.join(ROOT, "platform", "python"))
+    import netmesh
+    import numpy as np
+
+    def cells(points):
+        with netmesh.delaunay(points) as made:
+            made.vertices, made.cells
+            return made.fingerprint
+
+    calls = {"alpha": lambda points: netmesh.persist(points, "alpha").fingerprint, "delaunay": cells}
+    good = True
+    for n, times, rounds in ((10, 2000, 5), (100000, 1, 10)):
+        points = np.random.default_rng(1).random((n, 3))
+        ours, theirs = {}, {}
+        with tempfile.NamedTemporaryFile() as file:
+            points.tofile(file.name)
+            for _ in range(rounds):
+                said = subprocess.run([os.environ["NETMESH_PLAIN"], file.name, "3", str(times)],
+                                      stdout=subprocess.PIPE, check=True).stdout.decode().split()
+                for name, fingerprint, seconds in zip(said[::3], said[1::3], said[2::3]):
+                    assert calls[name](points) == fingerprint
+                    theirs[name] = min(theirs.get(name, float("inf")), float(seconds))
+                    for _ in range(times):
+                        begin = time.perf_counter()
+                        calls[name](points)
+                        ours[name] = min(ours.get(name, float("inf")), time.perf_counter() - begin)
+        for name in ours:
+            more = ours[name] - theirs[name]
+            good = good and (more <= 50e-6 if n == 10 else more <= 0.03 * theirs[name])
+            print("%s of %d points: in C %.6f s, here %.1f us (%.2f %%) more" % (
+                name, n, theirs[name], 1e6 * more, 100 * more / theirs[name]))
+    return good
+
+
 def main():
+    if "--overhead" in sys.argv:
+        return 0 if compare_with_c() else 1
     lines = []
 
     def say(line):
@@ -190,4 +232,4 @@ def main():
 
 
 if __name__ == "__main__":
-    main()
+    sys.exit(main())
