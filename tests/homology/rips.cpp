@@ -6,6 +6,7 @@
 #include <random>
 
 #include "disturbed.hpp"
+#include "homology/rips/edge_sum.hpp"
 #include "homology/rips/rips.hpp"
 #include "oracle.hpp"
 
@@ -115,6 +116,59 @@ TEST_CASE("many vertices") {
     std::mt19937 random(42);
     check(random_graph(random, 90, 100, 1u << 30), 1);
     check(random_graph(random, 140, 12, 40), 2);
+}
+
+TEST_CASE("a sum of cofaces kept as edges has the triangles with an odd number of them") {
+    std::mt19937 random(47);
+    for (const std::uint32_t n : {3u, 64u, 65u, 130u}) {
+        CAPTURE(n);
+        Graph g = random_graph(random, n, n == 3 ? 100 : 60, 50);
+        RipsGraph graph = {n, static_cast<std::uint32_t>(g.value.size()), g.value.data(), g.ends.data()};
+        Block block(std::size_t{8} << 20);
+        RipsSimplices simplices;
+        REQUIRE(simplices.open(graph, 1, block.arena));
+        EdgeSum sum;
+        REQUIRE(sum.open(simplices, block.arena));
+        std::vector<std::vector<std::uint32_t>> rank(n, std::vector<std::uint32_t>(n, none));
+        for (std::uint32_t e = 0; e < graph.edge_count; ++e) {
+            const std::uint32_t a = g.ends[e] >> 16, b = g.ends[e] & 0xFFFF;
+            rank[a][b] = rank[b][a] = e;
+        }
+        std::vector<bool> in_set(graph.edge_count);
+        for (const std::uint32_t toggles : {1u, 2u, 10u, 100u, 3000u}) {
+            CAPTURE(toggles);
+            for (std::uint32_t i = 0; i < toggles; ++i) {
+                const std::uint32_t e = random() % graph.edge_count;
+                sum.toggle(simplices, e);
+                in_set[e] = !in_set[e];
+            }
+            std::vector<std::uint64_t> triangles;  // of the sum
+            for (std::uint32_t e = 0; e < graph.edge_count; ++e) {
+                const std::uint32_t a = g.ends[e] >> 16, b = g.ends[e] & 0xFFFF;
+                for (std::uint32_t w = 0; w < n; ++w) {
+                    if (rank[a][w] >= e || rank[b][w] >= e) continue;
+                    if (in_set[e] != (in_set[rank[a][w]] != in_set[rank[b][w]]))
+                        triangles.push_back(simplices.key_of(e, &w, 1));
+                }
+            }
+            REQUIRE(std::is_sorted(triangles.begin(), triangles.end()));
+            for (std::uint32_t begin = 0; begin < graph.edge_count; begin += 1 + begin / 3) {
+                const std::uint32_t end = begin + random() % (graph.edge_count - begin + 1);
+                const auto due = std::find_if(triangles.begin(), triangles.end(),
+                                              [&](std::uint64_t key) { return simplices.edge_of(key) >= begin; });
+                const bool found = due != triangles.end() && simplices.edge_of(*due) < end;
+                REQUIRE(sum.first(simplices, begin, end) == (found ? *due : no_key));
+            }
+            std::vector<bool> listed(graph.edge_count);
+            for (std::uint32_t v = 0; v < n; ++v)
+                REQUIRE(sum.each_edge(simplices, v, [&](std::uint32_t e) {
+                    const bool is_new = !listed[e];
+                    listed[e] = true;
+                    return is_new;
+                }));
+            REQUIRE(listed == in_set);
+        }
+    }
 }
 
 TEST_CASE("every arena size gives the diagram or out_of_memory") {

@@ -1,11 +1,12 @@
 // Columns of a Rips complex of one dimension p under reduction: the cofaces of p-simplices, made from the edges
-// whenever they are needed. The column at work is a heap of cofaces; a column that additions have changed is kept as
-// the simplices whose cofaces were added.
+// whenever they are needed. The column at work is a heap of cofaces, or of many edges their matrix (edge_sum.hpp); a
+// column that additions have changed is kept as the simplices whose cofaces were added.
 #pragma once
 #include <cstddef>
 #include <cstdint>
 
 #include "homology/progress.hpp"
+#include "homology/rips/edge_sum.hpp"
 #include "homology/rips/key_heap.hpp"
 #include "homology/rips/pivot_table.hpp"
 #include "homology/rips/rips_simplices.hpp"
@@ -26,6 +27,7 @@ public:
     bool begin(std::uint32_t p, const std::uint64_t* end, std::uint32_t count) {
         p_ = p;
         columns_ = end;
+        many_ = 16 + simplices_.edges() / 1024;
         if (!pivots_.open(count, arena_)) return false;
         added_at_ = arena_.take_high<std::uint32_t>(count);
         added_ = reinterpret_cast<std::uint64_t*>(arena_.at(arena_.high_mark()));
@@ -36,6 +38,8 @@ public:
     PivotTable& pivots() { return pivots_; }
 
     Status open(std::uint32_t j) {
+        at_work_ = j;
+        is_matrix_ = false;
         adding_ = 0;
         heap_.open();
         RipsSimplex s;
@@ -48,12 +52,17 @@ public:
         return push_cofaces(s) ? take_pivot() : Status::out_of_memory;
     }
     bool has_owner() const { return pivot_.key != no_key && (owner_ != none || facet_ != no_key); }
-    Status add_owner() { return heap_.push(pivot_.key) && add_owning_column() ? take_pivot() : Status::out_of_memory; }
+    Status add_owner() {
+        if (p_ == 1 && !is_matrix_ && adding_ >= many_ && !turn_into_matrix()) return Status::out_of_memory;
+        if (!is_matrix_ && !heap_.push(pivot_.key)) return Status::out_of_memory;
+        return add_owning_column() ? take_pivot() : Status::out_of_memory;
+    }
     bool is_zero() const { return pivot_.key == no_key; }
     std::uint64_t pivot() const { return pivot_.key; }
 
     // Column j, reduced, becomes the owner of its pivot. False: out of memory.
     bool own_pivot(std::uint32_t j) {
+        if (is_matrix_ && !list_matrix(j)) return false;
         heap_.close();
         pivots_.insert(pivot_.key, j);
         return keep_added(j);
@@ -101,13 +110,57 @@ private:
     Status take_pivot() {
         if (progress_.stop(1 + work_)) return Status::cancelled;
         work_ = 0;
-        const std::uint64_t key = heap_.pop_pivot();
+        std::uint64_t key = no_key;
+        if (!is_matrix_) {
+            key = heap_.pop_pivot();
+        } else {
+            // Nothing is left of the sum before the pivot that was.
+            constexpr std::uint32_t piece = 256;
+            for (std::uint32_t e = simplices_.edge_of(pivot_.key); key == no_key && e < simplices_.edges();) {
+                const std::uint32_t end = simplices_.edges() - e < piece ? simplices_.edges() : e + piece;
+                key = matrix_.first(simplices_, e, end);
+                e = end;
+                if (progress_.stop(16 + simplices_.vertices() / 16)) return Status::cancelled;
+            }
+        }
         pivot_.key = key;
         if (key != no_key) look_at(key);
         return Status::ok;
     }
+    // Of edges. False: out of memory.
+    [[gnu::noinline]] bool turn_into_matrix() {
+        heap_.close();
+        if (!matrix_.open(simplices_, arena_)) return false;
+        is_matrix_ = true;
+        matrix_.toggle(simplices_, simplices_.edge_of(column(at_work_)));
+        arena_.each(adding_, 20, [this](std::uint64_t i) {
+            matrix_.toggle(simplices_, simplices_.edge_of(added_[-1 - static_cast<std::ptrdiff_t>(added_words_ + i)]));
+        });
+        arena_.release_high(arena_.high_mark() + sizeof *added_ * static_cast<std::size_t>(adding_));
+        adding_ = 0;
+        return true;
+    }
+    // The edges of the matrix become the list of what was added to column j. False: out of memory.
+    [[gnu::noinline]] bool list_matrix(std::uint32_t j) {
+        matrix_.toggle(simplices_, simplices_.edge_of(column(j)));
+        bool fits = true;
+        arena_.each(simplices_.vertices(), 2 + simplices_.vertices() / 16, [&](std::uint64_t v) {
+            fits = fits && matrix_.each_edge(simplices_, static_cast<std::uint32_t>(v), [this](std::uint32_t edge) {
+                if (!arena_.extend_high(sizeof *added_)) return false;
+                const std::ptrdiff_t at = static_cast<std::ptrdiff_t>(added_words_ + adding_++);
+                added_[-1 - at] = simplices_.key_of(edge, nullptr, 0);
+                return true;
+            });
+        });
+        return fits;
+    }
     // Adds the cofaces of a p-simplex to the column at work and notes it. False: out of memory.
     bool add(std::uint64_t key) {
+        if (is_matrix_) {
+            matrix_.toggle(simplices_, simplices_.edge_of(key));
+            ++work_;
+            return true;
+        }
         if (!arena_.extend_high(sizeof key)) return false;
         added_[-1 - static_cast<std::ptrdiff_t>(added_words_ + adding_++)] = key;
         RipsSimplex s;
@@ -162,9 +215,12 @@ private:
     std::uint32_t* added_at_ = nullptr;           // [column] where the list of what was added to it is, 0: nothing
     std::uint64_t* added_ = nullptr;              // the end of these lists, which grow downwards: count, then keys
     std::uint64_t added_words_ = 0, adding_ = 0;  // in them; in the list of the column at work
-    RipsSimplex pivot_;                           // of the column at work; its key is no_key: zero
-    std::uint32_t owner_ = none;                  // of the pivot: a column or
-    std::uint64_t facet_ = no_key;                // a simplex that is none
+    EdgeSum matrix_;                              // of the column at work when is_matrix_, where the heap was
+    bool is_matrix_ = false;
+    std::uint32_t at_work_ = 0, many_ = 0;  // the column; additions after which it becomes a matrix
+    RipsSimplex pivot_;                     // of the column at work; its key is no_key: zero
+    std::uint32_t owner_ = none;            // of the pivot: a column or
+    std::uint64_t facet_ = no_key;          // a simplex that is none
     std::uint32_t work_ = 0;
 };
 

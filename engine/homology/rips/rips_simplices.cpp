@@ -53,6 +53,7 @@ void RipsSimplices::choose_all(std::uint32_t others) {
 
 bool RipsSimplices::open(RipsGraph& graph, std::uint32_t others, Arena& arena) {
     n_ = graph.vertices;
+    edges_ = graph.edge_count;
     shift_ = index_bits(n_, others);
     if (!sort_edges(graph, arena)) return false;
     ends_ = graph.ends;

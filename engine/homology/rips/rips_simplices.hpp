@@ -35,6 +35,7 @@ public:
     bool open(RipsGraph& graph, std::uint32_t others, Arena& arena);
 
     std::uint32_t vertices() const { return n_; }
+    std::uint32_t edges() const { return edges_; }
     std::uint32_t larger_end(std::uint32_t edge) const { return ends_[edge] >> 16; }
     std::uint32_t smaller_end(std::uint32_t edge) const { return ends_[edge] & 0xFFFF; }
     std::uint32_t edge_of(std::uint64_t key) const { return static_cast<std::uint32_t>(key >> shift_); }
@@ -64,7 +65,7 @@ private:
                                std::uint32_t end) const;
     void choose_all(std::uint32_t others);
 
-    std::uint32_t n_ = 0, shift_ = 0;
+    std::uint32_t n_ = 0, edges_ = 0, shift_ = 0;
     const std::uint32_t* ends_ = nullptr;
     std::uint32_t* rank_ = nullptr;    // [n][n]
     std::uint64_t* choose_ = nullptr;  // [others + 1][n]
