@@ -51,7 +51,7 @@ double root_of(const Floating& square) {
     for (; e > 500; e -= 500) root *= 0x1p500;
     for (; e < -500 && root > 0; e += 500) root *= 0x1p-500;
     if (root > 0) root *= power_of_two(e < -500 ? 0 : e);
-    return root >= radius_max ? radius_max : root > 0x1p-1074 ? root : 0x1p-1074;
+    return kept_radius(root);
 }
 
 }  // namespace

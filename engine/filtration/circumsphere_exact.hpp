@@ -18,6 +18,8 @@ namespace netmesh {
 
 constexpr double radius_max = 0x1.fffffffffffffp1023;  // stands for all above
 constexpr double radius_min = 0x1p-1021;               // smaller ones are off by 2^-1073 besides
+// A radius as it is kept: the least double stands for all below it.
+inline double kept_radius(double r) { return r >= radius_max ? radius_max : r > 0x1p-1074 ? r : 0x1p-1074; }
 
 // Bound on the relative error of a radius that exact arithmetic gave: a handful of roundings, one of them to a number
 // that may be denormal.

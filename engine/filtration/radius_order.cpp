@@ -32,8 +32,7 @@ double deviation(const Floating& square, double base) {
 double deviating(double base, double x) {
     const int e = exponent_of(base);
     const double near = power_of_two(e / 2), far = power_of_two(e - e / 2), mantissa = base / near / far;
-    const double root = square_root(two_product(mantissa, mantissa) * two_sum(1, x)) * near * far;
-    return root >= radius_max ? radius_max : root > 0x1p-1074 ? root : 0x1p-1074;
+    return kept_radius(square_root(two_product(mantissa, mantissa) * two_sum(1, x)) * near * far);
 }
 double deviation_error(double x) { return 0x1p-87 * (1 + absolute(x)) + 0x1p-52 * absolute(x); }
 
@@ -67,7 +66,9 @@ public:
 
 private:
     static constexpr std::uint32_t few = 16;
-    static constexpr double spread_min = 0x1p-1072;  // absolute, of two radii; that of CloseValues is larger
+    // What two radii below radius_min may be off by together. CloseValues allows for it: 5 units in the last place
+    // each.
+    static constexpr double spread_min = 0x1p-1072;
 
     // A face among all of them: those of dimension 1 first.
     struct Place {

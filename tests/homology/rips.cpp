@@ -127,8 +127,8 @@ TEST_CASE("a sum of cofaces kept as edges has the triangles with an odd number o
         Block block(std::size_t{8} << 20);
         RipsSimplices simplices;
         REQUIRE(simplices.open(graph, 1, block.arena));
-        EdgeSum sum;
-        REQUIRE(sum.open(simplices, block.arena));
+        EdgeSum sum(simplices);
+        REQUIRE(sum.open(block.arena));
         std::vector<std::vector<std::uint32_t>> rank(n, std::vector<std::uint32_t>(n, none));
         for (std::uint32_t e = 0; e < graph.edge_count; ++e) {
             const std::uint32_t a = g.ends[e] >> 16, b = g.ends[e] & 0xFFFF;
@@ -139,7 +139,7 @@ TEST_CASE("a sum of cofaces kept as edges has the triangles with an odd number o
             CAPTURE(toggles);
             for (std::uint32_t i = 0; i < toggles; ++i) {
                 const std::uint32_t e = random() % graph.edge_count;
-                sum.toggle(simplices, e);
+                sum.toggle(e);
                 in_set[e] = !in_set[e];
             }
             std::vector<std::uint64_t> triangles;  // of the sum
@@ -157,11 +157,11 @@ TEST_CASE("a sum of cofaces kept as edges has the triangles with an odd number o
                 const auto due = std::find_if(triangles.begin(), triangles.end(),
                                               [&](std::uint64_t key) { return simplices.edge_of(key) >= begin; });
                 const bool found = due != triangles.end() && simplices.edge_of(*due) < end;
-                REQUIRE(sum.first(simplices, begin, end) == (found ? *due : no_key));
+                REQUIRE(sum.first(begin, end) == (found ? *due : no_key));
             }
             std::vector<bool> listed(graph.edge_count);
             for (std::uint32_t v = 0; v < n; ++v)
-                REQUIRE(sum.each_edge(simplices, v, [&](std::uint32_t e) {
+                REQUIRE(sum.each_edge(v, [&](std::uint32_t e) {
                     const bool is_new = !listed[e];
                     listed[e] = true;
                     return is_new;

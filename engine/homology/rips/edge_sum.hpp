@@ -14,10 +14,12 @@ namespace netmesh {
 
 class EdgeSum {
 public:
+    explicit EdgeSum(const RipsSimplices& simplices) : simplices_(simplices) {}
+
     // The empty sum. Takes 8 * vertices * (vertices / 64 + 1) + 4 * vertices bytes at the low end. False: out of
     // memory.
-    bool open(const RipsSimplices& simplices, Arena& arena) {
-        const std::uint32_t n = simplices.vertices();
+    bool open(Arena& arena) {
+        const std::uint32_t n = simplices_.vertices();
         words_ = (n + 63) / 64;
         bits_ = arena.take_low<std::uint64_t>(std::size_t{n} * words_);
         degree_ = arena.take_low<std::uint32_t>(n);
@@ -27,38 +29,38 @@ public:
         return true;
     }
     // Adds the cofaces of an edge, by its rank.
-    void toggle(const RipsSimplices& simplices, std::uint32_t edge) {
-        const std::uint32_t a = simplices.smaller_end(edge), b = simplices.larger_end(edge);
+    void toggle(std::uint32_t edge) {
+        const std::uint32_t a = simplices_.smaller_end(edge), b = simplices_.larger_end(edge);
         flip(a, b);
         flip(b, a);
     }
     // The key of the first triangle whose last edge is in [begin, end), by ranks; no_key if there is none.
-    std::uint64_t first(const RipsSimplices& simplices, std::uint32_t begin, std::uint32_t end) const {
-        const std::uint32_t n = simplices.vertices();
+    std::uint64_t first(std::uint32_t begin, std::uint32_t end) const {
+        const std::uint32_t n = simplices_.vertices();
         for (std::uint32_t e = begin; e < end; ++e) {
-            const std::uint32_t a = simplices.smaller_end(e), b = simplices.larger_end(e);
+            const std::uint32_t a = simplices_.smaller_end(e), b = simplices_.larger_end(e);
             if ((degree_[a] | degree_[b]) == 0) continue;
-            const std::uint32_t *const to_a = simplices.row(a), *const to_b = simplices.row(b);
+            const std::uint32_t *const to_a = simplices_.row(a), *const to_b = simplices_.row(b);
             const std::uint64_t *const at_a = row(a), *const at_b = row(b);
             const std::uint64_t both = has(a, b) ? ~std::uint64_t{0} : 0;
             for (std::uint32_t i = 0; i < words_; ++i)
                 for (std::uint64_t odd = at_a[i] ^ at_b[i] ^ both; odd != 0; odd &= odd - 1) {
                     const std::uint32_t w = 64 * i + lowest_bit(odd);
                     if (w >= n) break;
-                    if (to_a[w] < e && to_b[w] < e) return simplices.key_of(e, &w, 1);
+                    if (to_a[w] < e && to_b[w] < e) return simplices_.key_of(e, &w, 1);
                 }
         }
         return no_key;
     }
     // Calls f(rank of the edge) for the edges of the set from vertex v to smaller ones; stops and returns false when f
     // does.
-    template <class F> bool each_edge(const RipsSimplices& simplices, std::uint32_t v, F f) const {
+    template <class F> bool each_edge(std::uint32_t v, F f) const {
         const std::uint64_t* const bits = row(v);
         for (std::uint32_t i = 0; 64 * i < v; ++i)
             for (std::uint64_t rest = bits[i]; rest != 0; rest &= rest - 1) {
                 const std::uint32_t w = 64 * i + lowest_bit(rest);
                 if (w >= v) break;
-                if (!f(simplices.row(v)[w])) return false;
+                if (!f(simplices_.row(v)[w])) return false;
             }
         return true;
     }
@@ -71,6 +73,7 @@ private:
         degree_[v] += has(v, w) ? 1 : ~std::uint32_t{0};
     }
 
+    const RipsSimplices& simplices_;
     std::uint64_t* bits_ = nullptr;    // [vertices][words_]
     std::uint32_t* degree_ = nullptr;  // [vertices], bits in the row
     std::uint32_t words_ = 0;

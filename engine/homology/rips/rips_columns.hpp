@@ -20,7 +20,7 @@ namespace netmesh {
 class RipsColumns {
 public:
     RipsColumns(const RipsSimplices& simplices, Arena& arena, Progress& progress)
-        : simplices_(simplices), arena_(arena), progress_(progress), heap_(arena) {}
+        : simplices_(simplices), arena_(arena), progress_(progress), heap_(arena), matrix_(simplices) {}
 
     // Columns `end`[-1], end[-2], .., end[-count] of p-simplices. From then on the arena's high end belongs to the
     // reduction. False: out of memory.
@@ -53,7 +53,8 @@ public:
     }
     bool has_owner() const { return pivot_.key != no_key && (owner_ != none || facet_ != no_key); }
     Status add_owner() {
-        if (p_ == 1 && !is_matrix_ && adding_ >= many_ && !turn_into_matrix()) return Status::out_of_memory;
+        if (p_ == 1 && !is_matrix_ && adding_ + additions_of(owner_) >= many_ && !turn_into_matrix())
+            return Status::out_of_memory;
         if (!is_matrix_ && !heap_.push(pivot_.key)) return Status::out_of_memory;
         return add_owning_column() ? take_pivot() : Status::out_of_memory;
     }
@@ -80,10 +81,9 @@ public:
         if (pivots_.find(pivot()) != j) return "a pivot is not owned by its column";
         SmallChain sum;
         add_cofaces(column(j), sum);
-        const std::ptrdiff_t at = added_at_[j];
-        const std::uint64_t count = at == 0 ? 0 : added_[-at];
-        for (std::uint64_t i = 1; i <= count && sum.is_known(); ++i)
-            add_cofaces(added_[static_cast<std::ptrdiff_t>(i) - at], sum);
+        const std::uint64_t* const list = added_ - added_at_[j];
+        const std::uint64_t count = additions_of(j);
+        for (std::uint64_t i = 1; i <= count && sum.is_known(); ++i) add_cofaces(list[i], sum);
         if (sum.is_known() && sum.least() != pivot()) return "a column owns a pivot that is not its own";
         return pivots_.violation();
     }
@@ -110,31 +110,35 @@ private:
     Status take_pivot() {
         if (progress_.stop(1 + work_)) return Status::cancelled;
         work_ = 0;
-        std::uint64_t key = no_key;
-        if (!is_matrix_) {
-            key = heap_.pop_pivot();
+        if (is_matrix_) {
+            const Status status = search_matrix();
+            if (status != Status::ok) return status;
         } else {
-            // Nothing is left of the sum before the pivot that was.
-            constexpr std::uint32_t piece = 256;
-            for (std::uint32_t e = simplices_.edge_of(pivot_.key); key == no_key && e < simplices_.edges();) {
-                const std::uint32_t end = simplices_.edges() - e < piece ? simplices_.edges() : e + piece;
-                key = matrix_.first(simplices_, e, end);
-                e = end;
-                if (progress_.stop(16 + simplices_.vertices() / 16)) return Status::cancelled;
-            }
+            pivot_.key = heap_.pop_pivot();
         }
-        pivot_.key = key;
-        if (key != no_key) look_at(key);
+        if (pivot_.key != no_key) look_at(pivot_.key);
         return Status::ok;
     }
-    // Of edges. False: out of memory.
+    // Makes the first triangle of the matrix the pivot's key. There is none before the pivot that was.
+    [[gnu::noinline]] Status search_matrix() {
+        constexpr std::uint32_t piece = 256;
+        std::uint32_t e = simplices_.edge_of(pivot_.key);
+        for (pivot_.key = no_key; pivot_.key == no_key && e < simplices_.edges();) {
+            const std::uint32_t end = simplices_.edges() - e < piece ? simplices_.edges() : e + piece;
+            pivot_.key = matrix_.first(e, end);
+            e = end;
+            if (progress_.stop(16 + simplices_.vertices() / 16)) return Status::cancelled;
+        }
+        return Status::ok;
+    }
+    // A column of edges goes on as a matrix. False: out of memory.
     [[gnu::noinline]] bool turn_into_matrix() {
         heap_.close();
-        if (!matrix_.open(simplices_, arena_)) return false;
+        if (!matrix_.open(arena_)) return false;
         is_matrix_ = true;
-        matrix_.toggle(simplices_, simplices_.edge_of(column(at_work_)));
+        matrix_.toggle(simplices_.edge_of(column(at_work_)));
         arena_.each(adding_, 20, [this](std::uint64_t i) {
-            matrix_.toggle(simplices_, simplices_.edge_of(added_[-1 - static_cast<std::ptrdiff_t>(added_words_ + i)]));
+            matrix_.toggle(simplices_.edge_of(added_[-1 - static_cast<std::ptrdiff_t>(added_words_ + i)]));
         });
         arena_.release_high(arena_.high_mark() + sizeof *added_ * static_cast<std::size_t>(adding_));
         adding_ = 0;
@@ -142,10 +146,10 @@ private:
     }
     // The edges of the matrix become the list of what was added to column j. False: out of memory.
     [[gnu::noinline]] bool list_matrix(std::uint32_t j) {
-        matrix_.toggle(simplices_, simplices_.edge_of(column(j)));
+        matrix_.toggle(simplices_.edge_of(column(j)));
         bool fits = true;
         arena_.each(simplices_.vertices(), 2 + simplices_.vertices() / 16, [&](std::uint64_t v) {
-            fits = fits && matrix_.each_edge(simplices_, static_cast<std::uint32_t>(v), [this](std::uint32_t edge) {
+            fits = fits && matrix_.each_edge(static_cast<std::uint32_t>(v), [this](std::uint32_t edge) {
                 if (!arena_.extend_high(sizeof *added_)) return false;
                 const std::ptrdiff_t at = static_cast<std::ptrdiff_t>(added_words_ + adding_++);
                 added_[-1 - at] = simplices_.key_of(edge, nullptr, 0);
@@ -157,7 +161,7 @@ private:
     // Adds the cofaces of a p-simplex to the column at work and notes it. False: out of memory.
     bool add(std::uint64_t key) {
         if (is_matrix_) {
-            matrix_.toggle(simplices_, simplices_.edge_of(key));
+            matrix_.toggle(simplices_.edge_of(key));
             ++work_;
             return true;
         }
@@ -172,13 +176,19 @@ private:
     [[gnu::noinline]] bool push_cofaces(const RipsSimplex& s) {
         return simplices_.each_coface(s, [this](std::uint64_t coface) { return heap_.push(coface); });
     }
+    // How many simplices were added to column j; 0 of no column.
+    std::uint64_t additions_of(std::uint32_t j) const {
+        const std::uint32_t at = j == none ? 0 : added_at_[j];
+        return at == 0 ? 0 : added_[-static_cast<std::ptrdiff_t>(at)];
+    }
     bool add_owning_column() {
         if (owner_ == none) return add(facet_);
         if (!add(column(owner_))) return false;
-        const std::uint32_t at = added_at_[owner_];
-        const std::uint64_t count = at == 0 ? 0 : added_[-static_cast<std::ptrdiff_t>(at)];
+        const std::uint64_t* const list = added_ - added_at_[owner_];
+        const std::uint64_t count = additions_of(owner_);
         for (std::uint64_t i = 1; i <= count; ++i) {
-            if (!add(added_[-static_cast<std::ptrdiff_t>(at) + static_cast<std::ptrdiff_t>(i)])) return false;
+            arena_.step(i, 20);
+            if (!add(list[i])) return false;
         }
         return true;
     }
