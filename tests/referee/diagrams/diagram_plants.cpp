@@ -387,7 +387,7 @@ void try_plant(const Tool& tool, const DiagramSettings& settings, const DiagramP
     const std::string filter = by_scales ? "scales" : of_cycles ? "complete" : plant.filter;
     const bool neighbours = filter == "knn" || filter == "kdistance";
     Random random(seed);
-    for (int trial = 0; trial < 8; trial++) {
+    for (int trial = 0; trial < 60; trial++) {  // some points have no bar that will do
         Ground ground = {PointSet(ground_points(dim, neighbours, random), dim, 2, settings.sets_max), {}, {}, {}};
         write_points(tool.path("trial.txt"), ground.set.all(), dim);
         if (!make_ground(tool, settings, filter, of_cycles, random, &ground)) continue;
