@@ -122,7 +122,8 @@ if(NETMESH_ONE_SOURCE)
   if(CMAKE_CXX_COMPILER_ID STREQUAL "GNU")
     # Passes that g++ runs at -Os, too, and that make this code larger.
     target_compile_options(netmesh PRIVATE
-      -fno-tree-loop-im -fno-move-loop-invariants -fno-ipa-sra -fno-tree-dominator-opts)
+      -fno-tree-loop-im -fno-move-loop-invariants -fno-ipa-sra -fno-tree-dominator-opts -fno-guess-branch-probability
+      -fno-tree-vrp -fno-caller-saves)
   endif()
   set_target_properties(netmesh_engine PROPERTIES EXCLUDE_FROM_ALL ON) # for tests of inner folders
 elseif(NETMESH_FINISHED)

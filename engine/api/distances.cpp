@@ -1,6 +1,7 @@
 // Homology of data that is known by its distances.
 #include "api/keep_complex.hpp"
 #include "api/plan.hpp"
+#include "api/requests.hpp"
 #include "jobs/persist_distances.hpp"
 #include "jobs/point_set.hpp"
 
@@ -12,10 +13,11 @@ bool is_sparse(const netmesh_distances_request& request) { return request.layout
 Complaint complaint_about_size(const netmesh_distances_request& request) {
     if (!in_range(request.layout, NETMESH_DISTANCES_FULL, NETMESH_DISTANCES_FUNCTION))
         return {NETMESH_FIELD_LAYOUT, "unknown layout of distances"};
-    if (request.point_count == 0) return {NETMESH_FIELD_POINT_COUNT, "there are no points"};
     const bool is_tree = request.max_degree == 0 && request.representatives == 0 && !is_sparse(request);
-    if (request.point_count > (is_tree ? std::uint64_t{NETMESH_POINTS_MAX} : RipsGraph::vertices_max))
-        return {NETMESH_FIELD_POINT_COUNT, is_tree ? "more than 2^28 points" : "more than 65,536 points"};
+    if (!is_tree && request.point_count > RipsGraph::vertices_max)
+        return {NETMESH_FIELD_POINT_COUNT, "more than 65,536 points"};
+    const Complaint complaint = complaint_about_point_count(request.point_count);
+    if (complaint.text != nullptr) return complaint;
     if (request.layout == NETMESH_DISTANCES_FULL && request.point_count > SIZE_MAX / 16 / request.point_count)
         return {NETMESH_FIELD_POINT_COUNT, "such a matrix does not fit an address space"};
     if (request.layout == NETMESH_DISTANCES_LOWER && request.point_count > SIZE_MAX / 8 / request.point_count)

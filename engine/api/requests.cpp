@@ -35,6 +35,12 @@ Complaint complaint_about_dim(std::uint32_t dim) {
     return {NETMESH_FIELD_DIM, "left out of this build: the dimension, by NETMESH_EACH_DIMENSION", true};
 }
 
+Complaint complaint_about_point_count(std::uint64_t count) {
+    if (count == 0) return {NETMESH_FIELD_POINT_COUNT, "there are no points"};
+    if (count > NETMESH_POINTS_MAX) return {NETMESH_FIELD_POINT_COUNT, "more than 2^28 points"};
+    return {};
+}
+
 Complaint complaint_about_layout(const GivenRows& given) {
     if (!in_range(*given.format, NETMESH_POINTS_FLOAT64, NETMESH_POINTS_FLOAT32))
         return {NETMESH_FIELD_POINT_FORMAT, "unknown format of points"};
@@ -47,10 +53,10 @@ Complaint complaint_about_layout(const GivenRows& given) {
 
 Complaint complaint_about_rows(const GivenRows& given, std::uint32_t dim_max) {
     if (given.points == nullptr) return {NETMESH_FIELD_POINTS, "points is null"};
-    if (given.count == 0) return {NETMESH_FIELD_POINT_COUNT, "there are no points"};
-    if (given.count > NETMESH_POINTS_MAX) return {NETMESH_FIELD_POINT_COUNT, "more than 2^28 points"};
+    Complaint complaint = complaint_about_point_count(given.count);
+    if (complaint.text != nullptr) return complaint;
     const bool is_large = given.dim > NETMESH_DIM_MAX && given.dim <= dim_max;
-    Complaint complaint = is_large ? Complaint() : complaint_about_dim(given.dim);
+    if (!is_large) complaint = complaint_about_dim(given.dim);
     if (complaint.text != nullptr) return complaint;
     if (given.dim > SIZE_MAX / 32 / given.count)
         return {NETMESH_FIELD_POINT_COUNT, "so many coordinates do not fit an address space"};

@@ -60,6 +60,8 @@ struct GivenRows {
 template <class Request> GivenRows given_rows(const Request& request) {
     return {request.points, request.point_count, request.dim, &request.point_format, request.point_stride_bytes};
 }
+// Of points, or of what has distances: 1 .. NETMESH_POINTS_MAX.
+Complaint complaint_about_point_count(std::uint64_t count);
 // Of format and stride, all that a plan knows of where the points lie. count: 1 .. NETMESH_POINTS_MAX.
 Complaint complaint_about_layout(const GivenRows& given);
 // dim_max: more than NETMESH_DIM_MAX where any dimension from there on is served.

@@ -17,6 +17,23 @@ namespace netmesh::tool {
 
 namespace {
 
+// Where a ratio decides, tau is what that ratio follows from, or the one that is taken where none is given.
+Outcome check_tau(const Provenance& head, const DiagramFile& file) {
+    const HeadLine* const line = head.find("tau");
+    if (line == nullptr || !head.options.ratio) return {};
+    std::uint64_t dim = 0;
+    parse_unsigned(head.find("dim")->value, &dim);
+    Options open = head.options;
+    open.ratio.reset();
+    if (settled(open, static_cast<std::uint32_t>(dim)).ratio == head.options.ratio) return {};
+    open = head.options;
+    open.tau.reset();
+    const double due = *settled(open, static_cast<std::uint32_t>(dim)).tau;
+    if (due == *head.options.tau) return {};
+    return file.wrong(line->number, quoted("# " + head_text(*line)) + " where " + quoted("# tau " + number_text(due)) +
+                                        " is due, as # ratio does not follow from it");
+}
+
 // What the head says of bars that anyone can see.
 Outcome check_with_head(const DiagramFile& file) {
     const Options& made = file.head->options;
@@ -29,7 +46,8 @@ Outcome check_with_head(const DiagramFile& file) {
         if (!made.all && bar.birth == bar.death)
             return file.wrong(file.line_of(i), "a bar of length zero, which are kept with `# all` alone");
     }
-    if (made.bounds == !file.bounds.empty()) return {};
+    const Outcome outcome = check_tau(*file.head, file);
+    if (!outcome.good() || made.bounds == !file.bounds.empty()) return outcome;
     const std::uint64_t line = made.bounds ? file.head->find("bounds")->number : file.bounds[0].number;
     return file.wrong(line, made.bounds ? "there are no bounds of bars" : "bounds of bars, but no line `# bounds`");
 }
@@ -259,6 +277,17 @@ Outcome compare_inputs_with(const DiagramFile& file, const NodeFile& node) {
                                                              counted(inputs, "input", "inputs"));
 }
 
+// A mesh promises what it was made for, as the head says. What a fit reached is in the mesh's file alone.
+Outcome compare_promise(const DiagramFile& file, const NodeFile& node) {
+    const Options& made = file.head->options;
+    const char* const name = made.ratio ? "ratio" : "tau";
+    const double due = made.ratio ? *made.ratio : made.tau.value_or(0), have = made.ratio ? node.ratio : node.tau;
+    if (made.fit || node.domain.empty() || due == 0 || have == due) return {};
+    return file.wrong(file.head->find(name)->number,
+                      node.cloud.name + (have > 0 ? " promises " + std::string(name) + " " + number_text(have)
+                                                  : " promises no " + std::string(name)));
+}
+
 // Are they the values and vertices that the head speaks of? Other ones have other bars, so this comes first.
 Outcome compare_values(const DiagramFile& file, const VertexFunction& values, const std::string& path) {
     if (!file.head) return {};
@@ -279,6 +308,7 @@ Outcome check_with_mesh(const Options& open, const DiagramFile& file, const std:
     const PointCloud& cloud = files.node.cloud;
     Options made = settled(open, cloud.dim);
     if (file.head) outcome = compare_inputs_with(file, files.node);
+    if (outcome.good() && file.head && made.values_at.empty()) outcome = compare_promise(file, files.node);
     if (outcome.good()) outcome = read_values_at(files.node, &made);
     if (outcome.good() && made.vertex_function) outcome = compare_values(file, *made.vertex_function, made.values_at);
     if (outcome.good()) outcome = check_coordinates(made, cloud.dim);
@@ -309,7 +339,7 @@ Outcome check_with_mesh(const Options& open, const DiagramFile& file, const std:
     add_report(session, run);
     run->checked->push_back(again.said() + (made.vertex_function
                                                 ? ", of the values in " + shown_name(made.values_at)
-                                                : "; how the mesh was made is for --points alone to tell"));
+                                                : "; how the mesh was made, and of which points, is for --points alone to tell"));
     outcome = check_vertex_values(made, files, run, session);
     return outcome.good() ? second_opinion_on_mesh({file, made, cycles}, files, run) : outcome;
 }

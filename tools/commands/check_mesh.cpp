@@ -219,7 +219,10 @@ Outcome check_vertex_values(const Options& options, const MeshFiles& files, RunR
         run->checked->push_back("vertex values are those of " + choice_text(choice));
         return {};
     }
-    return mismatch("the values in " + node.cloud.name + " are those of no filter");
+    return mismatch("the values in " + node.cloud.name + " are those of no filter " +
+                    (options.filter ? "that was asked for"
+                                    : "that needs no more than the mesh; for knn, kdistance and function --filter and "
+                                      "the options that made them are needed"));
 }
 
 }  // namespace netmesh::tool

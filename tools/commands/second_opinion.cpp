@@ -155,6 +155,11 @@ struct Step {
     std::vector<double> numbers;
     const BoundLine* line;
 };
+bool parse_number(const std::string& text, double* value) {
+    if (text != "inf" && text != "-inf") return parse_finite(text, value);
+    *value = text == "inf" ? HUGE_VAL : -HUGE_VAL;
+    return true;
+}
 Outcome read_steps(const DiagramFile& file, const char* last, std::vector<Step>* list) {
     for (const BoundLine& line : file.bounds) {
         if (line.text.rfind("# scale ", 0) != 0) continue;
@@ -162,9 +167,8 @@ Outcome read_steps(const DiagramFile& file, const char* last, std::vector<Step>*
         Step step = {{}, &line};
         for (const char* name : {"scale", "low", "high", last}) {
             const auto at = std::find(words.begin(), words.end(), name);
-            double value = HUGE_VAL;
-            if (at == words.end() || at + 1 == words.end() ||
-                (at[1] != "inf" && !parse_finite(std::string(at[1]), &value)))
+            double value = 0;
+            if (at == words.end() || at + 1 == words.end() || !parse_number(std::string(at[1]), &value))
                 return file.wrong(line.number, quoted(line.text) + " has no number for " + name);
             step.numbers.push_back(value);
         }

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <map>
 #include <set>
 
@@ -32,6 +33,9 @@ bool faces_of(const CellTable& cells, std::uint32_t top, std::set<Vertices>* fac
     }
     return true;
 }
+
+// As files have it: the largest double stands for radii above it.
+double written(Real radius) { return static_cast<double>(std::min<Real>(radius, std::numeric_limits<double>::max())); }
 
 std::vector<Place> places_of(const PointCloud& cloud, const Vertices& vertices) {
     std::vector<Place> places;
@@ -112,7 +116,7 @@ SimplexList alpha_complex(const MeshFiles& files, std::uint32_t top, bool* is_fl
                 if (is_flat != nullptr) *is_flat = true;
                 return {};
             }
-            list.push_back({face, static_cast<double>(value)});
+            list.push_back({face, written(value)});
         }
     }
     list.erase(
@@ -145,7 +149,7 @@ SimplexList complex_of_points(const PointCloud& cloud, bool rips, std::uint32_t 
             for (const Place& a : corners) {
                 for (const Place& b : corners) value = std::max(value, std::sqrt(distance2(a, b)) / 2);
             }
-            list.push_back({set, static_cast<double>(rips ? value : enclosing_radius(corners))});
+            list.push_back({set, written(rips ? value : enclosing_radius(corners))});
             for (std::uint32_t v = set.back() + 1; v < places.size() && d < top; v++) {
                 next.push_back(set);
                 next.back().push_back(v);

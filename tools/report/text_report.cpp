@@ -1,3 +1,4 @@
+#include <cmath>
 #include <cstdio>
 
 #include "tools/io/numbers.hpp"
@@ -151,7 +152,9 @@ std::string diagram_lines(const netmesh_report& engine) {
         text += "certified error " + rounded_text(diagram.certified_error, 6) +
                 ": births and deaths are off by at most that\n";
     }
-    if (diagram.value_error > 0) {
+    if (std::isinf(diagram.value_error)) {
+        text += "rounding radii above the largest double are that, so bars between them are missing\n";
+    } else if (diagram.value_error > 0) {
         text += diagram.filter == NETMESH_FILTER_ALPHA ? "exact    no bar is dropped or made; " : "rounding ";
         text += "births and deaths to " + rounded_text(1.005 * diagram.value_error, 3) + " of themselves\n";
     }
