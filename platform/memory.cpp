@@ -29,6 +29,15 @@ void Reservation::release() {
     bytes_ = 0;
 }
 
+void forget_pages(void* begin, std::size_t bytes) {
+#ifdef MADV_DONTNEED
+    const auto page = static_cast<std::uintptr_t>(sysconf(_SC_PAGESIZE)), at = reinterpret_cast<std::uintptr_t>(begin);
+    const std::uintptr_t skipped = (page - at % page) % page, end = at + bytes;
+    if (skipped >= bytes || end - end % page <= at + skipped) return;
+    madvise(static_cast<char*>(begin) + skipped, end - end % page - (at + skipped), MADV_DONTNEED);
+#endif
+}
+
 namespace {
 
 // The number in a control-group file, or `otherwise` when there is none ("max" means no limit).

@@ -34,6 +34,6 @@ struct DistanceFile {
 Outcome read_distances(const std::string& path, bool sparse, DistanceFile* file);
 Outcome parse_distances(std::string_view content, bool sparse, DistanceFile* file);
 // A NumPy array of one or two axes.
-Outcome take_distances(const Table& table, bool sparse, DistanceFile* file);
+Outcome take_distances(Table table, bool sparse, DistanceFile* file);
 
 }  // namespace netmesh::tool
