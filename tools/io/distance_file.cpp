@@ -52,6 +52,13 @@ std::string_view without_last_comma(std::string_view line) {
     return is_behind ? line.substr(0, end - 1) : line;
 }
 
+// A row without its name, which may hold blanks where something else parts fields.
+std::string_view behind_name(std::string_view line) {
+    std::size_t end = line.find_first_of(",;\t");
+    if (end == std::string_view::npos) end = line.find(' ');
+    return end == std::string_view::npos ? std::string_view() : line.substr(end + 1);
+}
+
 // So many numbers at most, if one character parts them.
 std::size_t count_fields(std::string_view content) {
     return 1 + static_cast<std::size_t>(std::count_if(content.begin(), content.end(), [](char c) {
@@ -82,14 +89,24 @@ Outcome read_rows(std::string_view content, std::string* released, DistanceFile*
     file->numbers.reserve(count_fields(content));
     std::string_view line;
     std::vector<double> row;
-    bool may_be_header = true;
+    bool may_be_header = true, has_header = false, has_names = false;
     std::optional<bool> parted_by_commas;  // or by blanks alone, in all rows of two numbers and more
     while (reader.next_content(&line)) {
         line = without_last_comma(line);
-        const Complaint complaint = parse_numbers(line, &row, true);
+        Complaint complaint = parse_numbers(line, &row, true);
+        if (!complaint.empty() && has_header) {
+            const std::string_view rest = behind_name(line);
+            if (!rest.empty() && parse_numbers(rest, &row, true).empty()) {
+                if (!has_names) add_note("left out the names that rows begin with", file);
+                has_names = true;
+                complaint.clear();
+                line = rest;
+            }
+        }
         if (!complaint.empty()) {
             if (may_be_header && is_header(line)) {
                 may_be_header = false;
+                has_header = true;
                 add_note("skipped header " + quoted(line), file);
                 continue;
             }
