@@ -26,6 +26,35 @@ TEST_CASE("what is left out is said once, and not with --quiet") {
     CHECK(result.says("<stdin>: commas read as decimal; skipped header \"x;y\"\n"));
 }
 
+TEST_CASE("a degree above those of the points is said to be taken as the highest") {
+    const Folder folder;
+    folder.write("p.csv", "0,0\n1,0\n0,1.5\n2,2\n");
+    const std::string note = "p.csv: --max-degree 5 is taken as 1: there is nothing of higher degree\n";
+    for (const char* const filter : {"alpha", "complete"}) {
+        const std::string command = std::string("persist p.csv -o p.pers --filter ") + filter;
+        CHECK(folder.run(command + " --max-degree 5").says(note));
+        CHECK(!folder.run(command + " --max-degree 1").says("--max-degree"));
+        CHECK(folder.run(command + " --max-degree 5 -q").err == "");
+    }
+    CHECK(!folder.run("persist p.csv -o p.pers --filter rips --max-degree 5").says("--max-degree"));
+}
+
+TEST_CASE("distances that are forgotten while they are read have the diagram of those that are kept") {
+    const Folder folder;
+    std::string triangle;
+    unsigned state = 1;
+    for (int i = 1; i < 700; i++) {
+        for (int j = 0; j < i; j++)
+            triangle += std::to_string(1000 + (state = state * 1103515245u + 12345u) / 65536 % 90) + " ";
+        triangle += "\n";
+    }
+    folder.write("d.txt", triangle);
+    const std::string options = " --distances --threshold 506 -q";
+    const Result once = folder.run("persist d.txt" + options), kept = folder.run("persist -" + options, triangle);
+    REQUIRE(once.exit == 0);
+    CHECK(once.out.substr(once.out.find("\n0 ")) == kept.out.substr(kept.out.find("\n0 ")));
+}
+
 TEST_CASE("--columns, --delimiter and --skip, and what they do not go with") {
     const Folder folder;
     folder.write("p.csv", pandas);
