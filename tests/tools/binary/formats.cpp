@@ -39,6 +39,17 @@ TEST_CASE("a degree above those of the points is said to be taken as the highest
     CHECK(!folder.run("persist p.csv -o p.pers --filter rips --max-degree 5").says("--max-degree"));
 }
 
+TEST_CASE("extended .xyz is read, and where its columns stand otherwise it says so") {
+    const Folder folder;
+    const std::string atoms = "O 0 0 0 1\nH 0 0 1 1\nH 0 1 0.2 1\nC 1 0 0 1\n";
+    folder.write("a.xyz", "4\nLattice=\"5 0 0 0 5 0 0 0 5\" Properties=species:S:1:pos:R:3:charge:R:1\n" + atoms);
+    CHECK(folder.run("delaunay a.xyz -o a.node").exit == 0);
+    folder.write("b.xyz", "2\nProperties=id:I:1:species:S:1:pos:R:3\n1 O 0 0 0\n2 H 0 0 1\n");
+    const Result result = folder.run("delaunay b.xyz -o b.node");
+    CHECK(result.exit == 3);
+    CHECK(result.says("b.xyz:2: Properties do not begin with species:S:1:pos:R:3"));
+}
+
 TEST_CASE("distances that are forgotten while they are read have the diagram of those that are kept") {
     const Folder folder;
     std::string triangle;
