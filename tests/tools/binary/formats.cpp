@@ -39,6 +39,27 @@ TEST_CASE("a degree above those of the points is said to be taken as the highest
     CHECK(!folder.run("persist p.csv -o p.pers --filter rips --max-degree 5").says("--max-degree"));
 }
 
+TEST_CASE("a first column that counts rows is a coordinate, and that is said") {
+    const Folder folder;
+    std::string from_0, from_1;
+    for (int i = 0; i < 6; i++) {
+        const std::string rest = "," + std::to_string(i * i % 5) + "," + std::to_string(i % 2) + "\n";
+        from_0 += std::to_string(i) + rest;
+        from_1 += std::to_string(i + 1) + rest;
+    }
+    for (const std::string& table : {from_0, from_1}) {
+        folder.write("p.csv", table);
+        CHECK(folder.run("delaunay p.csv -o p.node")
+                  .says("p.csv: took column 1, which counts rows, as a coordinate; "
+                        "--columns 2-3 leaves it out\n"));
+        CHECK(!folder.run("delaunay p.csv -o p.node --columns 1-3").says("counts rows"));
+    }
+    folder.write("p.csv", "1990,1,2\n1991,2,2\n1992,2,5\n1993,1,4\n1994,7,7\n");
+    CHECK(!folder.run("delaunay p.csv -o p.node").says("counts rows"));
+    folder.write("p.csv", from_0 + "9,1,1\n");
+    CHECK(!folder.run("delaunay p.csv -o p.node").says("counts rows"));
+}
+
 TEST_CASE("extended .xyz is read, and where its columns stand otherwise it says so") {
     const Folder folder;
     const std::string atoms = "O 0 0 0 1\nH 0 0 1 1\nH 0 1 0.2 1\nC 1 0 0 1\n";
