@@ -2,8 +2,8 @@
 
 #include "memory/arena.hpp"
 #include "numerics/fingerprint.hpp"
-#include "numerics/radix_sort.hpp"
 #include "numerics/real.hpp"
+#include "numerics/value_order.hpp"
 
 namespace netmesh {
 namespace {
@@ -90,8 +90,7 @@ Status distance_graph(const DistanceSource& source, double threshold, const Work
     std::uint32_t count = 0;
     arena.each(static_cast<std::uint64_t>(next - value), 1,
                [&](std::uint64_t i) { count += value[i] <= limits->limit ? 1 : 0; });
-    const HighScope scope(arena);
-    std::uint32_t* const kept = arena.take_high<std::uint32_t>(count);
+    std::uint32_t* const kept = arena.take_low<std::uint32_t>(count);
     if (kept == nullptr) return Status::out_of_memory;
     const double* half = value;
     std::uint32_t at = 0;
@@ -111,7 +110,8 @@ Status distance_graph(const DistanceSource& source, double threshold, const Work
     return Status::ok;
 }
 
-// Entries in order of their edges, so that those of one edge stand together and ties are those of a matrix.
+// Entries in order of their edges, so that those of one edge stand together. The numbers of edges stand where values
+// will and entries where ends will, so that nothing is sorted beside.
 Status sparse_graph(const DistanceEntries& from, double threshold, const Work& work, RipsGraph* out,
                     DistanceLimits* limits, DistanceFault* fault) {
     *out = {};
@@ -123,13 +123,7 @@ Status sparse_graph(const DistanceEntries& from, double threshold, const Work& w
     const HighScope scope(arena);
     double* const most = arena.take_high<double>(n);
     std::uint32_t* const joined = arena.take_high<std::uint32_t>(n);  // to so many others
-    std::uint64_t* const keys = arena.take_high<std::uint64_t>(entries);
-    std::uint64_t* const spare_keys = arena.take_high<std::uint64_t>(entries);
-    std::uint32_t* const order = arena.take_high<std::uint32_t>(entries);
-    std::uint32_t* const spare = arena.take_high<std::uint32_t>(entries);
-    if (value == nullptr || ends == nullptr || most == nullptr || joined == nullptr || keys == nullptr ||
-        spare_keys == nullptr || order == nullptr || spare == nullptr)
-        return Status::out_of_memory;
+    if (value == nullptr || ends == nullptr || most == nullptr || joined == nullptr) return Status::out_of_memory;
     std::uint32_t count = 0;
     for (std::uint32_t e = 0; e < entries; ++e) {
         if (e % 64 == 0 && work.monitor.advance(e, 4)) return Status::cancelled;
@@ -143,31 +137,34 @@ Status sparse_graph(const DistanceEntries& from, double threshold, const Work& w
             return Status::invalid_argument;
         }
         if (is_own) continue;
-        keys[count] = entry.i > entry.j ? RipsGraph::edge(entry.i, entry.j) : RipsGraph::edge(entry.j, entry.i);
-        order[count++] = e;
+        value[count] = entry.i > entry.j ? RipsGraph::edge(entry.i, entry.j) : RipsGraph::edge(entry.j, entry.i);
+        ends[count++] = e;
     }
-    radix_sort(keys, order, spare_keys, spare, count, arena);
+    if (!sort_labelled(value, ends, count, arena)) return Status::out_of_memory;
     arena.each(n, 1, [most, joined](std::uint64_t i) {
         most[i] = 0;
         joined[i] = 0;
     });
     Fingerprint fingerprint;
     fingerprint.add(std::uint64_t{n});
-    std::uint32_t edges = 0;
+    std::uint32_t edges = 0, end = 0, entry_before = 0;
     for (std::uint32_t e = 0; e < count; ++e) {
         if (e % 64 == 0 && work.monitor.advance(e, 20)) return Status::cancelled;
-        const double distance = from.entries[order[e]].distance, half = distance / 2 + 0.0;
-        if (e > 0 && keys[e] == keys[e - 1]) {
-            if (from.entries[order[e - 1]].distance == distance) continue;
-            *fault = {DistanceFlaw::asymmetric, order[e], order[e - 1]};
+        const std::uint32_t end_before = end, entry = ends[e];
+        end = static_cast<std::uint32_t>(value[e]);
+        const double distance = from.entries[entry].distance, half = distance / 2 + 0.0;
+        const bool is_again = e > 0 && end == end_before;
+        if (is_again && from.entries[entry_before].distance != distance) {
+            *fault = {DistanceFlaw::asymmetric, entry, entry_before};
             return Status::invalid_argument;
         }
-        fingerprint.add(keys[e]);
+        entry_before = entry;
+        if (is_again) continue;
+        fingerprint.add(std::uint64_t{end});
         fingerprint.add(half);
         if (!(half < infinity)) continue;
         value[edges] = half;
-        const std::uint32_t end = ends[edges] = static_cast<std::uint32_t>(keys[e]);
-        ++edges;
+        ends[edges++] = end;
         const std::uint32_t both[] = {end >> 16, end & 0xFFFF};
         for (const std::uint32_t v : both) {
             ++joined[v];
@@ -185,6 +182,7 @@ Status sparse_graph(const DistanceEntries& from, double threshold, const Work& w
         value[kept] = value[e];
         ends[kept++] = ends[e];
     }
+    arena.release_low(arena.offset_of(ends + kept));
     *out = {n, kept, value, ends};
     return Status::ok;
 }

@@ -1,6 +1,7 @@
 #include "filtration/rips_graph.hpp"
 
 #include "filtration/half_distance.hpp"
+#include "filtration/point_complexes.hpp"
 #include "vocabulary/dimension.hpp"
 
 namespace netmesh {
@@ -40,6 +41,17 @@ template <int D> Status rips_graph(const double* coordinates, std::uint32_t n, c
         });
     *out = {n, count, value, ends};
     return going ? Status::ok : Status::cancelled;
+}
+
+// Edges, their ranks and bits; then columns with their pivots and pairs. Columns of degree 1 are edges that close no
+// triangle when they enter; so they hold none, and by Mantel's theorem they are n^2 / 4 at most.
+double rips_bytes(std::uint64_t n, std::uint32_t max_degree, double edges) {
+    const double points = static_cast<double>(n), triangle_free = points * points / 4;
+    double bytes = 2048 + 80 * points + 12.6 * edges;
+    if (max_degree == 0) return bytes;
+    double columns = edges < triangle_free ? edges : triangle_free;
+    for (std::uint32_t p = 2; p <= max_degree; ++p) columns += skeleton_count(n, p) - skeleton_count(n, p - 1);
+    return bytes + 4 * points * points + 12 * points * (max_degree + 2) + 72 * columns;
 }
 
 #define NETMESH_INSTANTIATE(D) template Status rips_graph<D>(const double*, std::uint32_t, const Work&, RipsGraph*);

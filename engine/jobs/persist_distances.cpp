@@ -1,6 +1,7 @@
 #include "jobs/persist_distances.hpp"
 
 #include "filtration/point_complexes.hpp"
+#include "filtration/rips_graph.hpp"
 #include "jobs/point_set.hpp"
 #include "jobs/rips_tree.hpp"
 
@@ -81,18 +82,14 @@ double distances_bytes(const DistancesRequest& request, std::uint64_t n) {
     double edges = points * (points - 1) / 2;
     const double entries = static_cast<double>(request.entries.entry_count);
     if (request.entries.count > 0 && entries < edges) edges = entries;
-    double bytes = 80 * points + 36 * edges;
-    if (request.max_degree == 0 && !request.representatives)
-        return 1.1 * (request.entries.count > 0 ? bytes : 80 * points);
-    if (request.entries.count > 0) bytes += 24 * entries;
-    const std::uint64_t top = std::uint64_t{request.max_degree} + 1;
-    const std::uint32_t dimension = static_cast<std::uint32_t>(top < n ? top : n - 1);
-    double columns = 0;
-    for (std::uint32_t p = 1; p <= request.max_degree; ++p) columns += skeleton_count(n, p) - skeleton_count(n, p - 1);
-    bytes += 4 * points * points + 8 * points * (request.max_degree + 2) + 72 * columns;
-    if (request.representatives)
-        bytes = 12 * points * points + skeleton_count(n, dimension) * (8.0 * (dimension + 1) + 32);
-    return 1.1 * bytes;
+    if (request.representatives) {
+        const std::uint64_t top = std::uint64_t{request.max_degree} + 1;
+        const std::uint32_t dimension = static_cast<std::uint32_t>(top < n ? top : n - 1);
+        return 1.1 * (12 * points * points + skeleton_count(n, dimension) * (8.0 * (dimension + 1) + 32));
+    }
+    if (request.entries.count == 0 && request.max_degree == 0) return 80 * points;
+    const double bytes = rips_bytes(n, request.max_degree, edges);
+    return entries > edges ? bytes + 12.6 * (entries - edges) : bytes;
 }
 
 }  // namespace netmesh

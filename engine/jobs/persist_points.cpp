@@ -109,14 +109,6 @@ Status persist_set(const PointsRequest& request, const Work& work, PointsDiagram
     return status;
 }
 
-// A diagram from the edges: these, their order and ranks, and the columns of two degrees with their pivots.
-double edges_bytes(std::uint64_t n, std::uint32_t max_degree) {
-    double columns = 0;
-    for (std::uint32_t p = 1; p <= max_degree; ++p) columns += skeleton_count(n, p) - skeleton_count(n, p - 1);
-    const double points = static_cast<double>(n);
-    return 20 * points * points + 8 * points * (max_degree + 2) + 72 * columns;
-}
-
 }  // namespace
 
 Status persist_points(const PointsRequest& request, const Work& work, PointsDiagram* out) {
@@ -132,16 +124,17 @@ Status persist_points(const PointsRequest& request, const Work& work, PointsDiag
 }
 
 double points_bytes(const PointsFilter& filter, std::uint64_t n, std::uint32_t dim) {
+    const double points = static_cast<double>(n), of_points = points * (8.0 * dim + 5);
+    if (is_rips(filter.filter)) return rips_bytes(n, filter.max_degree, points * (points - 1) / 2) + of_points;
     const std::uint32_t dimension = skeleton_dimension(filter, n);
     // A simplex of `width` vertices: facets, cofaces, value; then tables, orders and columns.
     const auto bytes = [](double count, std::uint32_t width) { return count * (8.0 * width + 8 + 24); };
     double total = bytes(skeleton_count(n, dimension), dimension + 1);
-    if (is_rips(filter.filter)) total = edges_bytes(n, filter.max_degree);
     if (is_barycentric(filter.filter)) {
         const double chains = barycentric_count(n, filter.k, dimension + 1, filter.max_degree + 1);
         total += bytes(chains, filter.max_degree + 2);
     }
-    return 1.1 * total + static_cast<double>(n) * (8.0 * dim + 5);
+    return 1.1 * total + of_points;
 }
 
 }  // namespace netmesh

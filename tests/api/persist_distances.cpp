@@ -362,3 +362,44 @@ TEST_CASE("only Rips complexes take points of more than six coordinates") {
     CHECK(s.detail().field == NETMESH_FIELD_DIM);
     CHECK(netmesh::requests::Points(1u << 30, NETMESH_FILTER_RIPS).dim == NETMESH_RIPS_DIM_MAX);
 }
+
+TEST_CASE("a function is asked for each distance once, row by row") {
+    struct Asked {
+        std::uint32_t i = 1, j = 0;
+        bool in_order = true;
+    } asked;
+    netmesh_distances_request r = netmesh::requests::Distances();
+    r.layout = NETMESH_DISTANCES_FUNCTION;
+    r.evaluate = [](void* user, std::uint32_t i, std::uint32_t j) {
+        Asked& a = *static_cast<Asked*>(user);
+        a.in_order = a.in_order && i == a.i && j == a.j;
+        if (++a.j == a.i) a = {a.i + 1, 0, a.in_order};
+        return 1.0 + (i * 7 + j * 3) % 11;
+    };
+    r.user = &asked;
+    r.point_count = 40;
+    Session s(2);
+    REQUIRE(netmesh_persist_distances(s.context, &r) == NETMESH_OK);
+    CHECK(asked.in_order);
+    CHECK(asked.i == 40);
+}
+
+TEST_CASE("the plan of distances suffices, and is not much more than a random metric takes") {
+    std::uint64_t seed = 7;
+    const Matrix m = matrix_of(200, [&seed](std::uint32_t, std::uint32_t) {
+        seed = seed * 6364136223846793005u + 1442695040888963407u;
+        return 1 + static_cast<double>(seed >> 11) * 0x1p-53;
+    });
+    for (const netmesh_distance_layout layout : layouts)
+        for (const std::uint32_t degree : {0u, 1u}) {
+            CAPTURE(layout);
+            CAPTURE(degree);
+            const netmesh_distances_request r = request_of(m, layout, degree);
+            const std::size_t planned = netmesh_plan_distances(&r);
+            Session s(2);
+            s.reserve(planned);
+            REQUIRE(netmesh_persist_distances(s.context, &r) == NETMESH_OK);
+            const double used = static_cast<double>(s.report().memory.peak_bytes);
+            CHECK(static_cast<double>(planned) <= (degree == 0 ? 5 : 1.5) * used);
+        }
+}

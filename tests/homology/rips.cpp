@@ -61,10 +61,27 @@ oracle::Filtered flag_complex(const Graph& g, std::uint32_t most) {
     });
 }
 
-Status run(Graph g, DiagramRequest request, const Work& work, CountedPairs* out) {
-    RipsGraph graph = {g.vertices, static_cast<std::uint32_t>(g.value.size()), g.value.data(), g.ends.data()};
-    REQUIRE(rips_has_numbers(graph, request.max_degree));
-    return persist_rips(graph, request, work, out);
+// The graph last at the arena's low end. False: out of memory.
+bool place(const Graph& g, Arena& arena, RipsGraph* out) {
+    double* const value = arena.take_low<double>(g.value.size());
+    std::uint32_t* const ends = arena.take_low<std::uint32_t>(g.ends.size());
+    if (value == nullptr || ends == nullptr) return false;
+    std::copy(g.value.begin(), g.value.end(), value);
+    std::copy(g.ends.begin(), g.ends.end(), ends);
+    *out = {g.vertices, static_cast<std::uint32_t>(g.value.size()), value, ends};
+    return true;
+}
+
+Status run(const Graph& g, DiagramRequest request, const Work& work, CountedPairs* out) {
+    const std::size_t low = work.arena.low_mark();
+    RipsGraph graph;
+    Status status = Status::out_of_memory;
+    if (place(g, work.arena, &graph)) {
+        REQUIRE(rips_has_numbers(graph, request.max_degree));
+        status = persist_rips(graph, request, work, out);
+    }
+    if (status != Status::ok) work.arena.release_low(low);
+    return status;
 }
 
 void check(const Graph& g, std::uint32_t degree_most) {
@@ -122,16 +139,17 @@ TEST_CASE("a sum of cofaces kept as edges has the triangles with an odd number o
     std::mt19937 random(47);
     for (const std::uint32_t n : {3u, 64u, 65u, 130u}) {
         CAPTURE(n);
-        Graph g = random_graph(random, n, n == 3 ? 100 : 60, 50);
-        RipsGraph graph = {n, static_cast<std::uint32_t>(g.value.size()), g.value.data(), g.ends.data()};
+        const Graph g = random_graph(random, n, n == 3 ? 100 : 60, 50);
         Block block(std::size_t{8} << 20);
+        RipsGraph graph;
+        REQUIRE(place(g, block.arena, &graph));
         RipsSimplices simplices;
         REQUIRE(simplices.open(graph, 1, block.arena));
         EdgeSum sum(simplices);
         REQUIRE(sum.open(block.arena));
         std::vector<std::vector<std::uint32_t>> rank(n, std::vector<std::uint32_t>(n, none));
         for (std::uint32_t e = 0; e < graph.edge_count; ++e) {
-            const std::uint32_t a = g.ends[e] >> 16, b = g.ends[e] & 0xFFFF;
+            const std::uint32_t a = simplices.larger_end(e), b = simplices.smaller_end(e);
             rank[a][b] = rank[b][a] = e;
         }
         std::vector<bool> in_set(graph.edge_count);
@@ -144,7 +162,7 @@ TEST_CASE("a sum of cofaces kept as edges has the triangles with an odd number o
             }
             std::vector<std::uint64_t> triangles;  // of the sum
             for (std::uint32_t e = 0; e < graph.edge_count; ++e) {
-                const std::uint32_t a = g.ends[e] >> 16, b = g.ends[e] & 0xFFFF;
+                const std::uint32_t a = simplices.larger_end(e), b = simplices.smaller_end(e);
                 for (std::uint32_t w = 0; w < n; ++w) {
                     if (rank[a][w] >= e || rank[b][w] >= e) continue;
                     if (in_set[e] != (in_set[rank[a][w]] != in_set[rank[b][w]]))
@@ -168,6 +186,31 @@ TEST_CASE("a sum of cofaces kept as edges has the triangles with an odd number o
                 }));
             REQUIRE(listed == in_set);
         }
+    }
+}
+
+TEST_CASE("edges are put in order of value, equal ones by their ends, and each value is kept once") {
+    std::mt19937 random(48);
+    for (const std::uint32_t values : {1u, 7u, 1u << 30}) {
+        CAPTURE(values);
+        const Graph g = random_graph(random, 40, 80, values);
+        std::vector<std::pair<double, std::uint32_t>> expected;
+        for (std::size_t e = 0; e < g.ends.size(); ++e) expected.push_back({g.value[e], g.ends[e]});
+        std::sort(expected.begin(), expected.end());
+        std::vector<double> distinct = g.value;
+        std::sort(distinct.begin(), distinct.end());
+        distinct.erase(std::unique(distinct.begin(), distinct.end()), distinct.end());
+        Block block(std::size_t{1} << 20);
+        RipsGraph graph;
+        REQUIRE(place(g, block.arena, &graph));
+        RipsSimplices simplices;
+        REQUIRE(simplices.open(graph, 0, block.arena));
+        REQUIRE(simplices.edges() == expected.size());
+        for (std::uint32_t e = 0; e < simplices.edges(); ++e) {
+            REQUIRE(simplices.value(e) == expected[e].first);
+            REQUIRE(RipsGraph::edge(simplices.larger_end(e), simplices.smaller_end(e)) == expected[e].second);
+        }
+        CHECK(block.arena.low_mark() <= 8 * distinct.size() + 4 * expected.size() + 16);
     }
 }
 

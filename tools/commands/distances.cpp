@@ -50,7 +50,9 @@ Outcome run_distances(const Options& given) {
 
     Session session(options, NETMESH_DIM_MIN);
     netmesh_report report;
-    outcome = persist_rips(options, input, options.check || !options.representatives.empty(), session, &report);
+    const bool cycles = options.check || !options.representatives.empty();
+    input.read_once = !cycles;
+    outcome = persist_rips(options, input, cycles, session, &report);
     if (!outcome.good()) return outcome;
     const Engine& engine = session.engine();
     run.engine = report;

@@ -330,6 +330,14 @@ void take_filter(const netmesh_diagram_report& diagram, Options* options) {
     options->auto_filter = false;
 }
 
+// One line where the points have no classes of the degrees that were asked for.
+void tell_highest_degree(const Options& options, const std::string& name, const netmesh_diagram_report& diagram) {
+    if (!persists(options) || options.max_degree.value_or(0) <= diagram.max_degree) return;
+    tell_note(options, name,
+              "--max-degree " + std::to_string(*options.max_degree) + " is taken as " +
+                  std::to_string(diagram.max_degree) + ": there is nothing of higher degree");
+}
+
 Outcome run_one(const Options& from) {
     if (from.threshold) return run_distances(from);
     const Outcome apart = check_apart(from);
@@ -357,6 +365,7 @@ Outcome run_one(const Options& from) {
     run.engine = session.engine().report();
     if (options.focus_auto) take_focus(run.engine->mesh.certificate, &options);
     take_filter(run.engine->diagram, &options);
+    tell_highest_degree(options, cloud.name, run.engine->diagram);
     run.clock = session.clock();
     if (options.analyse) run.analysis = measured.analysis;
     const SimplexList complex = complex_of(options, session.engine(), cloud);

@@ -5,6 +5,7 @@
 #include <map>
 #include <set>
 
+#include "platform/memory.hpp"
 #include "tools/commands/output.hpp"
 #include "tools/io/numbers.hpp"
 
@@ -36,6 +37,24 @@ double distance_error(std::uint32_t dim) { return (dim + 8) * 0x1p-53; }
 double evaluate(void* user, std::uint32_t i, std::uint32_t j) {
     return distance(*static_cast<const PointCloud*>(user), i, j);
 }
+
+// A triangle of distances that is forgotten while the engine reads it, row by row, into its own edges.
+struct ReleasedTriangle {
+    std::vector<double>* lower;
+    std::size_t released = 0;  // numbers
+
+    static double evaluate(void* user, std::uint32_t i, std::uint32_t j) {
+        constexpr std::size_t piece = std::size_t{1} << 17;
+        ReleasedTriangle& self = *static_cast<ReleasedTriangle*>(user);
+        const std::size_t at = std::size_t{i} * (i - 1) / 2 + j;
+        if (at < self.released) return NAN;  // the engine reports it
+        if (at - self.released >= piece) {
+            platform::forget_pages(self.lower->data() + self.released, (at - self.released) * sizeof(double));
+            self.released = at;
+        }
+        return (*self.lower)[at];
+    }
+};
 
 // Leaves the first of equal points.
 void merge(PointCloud* cloud) {
@@ -97,6 +116,7 @@ std::map<Pair, double> edges_of(const RipsInput& input, const Options& options) 
 
 Outcome read_rips_input(const Options& options, const std::string& path, RipsInput* input) {
     *input = {};
+    input->path = path;
     if (options.distances) {
         const Outcome outcome = read_distances(path, options.sparse, &input->file);
         if (outcome.good()) tell_note(options, input->file.place.name, input->file.note);
@@ -114,12 +134,24 @@ Outcome read_rips_input(const Options& options, const std::string& path, RipsInp
     return {};
 }
 
-Outcome persist_rips(const Options& options, const RipsInput& input, bool cycles, Session& session,
-                     netmesh_report* report) {
+Outcome persist_rips(const Options& options, RipsInput& input, bool cycles, Session& session, netmesh_report* report) {
     requests::Distances request = request_of(options, input);
     request.representatives = cycles ? 1 : 0;
     const PointCloud& place = input.of_points() ? input.cloud : input.file.place;
+    ReleasedTriangle triangle = {&input.file.numbers};
+    const std::uint64_t points = input.count();
+    if (input.read_once && !cycles && !input.of_points() && request.layout == NETMESH_DISTANCES_LOWER &&
+        request.max_degree > 0 && input.path != "-") {
+        request.layout = NETMESH_DISTANCES_FUNCTION;
+        request.evaluate = ReleasedTriangle::evaluate;
+        request.user = &triangle;
+    }
     const Outcome outcome = session.run(plan(request), place, [&](Session& s) {
+        if (triangle.released > 0) {  // by the run in a smaller block
+            if (!read_distances(input.path, false, &input.file).good() || input.count() != points)
+                return NETMESH_OUT_OF_MEMORY;
+            triangle.released = 0;
+        }
         return s.call(NETMESH_STAGE_REDUCE, [&] { return s.engine().persist_distances(s.watched(request)); });
     });
     const Engine& engine = session.engine();

@@ -14,6 +14,8 @@ struct RipsInput {
     DistanceFile file;  // of --distances
     PointCloud cloud;   // without: the different points, in their order
     std::uint64_t rows = 0;
+    std::string path;        // of the file
+    bool read_once = false;  // the distances are for one diagram without cycles, and memory for them is scarce
 
     bool of_points() const { return cloud.dim > 0; }
     std::uint64_t count() const { return of_points() ? cloud.rows() : file.points; }
@@ -26,9 +28,8 @@ inline bool goes_by_distances(const Options& options) { return options.distances
 // Points of any number of columns, or distances; their notes go to stderr unless --quiet was given.
 Outcome read_rips_input(const Options& options, const std::string& path, RipsInput* input);
 // The diagram, with cycles if `cycles`, in the session's engine; what there is to report, of points with their
-// dimension, number and duplicates.
-Outcome persist_rips(const Options& options, const RipsInput& input, bool cycles, Session& session,
-                     netmesh_report* report);
+// dimension, number and duplicates. Of an input that is read once the distances may be gone afterwards.
+Outcome persist_rips(const Options& options, RipsInput& input, bool cycles, Session& session, netmesh_report* report);
 
 // All sets of up to top + 1 points within the threshold; nothing where there are too many.
 SimplexList complex_of(const RipsInput& input, const Options& options, std::uint32_t top);

@@ -54,6 +54,7 @@ bool is_chemical_xyz(std::string_view content) {
     std::uint64_t count = 0;
     if (!reader.next(&line) || !parse_unsigned(std::string(line), &count) || count == 0) return false;
     if (!reader.next(&line)) return false;
+    if (line.find("Properties=") != std::string_view::npos) return true;  // extended
     bool named = false, numbered = true;
     for (std::uint64_t i = 0; i < count && i < 1000; i++) {
         if (!reader.next(&line)) return named;
@@ -76,8 +77,10 @@ Outcome parse_xyz_atoms(std::string_view content, PointCloud* cloud) {
     reader.next(&line);
     const std::size_t properties = line.find("Properties=");
     if (properties != std::string_view::npos && !starts(line.substr(properties + 11), "species:S:1:pos:R:3"))
-        return line_error(cloud->name, reader.number(),
-                          "Properties do not begin with species:S:1:pos:R:3; places are read from columns 2 to 4");
+        return line_error(
+            cloud->name, reader.number(),
+            "Properties do not begin with species:S:1:pos:R:3; places are read from columns 2 to 4; write these "
+            "properties first");
     cloud->dim = 3;
     for (std::uint64_t i = 0; i < count; i++) {
         if (!reader.next(&line))

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <optional>
 
+#include "platform/memory.hpp"
 #include "tools/io/lines.hpp"
 #include "tools/io/numbers.hpp"
 
@@ -51,18 +52,61 @@ std::string_view without_last_comma(std::string_view line) {
     return is_behind ? line.substr(0, end - 1) : line;
 }
 
-Outcome read_rows(std::string_view content, DistanceFile* file, Rows* rows) {
+// A row without its name, which may hold blanks where something else parts fields.
+std::string_view behind_name(std::string_view line) {
+    std::size_t end = line.find_first_of(",;\t");
+    if (end == std::string_view::npos) end = line.find(' ');
+    return end == std::string_view::npos ? std::string_view() : line.substr(end + 1);
+}
+
+// So many numbers at most, if one character parts them.
+std::size_t count_fields(std::string_view content) {
+    return 1 + static_cast<std::size_t>(std::count_if(content.begin(), content.end(), [](char c) {
+               return (c >= 0 && c <= ' ') || c == ',' || c == ';';
+           }));
+}
+
+// Gives the memory of a text back while it is read: the numbers are as large.
+class TextReleaser {
+public:
+    explicit TextReleaser(std::string* text) : text_(text) {}
+    void pass(std::size_t offset) {
+        constexpr std::size_t piece = std::size_t{1} << 20;
+        if (text_ == nullptr || offset - released_ < piece) return;
+        platform::forget_pages(text_->data() + released_, offset - released_);
+        released_ = offset;
+    }
+
+private:
+    std::string* text_;
+    std::size_t released_ = 0;
+};
+
+// *released: the content itself, where it is not needed afterwards, or null.
+Outcome read_rows(std::string_view content, std::string* released, DistanceFile* file, Rows* rows) {
     LineReader reader(content);
+    TextReleaser releaser(released);
+    file->numbers.reserve(count_fields(content));
     std::string_view line;
     std::vector<double> row;
-    bool may_be_header = true;
+    bool may_be_header = true, has_header = false, has_names = false;
     std::optional<bool> parted_by_commas;  // or by blanks alone, in all rows of two numbers and more
     while (reader.next_content(&line)) {
         line = without_last_comma(line);
-        const Complaint complaint = parse_numbers(line, &row, true);
+        Complaint complaint = parse_numbers(line, &row, true);
+        if (!complaint.empty() && has_header) {
+            const std::string_view rest = behind_name(line);
+            if (!rest.empty() && parse_numbers(rest, &row, true).empty()) {
+                if (!has_names) add_note("left out the names that rows begin with", file);
+                has_names = true;
+                complaint.clear();
+                line = rest;
+            }
+        }
         if (!complaint.empty()) {
             if (may_be_header && is_header(line)) {
                 may_be_header = false;
+                has_header = true;
                 add_note("skipped header " + quoted(line), file);
                 continue;
             }
@@ -79,6 +123,7 @@ Outcome read_rows(std::string_view content, DistanceFile* file, Rows* rows) {
         if (row.size() > 1) parted_by_commas = commas > 0;
         rows->push_back({reader.number(), file->numbers.size(), row.size()});
         file->numbers.insert(file->numbers.end(), row.begin(), row.end());
+        releaser.pass(reader.offset());
     }
     if (rows->empty())
         return line_error(file->place.name, reader.number() == 0 ? 1 : reader.number(),
@@ -95,8 +140,7 @@ void add_line(const Row& row, DistanceFile* file) {
     if (row.line > 0) file->place.lines.push_back(row.line);
 }
 
-void set_lower(std::vector<double> lower, std::uint64_t points, DistanceFile* file) {
-    file->numbers = std::move(lower);
+void set_lower(std::uint64_t points, DistanceFile* file) {
     file->layout = NETMESH_DISTANCES_LOWER;
     file->points = points;
 }
@@ -108,13 +152,16 @@ void take_half(DistanceFile* file) {
     for (std::size_t i = 0; i < n; i++)
         for (std::size_t j = 0; j < n; j++) (i < j ? upper : i > j ? lower : diagonal) |= file->numbers[i * n + j] != 0;
     if (diagonal || upper == lower) return;
-    std::vector<double> half;
+    for (std::size_t i = 0; upper && i < n; i++)
+        for (std::size_t j = 0; j < i; j++) file->numbers[i * n + j] = file->numbers[j * n + i];
+    std::size_t kept = 0;
     for (std::size_t i = 0; i < n; i++)
-        for (std::size_t j = 0; j < i; j++) half.push_back(file->numbers[lower ? i * n + j : j * n + i]);
+        for (std::size_t j = 0; j < i; j++) file->numbers[kept++] = file->numbers[i * n + j];
+    file->numbers.resize(kept);
     add_note(lower ? "read as a lower triangle: all above its diagonal is 0"
                    : "read as an upper triangle: all below its diagonal is 0",
              file);
-    set_lower(std::move(half), n, file);
+    set_lower(n, file);
 }
 
 Outcome take_square(const Rows& rows, DistanceFile* file) {
@@ -144,14 +191,15 @@ Outcome take_triangle(const Rows& rows, DistanceFile* file) {
     if (all_zero)
         return wrong(*file, rows, 0, "a lower triangle of zeros may have its diagonal or not; write the whole matrix");
     if (!has_diagonal) add_line(rows[0], file);  // the first point has no row
-    std::vector<double> lower;
+    std::size_t kept = 0;
     for (const Row& row : rows) {
-        const auto first = file->numbers.begin() + static_cast<std::ptrdiff_t>(row.first);
-        lower.insert(lower.end(), first, first + static_cast<std::ptrdiff_t>(row.count - (has_diagonal ? 1 : 0)));
+        for (std::size_t j = 0; j < row.count - (has_diagonal ? 1 : 0); j++)
+            file->numbers[kept++] = file->numbers[row.first + j];
         add_line(row, file);
     }
+    file->numbers.resize(kept);
     if (has_diagonal) add_note("read as a lower triangle with its diagonal", file);
-    set_lower(std::move(lower), rows.size() + (has_diagonal ? 0 : 1), file);
+    set_lower(rows.size() + (has_diagonal ? 0 : 1), file);
     return {};
 }
 
@@ -168,7 +216,8 @@ Outcome take_condensed(DistanceFile* file) {
     for (std::uint64_t i = 0; i < n; i++)
         for (std::uint64_t j = 0; j < i; j++) lower.push_back(file->numbers[n * j - j * (j + 1) / 2 + i - j - 1]);
     add_note("read as the upper triangle row by row, as scipy's pdist and R's dist have it", file);
-    set_lower(std::move(lower), n, file);
+    file->numbers = std::move(lower);
+    set_lower(n, file);
     return {};
 }
 
@@ -218,17 +267,18 @@ Outcome DistanceFile::fault(std::uint64_t a, std::uint64_t b, const std::string&
 
 Outcome parse_distances(std::string_view content, bool sparse, DistanceFile* file) {
     Rows rows;
-    const Outcome outcome = read_rows(content, file, &rows);
+    const Outcome outcome = read_rows(content, nullptr, file, &rows);
     return outcome.good() ? take_rows(rows, sparse, file) : outcome;
 }
 
-Outcome take_distances(const Table& table, bool sparse, DistanceFile* file) {
+Outcome take_distances(Table table, bool sparse, DistanceFile* file) {
+    const std::size_t height = table.rows();
     file->place.name = table.name;
     file->note = table.note;
-    file->numbers = table.values;
+    file->numbers = std::move(table.values);
     Rows rows;
-    for (std::size_t r = 0; r < table.rows(); r++) rows.push_back({0, r * table.width, table.width});
-    if (table.width != 1 || table.rows() == 1 || sparse) return take_rows(rows, sparse, file);
+    for (std::size_t r = 0; r < height; r++) rows.push_back({0, r * table.width, table.width});
+    if (table.width != 1 || height == 1 || sparse) return take_rows(rows, sparse, file);
     const Outcome outcome = check_numbers(*file, rows, false);
     return outcome.good() ? take_condensed(file) : outcome;
 }
@@ -237,11 +287,13 @@ Outcome read_distances(const std::string& path, bool sparse, DistanceFile* file)
     *file = {};
     Table table;
     std::string text;
-    const Outcome outcome = read_numbers(path, &table, &text);
+    Outcome outcome = read_numbers(path, &table, &text);
     if (!outcome.good()) return outcome;
-    if (table.width > 0) return take_distances(table, sparse, file);
+    if (table.width > 0) return take_distances(std::move(table), sparse, file);
     file->place.name = table.name;
-    return parse_distances(text, sparse, file);
+    Rows rows;
+    outcome = read_rows(text, &text, file, &rows);
+    return outcome.good() ? take_rows(rows, sparse, file) : outcome;
 }
 
 }  // namespace netmesh::tool

@@ -42,9 +42,14 @@ bool take_keyword(std::string_view* line, bool* wide, OffHeader* header) {
 Outcome parse_off_header(LineReader& reader, const PointCloud& cloud, OffHeader* header) {
     std::string_view line;
     if (!reader.next_content(&line)) return line_error(cloud.name, 1, "the input ends without a point");
+    const std::string_view first = line;
     bool wide = false;
     if (!take_keyword(&line, &wide, header)) {
-        return line_error(cloud.name, reader.number(), "an OFF file starts with OFF or nOFF, not " + quoted(line));
+        return line_error(
+            cloud.name, reader.number(),
+            "an OFF file starts with OFF, COFF, NOFF, STOFF or nOFF (4OFF, of homogeneous coordinates, is not read), "
+            "not " +
+                quoted(first));
     }
     const std::size_t needed = wide ? 3 : 2;
     std::vector<double> numbers, more;

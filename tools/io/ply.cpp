@@ -1,4 +1,4 @@
-// Stanford PLY, ASCII and binary little-endian: properties x, y and z of element vertex.
+// Stanford PLY, ASCII and binary of both byte orders: properties x, y and z of element vertex.
 #include <cmath>
 #include <cstring>
 
@@ -26,7 +26,7 @@ struct Element {
 };
 
 struct PlyHeader {
-    bool binary = false;
+    bool binary = false, big_endian = false;
     std::vector<Element> elements;
     std::size_t vertex_element = SIZE_MAX;
     int columns[3] = {-1, -1, -1};  // positions of x, y, z among the properties
@@ -60,10 +60,11 @@ unsigned bytes_of(Scalar type) {
     }
 }
 
-double read_scalar(Scalar type, const char* source) {
+double read_scalar(Scalar type, const char* source, bool big_endian) {
     std::uint64_t bits = 0;
     for (unsigned i = 0; i < bytes_of(type); i++) {
-        bits |= static_cast<std::uint64_t>(static_cast<unsigned char>(source[i])) << (8 * i);
+        const char byte = source[big_endian ? bytes_of(type) - 1 - i : i];
+        bits |= static_cast<std::uint64_t>(static_cast<unsigned char>(byte)) << (8 * i);
     }
     float narrow;
     double wide;
@@ -95,9 +96,9 @@ Complaint parse_header_line(std::string_view line, bool* format_seen, PlyHeader*
     const std::vector<std::string_view> words = split_blanks(line);
     if (words.empty() || words[0] == "comment" || words[0] == "obj_info") return {};
     if (words[0] == "format" && words.size() == 3) {
-        if (words[1] != "ascii" && words[1] != "binary_little_endian") {
-            return "format " + quoted(words[1]) + "; ascii and binary_little_endian are read";
-        }
+        header->big_endian = words[1] == "binary_big_endian";
+        if (words[1] != "ascii" && words[1] != "binary_little_endian" && !header->big_endian)
+            return "format " + quoted(words[1]) + "; ascii, binary_little_endian and binary_big_endian are read";
         header->binary = words[1] != "ascii";
         *format_seen = true;
         return {};
@@ -151,7 +152,7 @@ Outcome parse_ply_header(LineReader& reader, const PointCloud& cloud, PlyHeader*
 }
 
 // The bytes of one element at content[*offset], stepped over; starts[i] is the offset of property i.
-bool walk_element(const Element& element, std::string_view content, std::size_t* offset,
+bool walk_element(const Element& element, std::string_view content, bool big_endian, std::size_t* offset,
                   std::vector<std::size_t>* starts) {
     starts->clear();
     for (const Property& property : element.properties) {
@@ -160,7 +161,7 @@ bool walk_element(const Element& element, std::string_view content, std::size_t*
         if (property.is_list) {
             const unsigned count_bytes = bytes_of(property.count_type);
             if (content.size() - *offset < count_bytes) return false;
-            const double count = read_scalar(property.count_type, content.data() + *offset);
+            const double count = read_scalar(property.count_type, content.data() + *offset, big_endian);
             if (!(count >= 0 && count <= 4294967295.0)) return false;
             *offset += count_bytes;
             bytes *= static_cast<std::uint64_t>(count);
@@ -182,16 +183,16 @@ std::string no_such_vertex(double vertex, std::uint64_t count) {
 }
 
 // A vertex of the face in a row of bytes that does not exist, -1 for all below 0; 0 where all exist.
-double foreign_vertex(const Element& element, std::string_view content, const std::vector<std::size_t>& starts,
-                      std::uint64_t count) {
+double foreign_vertex(const Element& element, std::string_view content, bool big_endian,
+                      const std::vector<std::size_t>& starts, std::uint64_t count) {
     for (std::size_t p = 0; p < element.properties.size(); p++) {
         const Property& property = element.properties[p];
         if (!is_face_list(element, property)) continue;
         const char* const at = content.data() + starts[p];
-        const auto length = static_cast<std::uint64_t>(read_scalar(property.count_type, at));
+        const auto length = static_cast<std::uint64_t>(read_scalar(property.count_type, at, big_endian));
         for (std::uint64_t i = 0; i < length; i++) {
-            const double vertex =
-                read_scalar(property.type, at + bytes_of(property.count_type) + i * bytes_of(property.type));
+            const double vertex = read_scalar(
+                property.type, at + bytes_of(property.count_type) + i * bytes_of(property.type), big_endian);
             if (!(vertex >= 0 && vertex < static_cast<double>(count))) return vertex < 0 ? -1 : vertex;
         }
     }
@@ -205,12 +206,12 @@ Outcome parse_ply_binary(std::string_view content, std::size_t offset, const Ply
         const Element& element = header.elements[e];
         if (element.properties.empty()) continue;
         for (std::uint64_t row = 0; row < element.count; row++) {
-            if (!walk_element(element, content, &offset, &starts)) {
+            if (!walk_element(element, content, header.big_endian, &offset, &starts)) {
                 return file_error(cloud->name, "ends at byte " + std::to_string(content.size()) + ", inside " +
                                                    element.name + " " + std::to_string(row + 1) + " of " +
                                                    std::to_string(element.count));
             }
-            const double vertex = foreign_vertex(element, content, starts, vertices);
+            const double vertex = foreign_vertex(element, content, header.big_endian, starts, vertices);
             if (vertex < 0 || vertex >= static_cast<double>(vertices))
                 return file_error(cloud->name, "face " + std::to_string(row + 1) + " (byte " +
                                                    std::to_string(starts[0]) +
@@ -218,7 +219,8 @@ Outcome parse_ply_binary(std::string_view content, std::size_t offset, const Ply
             if (e != header.vertex_element) continue;
             for (std::uint32_t k = 0; k < header.dim; k++) {
                 const std::size_t column = static_cast<std::size_t>(header.columns[k]);
-                const double value = read_scalar(element.properties[column].type, content.data() + starts[column]);
+                const double value =
+                    read_scalar(element.properties[column].type, content.data() + starts[column], header.big_endian);
                 if (!std::isfinite(value)) {
                     return {Exit::data,
                             cloud->where(row) + " (byte " + std::to_string(starts[column]) +

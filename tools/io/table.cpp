@@ -287,8 +287,16 @@ Outcome TableParser::find_columns() {
     for (std::size_t k = 0; k < width_; k++) columns_.push_back(k);
     if (options_.columns.empty()) {
         const Outcome outcome = check_column_numbers();
-        if (outcome.good()) note_whole_first_row();
-        return outcome.good() ? find_index() : outcome;
+        if (!outcome.good()) return outcome;
+        note_whole_first_row();
+        const Outcome found = find_index();
+        std::vector<Field> first;
+        const bool from_start =
+            cut(lines_[0], &first) && !first.empty() && (first[0].text == "0" || first[0].text == "1");
+        if (found.good() && columns_.size() == width_ && width_ > 2 && lines_.size() > 4 && from_start && counts(true))
+            add_note("took column 1, which counts rows, as a coordinate; --columns 2-" + std::to_string(width_) +
+                     " leaves it out");
+        return found;
     }
     std::vector<std::string> names = names_;
     if (names.size() + 1 == width_) names.insert(names.begin(), "");

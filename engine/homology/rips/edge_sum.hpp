@@ -1,7 +1,8 @@
 // A column of triangles at work, as the edges whose cofaces were added: a symmetric matrix of bits over the vertices. A
 // triangle is in the sum if an odd number of its edges is in that set, so the next pivot is found by adding two rows of
-// bits for each edge that may be the triangle's last one. Additions cost a bit an edge, however many cofaces it has: a
-// heap of cofaces (key_heap.hpp) is faster where few are added, and grows with each.
+// bits for each edge that may be the triangle's last one. Additions cost a bit an edge, where a heap of cofaces
+// (key_heap.hpp) visits all vertices and grows; so a heap is for fewer than one addition in 64 vertices, by which it is
+// as large as the matrix.
 #pragma once
 #include <cstddef>
 #include <cstdint>

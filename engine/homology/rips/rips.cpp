@@ -14,9 +14,10 @@ namespace {
 
 class Rips {
 public:
-    Rips(RipsGraph& graph, DiagramRequest request, const Work& work)
-        : graph_(graph), max_degree_(request.max_degree), arena_(work.arena), progress_{work.monitor},
-          writer_(work.arena, request), columns_(simplices_of_, work.arena, progress_) {}
+    Rips(const RipsSimplices& simplices, DiagramRequest request, const Work& work)
+        : simplices_of_(simplices), vertices_(simplices.vertices()), edges_(simplices.edges()),
+          max_degree_(request.max_degree), arena_(work.arena), progress_{work.monitor}, writer_(work.arena, request),
+          columns_(simplices, work.arena, progress_) {}
 
     Status run();
     PairList finish() { return writer_.finish(); }
@@ -32,16 +33,21 @@ private:
     Status walk_cliques(std::uint32_t p, std::uint32_t edge);
     bool visit_simplex(std::uint32_t p, std::uint32_t edge, const std::uint32_t* candidates, std::uint32_t i);
     bool list_column(std::uint64_t key);
-    std::uint32_t lune(std::uint32_t edge, std::uint32_t* out, std::uint32_t most) const;
+    std::uint32_t lune(std::uint32_t edge, std::uint32_t* out) const;
     Status reduce(std::uint32_t p);
-    double value_of(std::uint64_t key) const { return graph_.value[simplices_of_.edge_of(key)]; }
+    double value_of(std::uint64_t key) const { return simplices_of_.value(simplices_of_.edge_of(key)); }
+    // A pair of two simplices that enter with this edge. False: out of memory.
+    bool add_zero(std::uint32_t edge, std::uint32_t p) {
+        if (!writer_.keeps_zero()) return true;
+        const double value = simplices_of_.value(edge);
+        return writer_.add(value, value, p);
+    }
 
-    RipsGraph& graph_;
-    std::uint32_t max_degree_;
+    const RipsSimplices& simplices_of_;
+    std::uint32_t vertices_, edges_, max_degree_;
     Arena& arena_;
     Progress progress_;
     PairWriter writer_;
-    RipsSimplices simplices_of_;
     RipsColumns columns_;
     BitSet joining_;                       // edges that join two components
     std::uint32_t* candidates_ = nullptr;  // [max_degree][vertices], of the walk
@@ -62,27 +68,27 @@ struct Rips::Components {
     }
     Status merge(std::uint32_t e, std::uint32_t, std::uint32_t) {
         rips.joining_.insert(e);
-        return rips.writer_.add(0, rips.graph_.value[e], 0) ? Status::ok : Status::out_of_memory;
+        return rips.writer_.add(0, rips.simplices_of_.value(e), 0) ? Status::ok : Status::out_of_memory;
     }
     Status keep(std::uint32_t) { return rips.writer_.add_essential(0, 0) ? Status::ok : Status::out_of_memory; }
 };
 
 Status Rips::join_components() {
-    std::uint64_t* const words = arena_.take_high<std::uint64_t>(BitSet::words_needed(graph_.edge_count));
+    std::uint64_t* const words = arena_.take_high<std::uint64_t>(BitSet::words_needed(edges_));
     const HighScope scope(arena_);
-    std::uint32_t* const parent = arena_.take_high<std::uint32_t>(graph_.vertices);
+    std::uint32_t* const parent = arena_.take_high<std::uint32_t>(vertices_);
     if (words == nullptr || parent == nullptr) return Status::out_of_memory;
-    joining_.adopt(words, graph_.edge_count);
-    simplices_ = std::uint64_t{graph_.vertices} + graph_.edge_count;
-    return unite_edges(parent, graph_.vertices, graph_.edge_count, Components{*this});
+    joining_.adopt(words, edges_);
+    simplices_ = std::uint64_t{vertices_} + edges_;
+    return unite_edges(parent, vertices_, edges_, Components{*this});
 }
 
-// The first vertices, `most` at most, that both ends of an edge are joined to by earlier edges.
-std::uint32_t Rips::lune(std::uint32_t edge, std::uint32_t* out, std::uint32_t most) const {
+// The vertices that both ends of an edge are joined to by earlier edges.
+std::uint32_t Rips::lune(std::uint32_t edge, std::uint32_t* out) const {
     const std::uint32_t* const a = simplices_of_.row(simplices_of_.smaller_end(edge));
     const std::uint32_t* const b = simplices_of_.row(simplices_of_.larger_end(edge));
     std::uint32_t count = 0;
-    for (std::uint32_t w = 0; w < graph_.vertices && count < most; ++w) {
+    for (std::uint32_t w = 0; w < vertices_; ++w) {
         out[count] = w;
         count += a[w] < edge && b[w] < edge ? 1 : 0;
     }
@@ -97,12 +103,11 @@ bool Rips::list_column(std::uint64_t key) {
 
 // An edge that has a coface of its own value makes an apparent pair with the first one.
 Status Rips::collect_edges() {
-    for (std::uint32_t e = graph_.edge_count; e-- > 0;) {
-        if (progress_.stop(1 + graph_.vertices / 64)) return Status::cancelled;
+    for (std::uint32_t e = edges_; e-- > 0;) {
+        if (progress_.stop(1 + vertices_ / 64)) return Status::cancelled;
         if (joining_.has(e)) continue;
-        std::uint32_t first;
-        const bool fits = lune(e, &first, 1) > 0 ? writer_.add(graph_.value[e], graph_.value[e], 1)
-                                                 : list_column(simplices_of_.key_of(e, nullptr, 0));
+        const bool fits =
+            simplices_of_.is_last_of_triangle(e) ? add_zero(e, 1) : list_column(simplices_of_.key_of(e, nullptr, 0));
         if (!fits) return Status::out_of_memory;
     }
     return Status::ok;
@@ -115,7 +120,7 @@ bool Rips::visit_simplex(std::uint32_t p, std::uint32_t edge, const std::uint32_
     if (i == 0) return true;  // ends a class at once
     const std::uint32_t* const row = simplices_of_.row(candidates[i]);
     for (std::uint32_t c = 0; c < i; ++c) {
-        if (row[candidates[c]] < edge) return writer_.add(graph_.value[edge], graph_.value[edge], p);
+        if (row[candidates[c]] < edge) return add_zero(edge, p);
     }
     chosen_[0] = candidates[i];
     const std::uint64_t key = simplices_of_.key_of(edge, chosen_, p - 1);
@@ -124,9 +129,9 @@ bool Rips::visit_simplex(std::uint32_t p, std::uint32_t edge, const std::uint32_
 
 // The p-simplices, p >= 2, with this last edge: from the largest vertex down, each time the last candidate first.
 Status Rips::walk_cliques(std::uint32_t p, std::uint32_t edge) {
-    const std::uint32_t n = graph_.vertices;
+    const std::uint32_t n = vertices_;
     std::uint32_t left[RipsSimplex::vertices_max];
-    left[0] = lune(edge, candidates_, n);
+    left[0] = lune(edge, candidates_);
     if (progress_.stop(n / 64 + left[0] / 16)) return Status::cancelled;
     for (std::uint32_t depth = 0;;) {
         std::uint32_t* const candidates = candidates_ + std::size_t{depth} * n;
@@ -158,7 +163,7 @@ Status Rips::collect(std::uint32_t p) {
     list_ = reinterpret_cast<std::uint64_t*>(arena_.at(arena_.high_mark()));
     list_count_ = 0;
     if (p == 1) return collect_edges();
-    for (std::uint32_t e = graph_.edge_count; e-- > 0;) {
+    for (std::uint32_t e = edges_; e-- > 0;) {
         const Status status = walk_cliques(p, e);
         if (status != Status::ok) return status;
     }
@@ -194,13 +199,11 @@ Status Rips::reduce(std::uint32_t p) {
 }
 
 Status Rips::run() {
-    progress_.monitor.begin(NETMESH_STAGE_REDUCE, 0);
-    if (!simplices_of_.open(graph_, max_degree_, arena_)) return Status::out_of_memory;
     Status status = join_components();
-    if (max_degree_ >= 2) candidates_ = arena_.take_high<std::uint32_t>(std::size_t{max_degree_} * graph_.vertices);
+    if (max_degree_ >= 2) candidates_ = arena_.take_high<std::uint32_t>(std::size_t{max_degree_} * vertices_);
     if (max_degree_ >= 2 && candidates_ == nullptr) return Status::out_of_memory;
     const std::size_t high = arena_.high_mark();
-    for (std::uint32_t p = 1; p <= max_degree_ && p < graph_.vertices && status == Status::ok; ++p) {
+    for (std::uint32_t p = 1; p <= max_degree_ && p < vertices_ && status == Status::ok; ++p) {
         status = collect(p);
         if (status == Status::ok) status = reduce(p);
         if (status != Status::ok) return status;
@@ -212,9 +215,13 @@ Status Rips::run() {
 
 }  // namespace
 
-Status persist_rips(RipsGraph& graph, DiagramRequest request, const Work& work, CountedPairs* out) {
+Status persist_rips(const RipsGraph& graph, DiagramRequest request, const Work& work, CountedPairs* out) {
     if (!rips_has_numbers(graph, request.max_degree)) return Status::invalid_argument;
-    Rips rips(graph, request, work);
+    work.monitor.begin(NETMESH_STAGE_REDUCE, 0);
+    const HighScope scope(work.arena);
+    RipsSimplices simplices;
+    if (!simplices.open(graph, request.max_degree, work.arena)) return Status::out_of_memory;
+    Rips rips(simplices, request, work);
     const Status status = write_diagram(rips, work.arena, &out->pairs);
     out->simplices = rips.simplices();
     return status;

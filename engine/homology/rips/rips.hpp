@@ -8,13 +8,14 @@
 
 namespace netmesh {
 
-// The edges of a Rips complex as far as it is wanted. They are put in order of value, ties as they come.
+// The edges of a Rips complex as far as it is wanted, in any order. What stands last at the arena's low end are value
+// and, behind it, ends.
 struct RipsGraph {
     static constexpr std::uint32_t vertices_max = 0x10000;
     std::uint32_t vertices;    // >= 1
     std::uint32_t edge_count;  // < 2^31
-    double* value;             // [edge_count], when the edge enters: >= 0, no NaN; vertices enter at 0
-    std::uint32_t* ends;       // [edge_count], larger vertex << 16 | smaller one
+    double* value;             // [edge_count], when the edge enters: >= 0, no NaN, no -0.0; vertices enter at 0
+    std::uint32_t* ends;       // [edge_count], larger vertex << 16 | smaller one; distinct. Equal values go by them
 
     static std::uint32_t edge(std::uint32_t larger, std::uint32_t smaller) { return larger << 16 | smaller; }
 };
@@ -25,8 +26,10 @@ bool rips_has_numbers(const RipsGraph& graph, std::uint32_t max_degree);
 // The diagram of the flag complex of the graph in degrees 0..max_degree (<= 30), at the arena's low end; a simplex
 // enters with its last edge. Counted are the simplices of dimension up to max(1, max_degree). Columns of cofaces from
 // the lowest degree up, neither they nor the complex being stored: a pair of a simplex with its first coface is found
-// from the edges alone. Takes 4 bytes for each two vertices, 12 for each edge in passing, and about 40 for each
-// simplex that needs a column, plus fill. out_of_memory, cancelled.
-Status persist_rips(RipsGraph& graph, DiagramRequest request, const Work& work, CountedPairs* out);
+// from the edges alone. Of the graph's 12 bytes for each edge 4 stay and 8 for each value that differs from the others;
+// besides it takes 4 n^2 bytes for n vertices, a quarter for each edge, and about 40 for each simplex that needs a
+// column, plus fill. The graph is gone: all from its beginning to the pairs is the caller's to give back, as it is
+// without ok. out_of_memory, cancelled.
+Status persist_rips(const RipsGraph& graph, DiagramRequest request, const Work& work, CountedPairs* out);
 
 }  // namespace netmesh

@@ -27,7 +27,7 @@ public:
     bool begin(std::uint32_t p, const std::uint64_t* end, std::uint32_t count) {
         p_ = p;
         columns_ = end;
-        many_ = 16 + simplices_.edges() / 1024;
+        many_ = 1 + simplices_.vertices() / 64;
         if (!pivots_.open(count, arena_)) return false;
         added_at_ = arena_.take_high<std::uint32_t>(count);
         added_ = reinterpret_cast<std::uint64_t*>(arena_.at(arena_.high_mark()));

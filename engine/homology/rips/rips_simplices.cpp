@@ -2,7 +2,7 @@
 
 #include "memory/arena.hpp"
 #include "numerics/bits.hpp"
-#include "numerics/radix_sort.hpp"
+#include "numerics/value_order.hpp"
 
 namespace netmesh {
 namespace {
@@ -18,19 +18,6 @@ std::uint32_t index_bits(std::uint32_t n, std::uint32_t others) {
         if (choose > most) most = choose;
     }
     return bit_width(most);
-}
-
-// In order of value, ties as they are; values are not negative, so their bits are in their order.
-bool sort_edges(RipsGraph& graph, Arena& arena) {
-    const HighScope scope(arena);
-    std::uint64_t* const keys = arena.take_high<std::uint64_t>(graph.edge_count);
-    std::uint64_t* const spare = arena.take_high<std::uint64_t>(graph.edge_count);
-    std::uint32_t* const spare_ends = arena.take_high<std::uint32_t>(graph.edge_count);
-    if (keys == nullptr || spare == nullptr || spare_ends == nullptr) return false;
-    move_bytes(keys, graph.value, sizeof(double) * std::size_t{graph.edge_count}, arena);
-    radix_sort(keys, graph.ends, spare, spare_ends, graph.edge_count, arena);
-    move_bytes(graph.value, keys, sizeof(double) * std::size_t{graph.edge_count}, arena);
-    return true;
 }
 
 }  // namespace
@@ -51,19 +38,47 @@ void RipsSimplices::choose_all(std::uint32_t others) {
     }
 }
 
-bool RipsSimplices::open(RipsGraph& graph, std::uint32_t others, Arena& arena) {
+// Of edges in order of value. Equal values become one, and the ends move down behind what is left: distances are often
+// rounded, and then most of these bytes are free.
+bool RipsSimplices::keep_distinct_values(const RipsGraph& graph, Arena& arena) {
+    const std::size_t words = (std::size_t{edges_} + 63) / 64;
+    is_new_ = arena.take_high<std::uint64_t>(words);
+    values_before_ = arena.take_high<std::uint32_t>(words);
+    if (is_new_ == nullptr || values_before_ == nullptr) return false;
+    value_ = graph.value;
+    std::uint32_t count = 0;
+    arena.each(edges_, 10, [&](std::uint64_t e) {
+        if (e % 64 == 0) {
+            is_new_[e / 64] = 0;
+            values_before_[e / 64] = count;
+        }
+        const double value = graph.value[e];
+        if (count > 0 && value_[count - 1] == value) return;
+        is_new_[e / 64] |= std::uint64_t{1} << (e % 64);
+        value_[count++] = value;
+    });
+    arena.release_low(arena.offset_of(value_ + count));
+    std::uint32_t* const ends = arena.take_low<std::uint32_t>(edges_);
+    if (ends == nullptr) return false;
+    move_bytes(ends, graph.ends, sizeof *ends * std::size_t{edges_}, arena);
+    ends_ = ends;
+    return true;
+}
+
+bool RipsSimplices::open(const RipsGraph& graph, std::uint32_t others, Arena& arena) {
+    NETMESH_ASSERT(arena.offset_of(graph.ends + graph.edge_count) == arena.low_mark());
     n_ = graph.vertices;
     edges_ = graph.edge_count;
     shift_ = index_bits(n_, others);
-    if (!sort_edges(graph, arena)) return false;
-    ends_ = graph.ends;
+    if (!sort_labelled(graph.value, graph.ends, edges_, arena)) return false;
+    if (!keep_distinct_values(graph, arena)) return false;
     if (others == 0) return true;
-    rank_ = arena.take_high<std::uint32_t>(std::size_t{n_} * n_);
+    rank_ = arena.take_low<std::uint32_t>(std::size_t{n_} * n_);
     choose_ = arena.take_high<std::uint64_t>((std::size_t{others} + 1) * n_);
     if (rank_ == nullptr || choose_ == nullptr) return false;
     arena.each(std::uint64_t{n_} * n_, 1, [this](std::uint64_t i) { rank_[i] = none; });
-    for (std::uint32_t e = 0; e < graph.edge_count;)
-        for (const std::uint64_t piece = arena.piece(e, graph.edge_count, 20); e < piece; ++e) {
+    for (std::uint32_t e = 0; e < edges_;)
+        for (const std::uint64_t piece = arena.piece(e, edges_, 20); e < piece; ++e) {
             rank_[std::size_t{larger_end(e)} * n_ + smaller_end(e)] = e;
             rank_[std::size_t{smaller_end(e)} * n_ + larger_end(e)] = e;
         }

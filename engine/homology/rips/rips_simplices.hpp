@@ -13,6 +13,7 @@
 
 #include "homology/rips/rips.hpp"
 #include "memory/arena.hpp"
+#include "numerics/bits.hpp"
 
 namespace netmesh {
 
@@ -31,16 +32,29 @@ struct RipsSimplex {
 class RipsSimplices {
 public:
     // Ranks the graph's edges, for simplices of up to `others` vertices besides their last edge; of 0 the edges are put
-    // in order and nothing else is told. What it takes at the high end stays. False: out of memory.
-    bool open(RipsGraph& graph, std::uint32_t others, Arena& arena);
+    // in order and nothing else is told. Takes the place of the graph, and what it takes at both ends stays. False: out
+    // of memory.
+    bool open(const RipsGraph& graph, std::uint32_t others, Arena& arena);
 
     std::uint32_t vertices() const { return n_; }
     std::uint32_t edges() const { return edges_; }
     std::uint32_t larger_end(std::uint32_t edge) const { return ends_[edge] >> 16; }
     std::uint32_t smaller_end(std::uint32_t edge) const { return ends_[edge] & 0xFFFF; }
+    // When an edge enters.
+    double value(std::uint32_t edge) const {
+        const std::uint64_t up_to_here = ~std::uint64_t{0} >> (63 - (edge & 63));
+        return value_[values_before_[edge >> 6] + count_bits(is_new_[edge >> 6] & up_to_here) - 1];
+    }
     std::uint32_t edge_of(std::uint64_t key) const { return static_cast<std::uint32_t>(key >> shift_); }
     // Ranks of the edges from v to every vertex; `none` where there is no edge.
     const std::uint32_t* row(std::uint32_t v) const { return rank_ + std::size_t{v} * n_; }
+    // Whether both ends of an edge are joined to some vertex by earlier edges.
+    bool is_last_of_triangle(std::uint32_t edge) const {
+        const std::uint32_t *const a = row(smaller_end(edge)), *const b = row(larger_end(edge));
+        std::uint32_t w = 0;
+        while (w < n_ && (a[w] >= edge || b[w] >= edge)) ++w;
+        return w < n_;
+    }
     // The key of a last edge and other vertices, ascending.
     std::uint64_t key_of(std::uint32_t edge, const std::uint32_t* other, std::uint32_t others) const {
         std::uint64_t index = 0;
@@ -63,9 +77,13 @@ private:
     void latest(const std::uint32_t* const* rows, std::uint32_t count, std::uint32_t begin, std::uint32_t* rank) const;
     std::uint32_t first_joined(const std::uint32_t* const* rows, std::uint32_t count, std::uint32_t edge,
                                std::uint32_t end) const;
+    bool keep_distinct_values(const RipsGraph& graph, Arena& arena);
     void choose_all(std::uint32_t others);
 
     std::uint32_t n_ = 0, edges_ = 0, shift_ = 0;
+    double* value_ = nullptr;                 // distinct ones, ascending
+    std::uint64_t* is_new_ = nullptr;         // of 64 edges each, those whose value is not that of the edge before
+    std::uint32_t* values_before_ = nullptr;  // of 64 edges each, how many values the edges before have
     const std::uint32_t* ends_ = nullptr;
     std::uint32_t* rank_ = nullptr;    // [n][n]
     std::uint64_t* choose_ = nullptr;  // [others + 1][n]

@@ -27,7 +27,8 @@ typedef struct netmesh_distance_entry {
     double distance;
 } netmesh_distance_entry;
 
-/* The distance of points i and j < i; must not throw, and must give the same number whenever it is called. */
+/* The distance of points i and j < i; must not throw, and must give the same number whenever it is called. With
+ * max_degree 1 or more each is asked for once, row by row: (1,0), (2,0), (2,1), .. */
 typedef double (*netmesh_distance_function)(void* user, uint32_t i, uint32_t j);
 
 /* Distances are >= 0 and need not be a metric; infinity: never joined. */

@@ -26,6 +26,67 @@ TEST_CASE("what is left out is said once, and not with --quiet") {
     CHECK(result.says("<stdin>: commas read as decimal; skipped header \"x;y\"\n"));
 }
 
+TEST_CASE("a degree above those of the points is said to be taken as the highest") {
+    const Folder folder;
+    folder.write("p.csv", "0,0\n1,0\n0,1.5\n2,2\n");
+    const std::string note = "p.csv: --max-degree 5 is taken as 1: there is nothing of higher degree\n";
+    for (const char* const filter : {"alpha", "complete"}) {
+        const std::string command = std::string("persist p.csv -o p.pers --filter ") + filter;
+        CHECK(folder.run(command + " --max-degree 5").says(note));
+        CHECK(!folder.run(command + " --max-degree 1").says("--max-degree"));
+        CHECK(folder.run(command + " --max-degree 5 -q").err == "");
+    }
+    CHECK(!folder.run("persist p.csv -o p.pers --filter rips --max-degree 5").says("--max-degree"));
+}
+
+TEST_CASE("a first column that counts rows is a coordinate, and that is said") {
+    const Folder folder;
+    std::string from_0, from_1;
+    for (int i = 0; i < 6; i++) {
+        const std::string rest = "," + std::to_string(i * i % 5) + "," + std::to_string(i % 2) + "\n";
+        from_0 += std::to_string(i) + rest;
+        from_1 += std::to_string(i + 1) + rest;
+    }
+    for (const std::string& table : {from_0, from_1}) {
+        folder.write("p.csv", table);
+        CHECK(folder.run("delaunay p.csv -o p.node")
+                  .says("p.csv: took column 1, which counts rows, as a coordinate; "
+                        "--columns 2-3 leaves it out\n"));
+        CHECK(!folder.run("delaunay p.csv -o p.node --columns 1-3").says("counts rows"));
+    }
+    folder.write("p.csv", "1990,1,2\n1991,2,2\n1992,2,5\n1993,1,4\n1994,7,7\n");
+    CHECK(!folder.run("delaunay p.csv -o p.node").says("counts rows"));
+    folder.write("p.csv", from_0 + "9,1,1\n");
+    CHECK(!folder.run("delaunay p.csv -o p.node").says("counts rows"));
+}
+
+TEST_CASE("extended .xyz is read, and where its columns stand otherwise it says so") {
+    const Folder folder;
+    const std::string atoms = "O 0 0 0 1\nH 0 0 1 1\nH 0 1 0.2 1\nC 1 0 0 1\n";
+    folder.write("a.xyz", "4\nLattice=\"5 0 0 0 5 0 0 0 5\" Properties=species:S:1:pos:R:3:charge:R:1\n" + atoms);
+    CHECK(folder.run("delaunay a.xyz -o a.node").exit == 0);
+    folder.write("b.xyz", "2\nProperties=id:I:1:species:S:1:pos:R:3\n1 O 0 0 0\n2 H 0 0 1\n");
+    const Result result = folder.run("delaunay b.xyz -o b.node");
+    CHECK(result.exit == 3);
+    CHECK(result.says("b.xyz:2: Properties do not begin with species:S:1:pos:R:3"));
+}
+
+TEST_CASE("distances that are forgotten while they are read have the diagram of those that are kept") {
+    const Folder folder;
+    std::string triangle;
+    unsigned state = 1;
+    for (int i = 1; i < 700; i++) {
+        for (int j = 0; j < i; j++)
+            triangle += std::to_string(1000 + (state = state * 1103515245u + 12345u) / 65536 % 90) + " ";
+        triangle += "\n";
+    }
+    folder.write("d.txt", triangle);
+    const std::string options = " --distances --threshold 506 -q";
+    const Result once = folder.run("persist d.txt" + options), kept = folder.run("persist -" + options, triangle);
+    REQUIRE(once.exit == 0);
+    CHECK(once.out.substr(once.out.find("\n0 ")) == kept.out.substr(kept.out.find("\n0 ")));
+}
+
 TEST_CASE("--columns, --delimiter and --skip, and what they do not go with") {
     const Folder folder;
     folder.write("p.csv", pandas);

@@ -51,6 +51,16 @@ TEST_CASE("distances as a lower triangle, with and without its diagonal") {
     CHECK(good("0\n3 0\n5 4 0\n").where(2, 1) == "d.csv:3, field 2");
 }
 
+TEST_CASE("names in front of rows are left out behind a header of them") {
+    for (const char* const text : {",a,b c,d\na,0,3,5\nb c,3,0,4\nd,5,4,0\n", "a b d\na 0 3 5\nb 3 0 4\nd 5 4 0\n"}) {
+        const DistanceFile file = good(text);
+        CHECK(file.numbers == Numbers{0, 3, 5, 3, 0, 4, 5, 4, 0});
+        CHECK(file.note.find("; left out the names that rows begin with") != std::string::npos);
+    }
+    CHECK(fault("a,0,3\nb,3,0\n").find("d.csv:1: ") == 0);
+    CHECK(fault(",a,b\na,0,x\nb,3,0\n").find("d.csv:2: ") == 0);
+}
+
 TEST_CASE("what was understood of distances is said") {
     CHECK(good("a,b\n0,1\n1,0\n").note == "skipped header \"a,b\"");
     CHECK(good("0 1\n1 0\n").note == "");
