@@ -145,6 +145,18 @@ TEST_CASE("provenance: clipped cells of collinear points have a second opinion")
     }
 }
 
+TEST_CASE("provenance: radii above the largest double are said, and have a second opinion") {
+    const Folder folder;
+    folder.write("p.txt", "-1.79e308 -1.79e308\n1.79e308 -0.8307e308\n-0.8307e308 1.79e308\n");
+    for (const std::string filter : {"rips", "cech", "alpha"}) {
+        CAPTURE(filter);
+        const Result made = folder.run("persist p.txt -o d.pers --filter " + filter);
+        CHECK(made.out.find("radii above the largest double are that") != std::string::npos);
+        CHECK(made.out.find("no bar is dropped") == std::string::npos);
+        CHECK(folder.run("check d.pers --points p.txt --quiet").err == "");
+    }
+}
+
 // The second opinion knew centres of balls as places and cut what it allows for rounding at 1e-3.
 TEST_CASE("provenance: points as near to one another as their coordinates resolve have a second opinion too") {
     const Folder folder;
@@ -313,6 +325,16 @@ TEST_CASE("provenance: tampering is found, with line and reason") {
     const std::string complete = folder.read("d.pers");
     tampered("seed", with_head(complete, "seed", "# seed 2"), line_with(complete, "0 "), "lines");
     tampered("ratio", with_head(complete, "ratio", "# ratio 2"), line_with(complete, "0 "), "lines");
+    // No ratio of that mesh follows from it.
+    tampered("tau beside a ratio", with_head(complete, "tau", "# tau 100"), line_with(complete, "# tau"),
+             "as # ratio does not follow from it");
+    CHECK(folder.run("persist p.csv --quiet --tau 4 -o d.pers --mesh m.node").exit == 0);
+    CHECK(folder.run("check d.pers --points p.csv --quiet").err == "");
+    CHECK(folder.run("check d.pers --mesh m.node --quiet").err == "");
+    const std::string mesh = folder.read("m.node"), by_tau = folder.read("d.pers");
+    folder.write("m.node", with_head(mesh, "ratio", "# ratio 2"));
+    CHECK(folder.run("check d.pers --mesh m.node").says("d.pers:" + std::to_string(line_with(by_tau, "# ratio")) +
+                                                        ": check failed: m.node promises ratio 2"));
     CHECK(folder.run("persist p.csv --quiet -o d.pers --filter rips").exit == 0);
     const std::string rips = folder.read("d.pers");
     tampered("filter",
@@ -350,6 +372,12 @@ TEST_CASE("provenance: the function and the error of a diagram are checked") {
             CHECK(result.says("t.pers:"));
         }
     }
+    // Nothing is below the first scale of a function that is above the cut: `low -inf`.
+    CHECK(folder.run("persist p.txt --quiet --filter function --function 'x + 9' --lipschitz 1 --cut 0 --bounds "
+                     "-o b.pers --mesh b.node")
+              .exit == 0);
+    CHECK(line_with(folder.read("b.pers"), "# scale 0 low -inf ") > 0);
+    CHECK(folder.run("check b.pers --mesh b.node --quiet").err == "");
     const Result opinion = folder.run("check d.pers --mesh m.node");
     CHECK(opinion.out.find("second opinion: the function keeps to the error") != std::string::npos);
     CHECK(opinion.out.find("are the pairs of a plain reduction") != std::string::npos);
