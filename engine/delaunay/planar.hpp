@@ -1,5 +1,6 @@
-// The plane's own way of finding and filling a cavity: its boundary is a cycle, so nothing has to be searched for. A
-// part of kernel.cpp; templates, so that nothing of it is made where the plane is not served.
+// The plane's own way of finding and filling a cavity: its boundary is a cycle, so nothing has to be searched for. For
+// meshes, whose cells have circles; triangulations of points have plane.hpp. A part of kernel.cpp; templates, so that
+// nothing of it is made where the plane is not served.
 #pragma once
 #include "delaunay/kernel.hpp"
 

@@ -30,36 +30,8 @@ template <int D> void Store<D>::truncate_vertices(std::uint32_t vertex_count) {
     arena.release_high(state.vertices_end - vertex_count * sizeof(VertexT));
 }
 
-// A ghost's finite neighbour has all of its vertices but infinity.
-template <int D> void Store<D>::drop_ghosts() {
-    for (std::uint32_t c = 0; c < state.cell_slots;)
-        for (const std::uint64_t piece = arena.piece(c, state.cell_slots, 4 * D); c < piece; ++c) {
-            const int infinite = ghost_position(c);
-            if (infinite < 0 || !is_live(c)) continue;
-            const FacetId behind = cells_[c].neighbour[infinite];
-            cells_[behind.cell()].neighbour[behind.position()] = none;
-            cells_[c].vertex[0] = freed;
-        }
-}
-
-template <int D> void Store<D>::move_cell(CellId from, CellId to) {
-    cells_[to] = cells_[from];
-    for (std::uint32_t i = 0; i <= D; ++i) {
-        const FacetId other = cells_[to].neighbour[i];
-        if (other != none) cells_[other.cell()].neighbour[other.position()] = FacetId(to, i);
-    }
-}
-
 template <int D> void Store<D>::compact(std::size_t offset) {
-    drop_ghosts();
-    std::uint32_t hole = 0, end = state.cell_slots;
-    for (;;) {
-        while (hole < end && is_live(hole)) arena.step(++hole, 6);
-        while (hole < end && !is_live(end - 1)) arena.step(--end, 6);
-        if (hole >= end) break;
-        arena.step(hole, 20 * D);
-        move_cell(CellId(--end), CellId(hole));
-    }
+    const std::uint32_t end = close_gaps<D>(cells_, state.cell_slots, arena);
     for (CellId c(0); c < end;)
         for (const std::uint64_t piece = arena.piece(c, end, 5 * (D + 1)); c < piece; ++c) {
             for (const VertexId v : cells_[c].vertex) vertex(v).cell = c;

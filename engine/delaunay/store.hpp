@@ -127,8 +127,6 @@ public:
     StoreState& state;
 
 private:
-    void drop_ghosts();
-    void move_cell(CellId from, CellId to);
     void locate_arrays() {
         cells_ = reinterpret_cast<CellT*>(arena.at(state.cells_offset));
         vertices_end_ = reinterpret_cast<VertexT*>(arena.at(state.vertices_end));
@@ -136,6 +134,33 @@ private:
     CellT* cells_;
     VertexT* vertices_end_;
 };
+
+// Drops the ghosts among cells[0..count), so that hull facets have neighbour `none`, and fills free slots from the end.
+// How many cells are left; O(count). C has the first two members of Cell<D>.
+template <int D, class C> std::uint32_t close_gaps(C* cells, std::uint32_t count, const Arena& arena) {
+    const auto is_free = [cells](std::uint32_t c) {
+        if (cells[c].vertex[0] == Store<D>::freed) return true;
+        std::uint32_t infinite = 0;
+        while (infinite <= D && cells[c].vertex[infinite] != none) ++infinite;
+        if (infinite > D) return false;
+        const FacetId behind = cells[c].neighbour[infinite];
+        cells[behind.cell()].neighbour[behind.position()] = none;
+        return true;
+    };
+    std::uint32_t hole = 0, end = count;
+    for (;;) {
+        while (hole < end && !is_free(hole)) arena.step(++hole, 6 * D);
+        if (hole == end) return end;
+        while (hole < --end && is_free(end)) arena.step(end, 6 * D);
+        if (hole == end) return end;
+        cells[hole] = cells[end];
+        for (std::uint32_t i = 0; i <= D; ++i) {
+            const FacetId other = cells[hole].neighbour[i];
+            if (other != none) cells[other.cell()].neighbour[other.position()] = FacetId(CellId(hole), i);
+        }
+        arena.step(++hole, 20 * D);
+    }
+}
 
 // Slots taken, free ones first, and given back, with the counts in registers; for a store that has_room.
 template <int D> class CellSupply {

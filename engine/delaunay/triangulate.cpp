@@ -1,5 +1,6 @@
 #include "delaunay/triangulate.hpp"
 
+#include "delaunay/plane.hpp"
 #include "delaunay/spatial_order.hpp"
 #include "numerics/fingerprint.hpp"
 #include "vocabulary/dimension.hpp"
@@ -54,6 +55,39 @@ template <int D> std::uint32_t remove_duplicates(Store<D>& store, std::uint32_t*
         }
     return kept;
 }
+
+// The triangulation by the kernel of meshes. PlaneRun says what each function does.
+template <int D> class KernelRun {
+public:
+    explicit KernelRun(Store<D>& store) : store_(store), kernel_(store, ball_error_max, VertexCells::ignored) {}
+    Status open(const std::uint32_t* order, std::size_t low) {
+        order_ = order;
+        low_ = (low + Arena::alignment - 1) & ~(Arena::alignment - 1);
+        return store_.open_cells();
+    }
+    Status start(const VertexId* ids) { return kernel_.start(ids); }
+    bool insert(std::uint32_t k, std::uint32_t* made) {
+        const VertexId v(order_[k]);
+        if (ahead > 0 && k + ahead < store_.state.vertex_count) __builtin_prefetch(&store_.vertex(order_[k + ahead]));
+        *made = 0;
+        if (store_.vertex(v).cell != none) return true;
+        const double* const q = store_.point(v);
+        const CellId hit = kernel_.locate(q, v, store_.state.last_cell);
+        Cavity cavity;
+        if (!kernel_.find_cavity(q, v, hit, &cavity) || !kernel_.can_fill(cavity, 0)) return false;
+        kernel_.fill(cavity, v);
+        *made = cavity.facets;
+        return true;
+    }
+    void finish() { store_.compact(low_); }
+
+private:
+    Store<D>& store_;
+    Kernel<D> kernel_;
+    const std::uint32_t* order_;
+    std::size_t low_;
+};
+template <int D> using TriangulationRun = std::conditional_t<D == 2, PlaneRun<D>, KernelRun<D>>;
 
 // Before so many points nothing is given up: what they share is chance.
 constexpr std::uint64_t sample_least = 16;
@@ -156,32 +190,27 @@ Status triangulate(Store<D>& store, const InputRows& points, std::size_t n, std:
     const std::uint32_t count = store.state.vertex_count;
     VertexId ids[D + 1];
     if (!independent_points<D>(store, order, count, ids)) return Status::flat;
-    if (store.open_cells() != Status::ok) return Status::out_of_memory;
-    Kernel<D> kernel(store, ball_error_max, VertexCells::ignored);
-    status = kernel.start(ids);
+    TriangulationRun<D> run(store);
+    status = run.open(order, low);
+    if (status == Status::ok) status = run.start(ids);
     if (status != Status::ok) return status;
 
     monitor.begin(NETMESH_STAGE_DELAUNAY, count);
     for (std::uint32_t k = 0; k < count; ++k) {
-        const VertexId v(order[k]);
-        if (ahead > 0 && k + ahead < count) __builtin_prefetch(&store.vertex(order[k + ahead]));
-        if (store.vertex(v).cell != none) continue;
-        const double* const q = store.point(v);
-        const CellId hit = kernel.locate(q, v, store.state.last_cell);
-        Cavity cavity;
-        if (!kernel.find_cavity(q, v, hit, &cavity) || !kernel.can_fill(cavity, 0)) {
+        std::uint32_t made;
+        if (!run.insert(k, &made)) {
             status = Status::out_of_memory;
             break;
         }
-        kernel.fill(cavity, v);
+        if (made == 0) continue;
         if (allowance != nullptr && is_spent(store.state, std::uint64_t{k} + 1, allowance)) return Status::cancelled;
         monitor.mesh_size(k, store.live_cells());
-        if (monitor.advance(k, 2 + cavity.facets * (D - 1))) {
+        if (monitor.advance(k, 2 + made * (D - 1))) {
             status = Status::cancelled;
             break;
         }
     }
-    store.compact((low + Arena::alignment - 1) & ~(Arena::alignment - 1));
+    run.finish();
     return status;
 }
 

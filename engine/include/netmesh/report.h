@@ -173,7 +173,8 @@ typedef struct netmesh_memory_report {
 } netmesh_memory_report;
 
 typedef enum netmesh_predicate_stage {
-    NETMESH_PREDICATE_CACHED = 0,  /* decided by a cached circumsphere and its error bound */
+    NETMESH_PREDICATE_CACHED = 0,  /* decided at first sight, with an error bound: by a cached circumsphere or, where
+                                      points in the plane are triangulated, by a determinant */
     NETMESH_PREDICATE_FLOAT = 1,   /* floating-point determinant with an error bound */
     NETMESH_PREDICATE_INTEGER = 2, /* exact arithmetic of limited width */
     NETMESH_PREDICATE_EXACT = 3,   /* exact arithmetic of full width */

@@ -1,0 +1,374 @@
+// The triangulation of points in the plane when nothing else is made of them. Meshes have cells with circles
+// (planar.hpp); here no cell has one, as in-circle tests are determinants of coordinates, which cost no division and no
+// square root. A part of triangulate.cpp; templates, so that nothing of it is made where the plane is not served.
+//
+//   low end: cells 0, 1, 2, ...  -->     gap     <-- list of a cavity | points | order | vertices, high end
+//
+// While it grows, vertices of cells are numbered in the order of insertion, and their coordinates stand in that order:
+// what is near in the plane is near in memory. At the end the points go and every cell becomes one of the store, which
+// takes more than twice the room; it is asked for before a cell is made, so the end cannot fail.
+#pragma once
+#include "delaunay/sphere.hpp"
+#include "delaunay/store.hpp"
+
+namespace netmesh {
+
+// The beginning of a Cell<2>, with numbers in the order of insertion.
+struct PlaneCell {
+    VertexId vertex[3];
+    FacetId neighbour[3];
+};
+
+// Line k of a cavity's list, line 0 highest in memory: columns of different lengths.
+struct PlaneLine {
+    CellId made;      // a cell in conflict, then the cell that takes its place
+    FacetId beyond;   // a bounding facet, of the cell outside; they come counterclockwise
+    VertexId start;   // the vertex at which the facet starts
+    FacetId waiting;  // stack of facets still to be crossed
+};
+
+// A vertex as seen from the point in question q. Infinity is (0, 0, the square of the points' extent): with it the
+// in-circle determinant of a ghost is a positive multiple of the orientation of its edge and q.
+struct PlaneArm {
+    double x, y, lift;
+};
+inline double cross(const PlaneArm& a, const PlaneArm& b) { return a.x * b.y - a.y * b.x; }
+
+// What is asked about a point, by value, so that loops have it in registers.
+struct PlaneQuestion {
+    const double* points;  // [vertex][2]
+    double x, y;           // q
+    double extent2;        // square of the points' extent, or more
+    double underflow;      // what in-circle determinants lose to it; +infinity: anything
+
+    PlaneArm arm_to(VertexId v) const {
+        if (v == none) return {0, 0, extent2};
+        const double dx = points[2 * std::size_t{v}] - x, dy = points[2 * std::size_t{v} + 1] - y;
+        return {dx, dy, dx * dx + dy * dy};
+    }
+    // What the in-circle determinant of arms with these lifts errs by at most: the bound of planar_stage.hpp, where
+    // |x y'| + |y x'| <= (lift + lift') / 2 takes the place of the terms of a cross product.
+    double error_of(double a, double b, double c) const {
+        return 11 * unit_roundoff * (a * b + b * c + c * a) + underflow;
+    }
+};
+
+template <int D> class PlaneRun {
+public:
+    explicit PlaneRun(Store<D>& store) : store_(store), arena_(store.arena), state_(store.state) {}
+
+    // Before the first cell. order[0..count) stands at the low end from `low` on, and is moved. out_of_memory.
+    Status open(const std::uint32_t* order, std::size_t low);
+    // Makes the first cell, of these vertices, and its ghosts. out_of_memory.
+    Status start(const VertexId* ids);
+    // Inserts vertex order[k] and tells how many cells that made; 0 when the first cell has it. False: out of memory,
+    // and nothing has changed.
+    bool insert(std::uint32_t k, std::uint32_t* made);
+    // Makes a compact store of it.
+    void finish();
+
+private:
+    static constexpr std::uint32_t next[4] = {1, 2, 0, 0};
+
+    const double* point(std::uint32_t k) const { return question_.points + 2 * std::size_t{k}; }
+    bool has_room(std::size_t cells, std::size_t lines);
+    bool refuse_list(std::size_t lines) {
+        arena_.refuse(2 * lines * sizeof(PlaneLine));
+        return false;
+    }
+    int collect(CellId c, const double** p, VertexId* ids) const;
+    bool undecided_conflict(CellId c);
+    CellId locate();
+    CellId walk(CellId from);
+    bool find_cavity(CellId first);
+    void fill();
+
+    Store<D>& store_;
+    Arena& arena_;
+    StoreState& state_;
+    PlaneCell* cells_;
+    PlaneLine* lines_;  // line 0
+    const std::uint32_t* order_;
+    std::size_t vertices_begin_;  // offset of the last vertex
+    std::size_t cells_end_;       // offset up to which cells may reach in the end
+    PlaneQuestion question_;
+    const double* q_;
+    std::uint32_t q_number_;
+    std::uint32_t first_[3];  // the vertices of the first cell
+    std::ptrdiff_t facets_;   // of the cavity
+};
+
+template <int D> Status PlaneRun<D>::open(const std::uint32_t* order, std::size_t low) {
+    const std::uint32_t count = state_.vertex_count;
+    vertices_begin_ = arena_.high_mark();
+    std::uint32_t* const kept = arena_.template take_high<std::uint32_t>(count);
+    cells_end_ = arena_.high_mark();
+    double* const points = arena_.template take_high<double>(std::size_t{2} * count);
+    if (kept == nullptr || points == nullptr) return Status::out_of_memory;
+    double least[2] = {infinity, infinity}, most[2] = {-infinity, -infinity};
+    for (std::uint32_t k = 0; k < count;)
+        for (const std::uint64_t piece = arena_.piece(k, count, 30); k < piece; ++k) {
+            kept[k] = order[k];
+            if (k + 16 < count) __builtin_prefetch(store_.point(order[k + 16]));
+            const double* const x = store_.point(order[k]);
+            for (int i = 0; i < 2; ++i) {
+                points[2 * std::size_t{k} + static_cast<std::size_t>(i)] = x[i];
+                least[i] = x[i] < least[i] ? x[i] : least[i];
+                most[i] = x[i] > most[i] ? x[i] : most[i];
+            }
+        }
+    const double width = most[0] - least[0], height = most[1] - least[1];
+    question_.points = points;
+    question_.extent2 = width * width + height * height;
+    // With lifts up to 2^240 what underflows adds less than 2^-800, as in planar_stage.hpp.
+    question_.underflow = question_.extent2 < 0x1p240 ? 0x1p-790 : infinity;
+    order_ = kept;
+    arena_.release_low(low);
+    if (store_.open_cells() != Status::ok) return Status::out_of_memory;
+    cells_ = reinterpret_cast<PlaneCell*>(arena_.at(state_.cells_offset));
+    lines_ = reinterpret_cast<PlaneLine*>(arena_.at(arena_.high_mark())) - 1;
+    return Status::ok;
+}
+
+// Room for that many more cells, now and at the end, and for a list of so many lines?
+template <int D> bool PlaneRun<D>::has_room(std::size_t cells, std::size_t lines) {
+    const std::size_t now = cells * sizeof(PlaneCell) + lines * sizeof(PlaneLine) + Arena::alignment;
+    const std::size_t last = state_.cells_offset + (state_.cell_slots + cells) * sizeof(Cell<D>) + Arena::alignment;
+    if (now <= arena_.bytes_free() && last <= cells_end_) return true;
+    const std::size_t above = last > arena_.high_mark() ? last - arena_.low_mark() : 0;
+    arena_.refuse(now > above ? now : above);
+    return false;
+}
+
+template <int D> [[gnu::cold]] Status PlaneRun<D>::start(const VertexId* ids) {
+    if (!has_room(4, 0)) return Status::out_of_memory;
+    for (int i = 0; i < 3; ++i) {
+        std::uint32_t k = 0;
+        while (order_[k] != ids[i]) arena_.step(++k, 4);
+        first_[i] = k;
+    }
+    const double* const p[3] = {point(first_[0]), point(first_[1]), point(first_[2])};
+    const bool turn = orient<D>(p, state_.orient_counts) == Sign::negative;
+    const VertexId v[3] = {VertexId(first_[turn]), VertexId(first_[!turn]), VertexId(first_[2])};
+    // Cell 0 is finite; ghost 1 + i lies behind its facet i, and has the facet's vertices exchanged.
+    const auto facet = [](std::uint32_t c, std::uint32_t i) { return FacetId(CellId(c), i); };
+    cells_[0] = {{v[0], v[1], v[2]}, {facet(1, 0), facet(2, 1), facet(3, 2)}};
+    cells_[1] = {{none, v[2], v[1]}, {facet(0, 0), facet(3, 1), facet(2, 2)}};
+    cells_[2] = {{v[2], none, v[0]}, {facet(3, 0), facet(0, 1), facet(1, 2)}};
+    cells_[3] = {{v[1], v[0], none}, {facet(2, 0), facet(1, 1), facet(0, 2)}};
+    arena_.extend_low(4 * sizeof(PlaneCell));
+    state_.cell_slots = 4;
+    state_.cells_created += 4;
+    state_.last_cell = CellId(0);
+    return Status::ok;
+}
+
+// The cell's points and their indices, the point in question for infinity; where that is, -1 for a finite cell.
+template <int D> int PlaneRun<D>::collect(CellId c, const double** p, VertexId* ids) const {
+    int infinite = -1;
+    for (int i = 0; i < 3; ++i) {
+        const VertexId v = cells_[c].vertex[i];
+        if (v == none) infinite = i;
+        p[i] = v == none ? q_ : point(v);
+        ids[i] = v == none ? VertexId(none) : VertexId(order_[v]);
+    }
+    return infinite;
+}
+
+// As Kernel::in_conflict.
+template <int D> [[gnu::noinline]] bool PlaneRun<D>::undecided_conflict(CellId c) {
+    const double* p[3];
+    VertexId ids[3];
+    const int infinite = collect(c, p, ids);
+    if (infinite >= 0) {
+        const Sign side = orient<D>(p, state_.orient_counts);
+        if (side != Sign::zero) return side == Sign::positive;
+        collect(cells_[c].neighbour[infinite].cell(), p, ids);
+    }
+    return in_ball_perturbed<D>(p, ids, q_, VertexId(order_[q_number_]), state_.in_ball_counts) == Sign::positive;
+}
+
+// A cell in conflict: from the last cell on through the first edge beyond which q surely lies, until a circle surely
+// contains q. No other edge than the hull's is left then, or the exact walk goes on.
+template <int D> CellId PlaneRun<D>::locate() {
+    const PlaneQuestion question = question_;
+    const PlaneCell* const cells = cells_;
+    CellId c = state_.last_cell;
+    for (std::uint32_t i = 0; i < 3; ++i)
+        if (cells[c].vertex[i] == none) {
+            if (undecided_conflict(c)) return c;
+            c = cells[c].neighbour[i].cell();
+            break;
+        }
+    for (;;) {
+        const PlaneCell& cell = cells[c];
+        const PlaneArm arm[3] = {question.arm_to(cell.vertex[0]), question.arm_to(cell.vertex[1]),
+                                 question.arm_to(cell.vertex[2])};
+        const double side[3] = {cross(arm[1], arm[2]), cross(arm[2], arm[0]), cross(arm[0], arm[1])};
+        const double value = arm[0].lift * side[0] + arm[1].lift * side[1] + arm[2].lift * side[2];
+        if (value > question.error_of(arm[0].lift, arm[1].lift, arm[2].lift)) return c;
+        CellId to = none, outside = none;
+        for (std::uint32_t i = 0; i < 3 && to == none; ++i) {
+            if (!(side[i] < -4 * unit_roundoff * (arm[next[i]].lift + arm[next[next[i]]].lift) - 0x1p-960)) continue;
+            const FacetId beyond = cell.neighbour[i];
+            if (cells[beyond.cell()].vertex[beyond.position()] != none)
+                to = beyond.cell();
+            else if (outside == none)
+                outside = beyond.cell();
+        }
+        if (to == none) {
+            if (undecided_conflict(c)) return c;
+            return outside != none ? outside : walk(c);
+        }
+        c = to;
+    }
+}
+
+// As Kernel::walk.
+template <int D> [[gnu::noinline]] CellId PlaneRun<D>::walk(CellId from) {
+    CellId c = from;
+    for (;;) {
+        const double* p[3];
+        VertexId ids[3];
+        if (collect(c, p, ids) >= 0) return c;
+        CellId to = none;
+        for (int i = 0; i < 3 && to == none; ++i) {
+            const double* const kept = p[i];
+            p[i] = q_;
+            if (orient<D>(p, state_.orient_counts) == Sign::negative) to = cells_[c].neighbour[i].cell();
+            p[i] = kept;
+        }
+        if (to == none) return c;
+        c = to;
+    }
+}
+
+// The search of PlanarCavity::find. Each facet starts where the last bounding one ended: `from` and `to` are the ends
+// of the facet that is crossed next, `edge` their cross product, and only the apex beyond is new.
+template <int D> bool PlaneRun<D>::find_cavity(CellId first) {
+    const std::size_t capacity = arena_.bytes_free() / sizeof(PlaneLine);
+    const PlaneQuestion question = question_;
+    const PlaneCell* const cells = cells_;
+    PlaneLine* const lines = lines_;
+    std::uint64_t sure = 0;
+    std::ptrdiff_t count = 1, facets = 0, waiting = 2;
+    if (capacity < 4) return refuse_list(4);
+    lines[0].made = first;
+    lines[0].waiting = FacetId(first, 2);
+    lines[-1].waiting = FacetId(first, 1);
+    FacetId facet(first, 0);
+    VertexId a = cells[first].vertex[1], b = cells[first].vertex[2];
+    PlaneArm from = question.arm_to(a), to = question.arm_to(b);
+    double edge = cross(from, to);
+    for (;;) {
+        const FacetId beyond = cells[facet.cell()].neighbour[facet.position()];
+        const CellId n = beyond.cell();
+        const PlaneArm apex = question.arm_to(cells[n].vertex[beyond.position()]);
+        // The cell beyond is (to, from, apex).
+        const double up = cross(from, apex), down = cross(apex, to);
+        const double value = from.lift * down + to.lift * up - apex.lift * edge;
+        const double error = question.error_of(from.lift, to.lift, apex.lift);
+        bool inside = value > 0;
+        ++sure;
+        if (__builtin_expect(!(__builtin_fabs(value) > error), 0)) {
+            inside = undecided_conflict(n);
+            --sure;
+        }
+        if (inside) {
+            if (static_cast<std::size_t>(count) + 4 > capacity) return refuse_list(static_cast<std::size_t>(count) + 4);
+            const std::uint32_t i = next[beyond.position()];
+            lines[-count++].made = n;
+            lines[-waiting++].waiting = FacetId(n, next[i]);
+            facet = FacetId(n, i);
+            b = cells[n].vertex[beyond.position()];
+            to = apex;
+            edge = up;
+            continue;
+        }
+        lines[-facets].beyond = beyond;
+        lines[-facets++].start = a;
+        if (waiting == 0) break;
+        facet = lines[-(--waiting)].waiting;
+        a = b;
+        from = to;
+        b = cells[facet.cell()].vertex[next[next[facet.position()]]];
+        to = question.arm_to(b);
+        edge = cross(from, to);
+    }
+    state_.in_ball_counts.calls[0] += sure;
+    facets_ = facets;
+    return true;
+}
+
+// As PlanarCavity::fill: each new cell (q, a, b) has its neighbours before and after it.
+template <int D> void PlaneRun<D>::fill() {
+    PlaneLine* const lines = lines_;
+    const std::ptrdiff_t facets = facets_;
+    lines[2 - facets].made = CellId(state_.cell_slots);
+    lines[1 - facets].made = CellId(state_.cell_slots + 1);
+    arena_.extend_low(2 * sizeof(PlaneCell));
+    state_.cell_slots += 2;
+    state_.cells_created += static_cast<std::uint64_t>(facets);
+    CellId before = lines[1 - facets].made, n = lines[0].made;
+    VertexId a = lines[0].start;
+    for (std::ptrdiff_t k = 0; k < facets; ++k) {
+        const std::ptrdiff_t after = k + 1 < facets ? k + 1 : 0;
+        const FacetId beyond = lines[-k].beyond;
+        const VertexId b = lines[-after].start;
+        const CellId then = lines[-after].made;
+        cells_[n] = {{VertexId(q_number_), a, b}, {beyond, FacetId(then, 2), FacetId(before, 1)}};
+        cells_[beyond.cell()].neighbour[beyond.position()] = FacetId(n, 0);
+        before = n;
+        n = then;
+        a = b;
+    }
+    state_.last_cell = before;
+}
+
+template <int D> bool PlaneRun<D>::insert(std::uint32_t k, std::uint32_t* made) {
+    *made = 0;
+    if (k == first_[0] || k == first_[1] || k == first_[2]) return true;
+    q_number_ = k;
+    q_ = point(k);
+    question_.x = q_[0];
+    question_.y = q_[1];
+    if (!find_cavity(locate()) || !has_room(2, static_cast<std::size_t>(facets_) + 1)) return false;
+    fill();
+    *made = static_cast<std::uint32_t>(facets_);
+    return true;
+}
+
+template <int D> void PlaneRun<D>::finish() {
+    const std::uint32_t count = close_gaps<D>(cells_, state_.cell_slots, arena_);
+    // A cell at each vertex, in place of the points: the last one that has it.
+    CellId* const cell_at = reinterpret_cast<CellId*>(arena_.at(arena_.high_mark()));
+    arena_.each(state_.vertex_count, 1, [=](std::uint64_t k) { cell_at[k] = none; });
+    arena_.each(count, 6, [=](std::uint64_t c) {
+        for (const VertexId v : cells_[c].vertex) cell_at[v] = CellId(static_cast<std::uint32_t>(c));
+    });
+    arena_.each(state_.vertex_count, 20, [=](std::uint64_t k) {
+        if (k + 16 < state_.vertex_count) __builtin_prefetch(&store_.vertex(order_[k + 16]), 1);
+        store_.vertex(order_[k]).cell = cell_at[k];
+    });
+    arena_.release_high(cells_end_);
+    arena_.release_low(state_.cells_offset);
+    arena_.extend_low(count * sizeof(Cell<D>));
+    state_.cell_slots = count;
+    state_.last_cell = CellId(0);
+    // From the last one on, as a cell of the store ends behind all that are still to be read.
+    Cell<D>* const cells = &store_.cell(0);
+    arena_.each(count, 30, [=](std::uint64_t i) {
+        const std::uint64_t c = count - 1 - i;
+        const PlaneCell from = cells_[c];
+        Cell<D>& to = cells[c];
+        for (int j = 0; j < 3; ++j) {
+            to.vertex[j] = VertexId(order_[from.vertex[j]]);
+            to.neighbour[j] = from.neighbour[j];
+        }
+        make_ghost<D>(to);
+        to.mark = 0;
+    });
+    arena_.release_high(vertices_begin_);
+}
+
+}  // namespace netmesh
