@@ -25,8 +25,8 @@ private:
     std::size_t bytes_ = 0;
 };
 
-// Gives the whole pages of [begin, begin + bytes) back to the system, where it takes them: what stood there is lost, and
-// the memory stays the caller's.
+// Gives the whole pages of [begin, begin + bytes) back to the system, where it takes them: what stood there is lost,
+// and the memory stays the caller's.
 void forget_pages(void* begin, std::size_t bytes);
 
 // Memory that this process can hope to use: the machine's, or the control group's limit where that is lower.

@@ -337,9 +337,10 @@ Outcome check_with_mesh(const Options& open, const DiagramFile& file, const std:
         {"dim", "domain", "certified-ratio", "certified-from", "certified-error", "value-error", "reference"});
     if (!outcome.good()) return outcome;
     add_report(session, run);
-    run->checked->push_back(again.said() + (made.vertex_function
-                                                ? ", of the values in " + shown_name(made.values_at)
-                                                : "; how the mesh was made, and of which points, is for --points alone to tell"));
+    run->checked->push_back(again.said() +
+                            (made.vertex_function
+                                 ? ", of the values in " + shown_name(made.values_at)
+                                 : "; how the mesh was made, and of which points, is for --points alone to tell"));
     outcome = check_vertex_values(made, files, run, session);
     return outcome.good() ? second_opinion_on_mesh({file, made, cycles}, files, run) : outcome;
 }

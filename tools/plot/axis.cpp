@@ -6,7 +6,16 @@
 
 namespace netmesh::tool {
 
-double ValueScale::of(double value) const { return is_linear ? value : value > 0 ? std::log(value) : low; }
+namespace {
+
+constexpr double linear_most = 8e307;  // so that doubles hold both ends and the length between them
+
+}  // namespace
+
+double ValueScale::of(double value) const {
+    if (is_linear) return std::isfinite(value) ? std::clamp(value, -linear_most, linear_most) : value;
+    return value > 0 ? std::log(value) : low;
+}
 
 double ValueScale::value_at(double coordinate) const { return is_linear ? coordinate : std::exp(coordinate); }
 
@@ -86,8 +95,8 @@ ValueScale scale_for(const std::vector<Bar>& bars, bool is_linear) {
     const double least = !is_linear ? 0.15 : high > low ? 1e-299 : std::max(std::fabs(low), 1e-298) * 0.5;
     // Half of the length first: between numbers of both signs it may be more than there are doubles for.
     const double room = std::max(0.08 * (0.5 * high - 0.5 * low), least);
-    const double most = is_linear ? 8e307 : 709.7;  // so that doubles hold ends and length
-    scale.low = std::max(low - room, is_linear ? -8e307 : -745.0);
+    const double most = is_linear ? linear_most : 709.7;  // the logarithm of the largest double
+    scale.low = std::max(low - room, is_linear ? -linear_most : -745.0);
     scale.high = std::min(high + room, most);
     return scale;
 }

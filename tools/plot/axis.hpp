@@ -15,7 +15,8 @@ struct ValueScale {
     bool has_zero = false;   // some bar is born at 0, which logarithms cannot show
     bool is_linear = false;  // values as they are
 
-    // Where a value is between low and high, not below low; and the value that is there.
+    // Where a value is between low and high, not below low; and the value that is there. Values as they are stand at
+    // 8e307 at most, on either side of 0.
     double of(double value) const;
     double value_at(double coordinate) const;
     // Share of the way from low to high, 0 for r = 0.

@@ -333,8 +333,9 @@ TEST_CASE("provenance: tampering is found, with line and reason") {
     CHECK(folder.run("check d.pers --mesh m.node --quiet").err == "");
     const std::string mesh = folder.read("m.node"), by_tau = folder.read("d.pers");
     folder.write("m.node", with_head(mesh, "ratio", "# ratio 2"));
-    CHECK(folder.run("check d.pers --mesh m.node").says("d.pers:" + std::to_string(line_with(by_tau, "# ratio")) +
-                                                        ": check failed: m.node promises ratio 2"));
+    CHECK(folder.run("check d.pers --mesh m.node")
+              .says("d.pers:" + std::to_string(line_with(by_tau, "# ratio")) +
+                    ": check failed: m.node promises ratio 2"));
     CHECK(folder.run("persist p.csv --quiet -o d.pers --filter rips").exit == 0);
     const std::string rips = folder.read("d.pers");
     tampered("filter",
@@ -373,8 +374,9 @@ TEST_CASE("provenance: the function and the error of a diagram are checked") {
         }
     }
     // Nothing is below the first scale of a function that is above the cut: `low -inf`.
-    CHECK(folder.run("persist p.txt --quiet --filter function --function 'x + 9' --lipschitz 1 --cut 0 --bounds "
-                     "-o b.pers --mesh b.node")
+    CHECK(folder
+              .run("persist p.txt --quiet --filter function --function 'x + 9' --lipschitz 1 --cut 0 --bounds "
+                   "-o b.pers --mesh b.node")
               .exit == 0);
     CHECK(line_with(folder.read("b.pers"), "# scale 0 low -inf ") > 0);
     CHECK(folder.run("check b.pers --mesh b.node --quiet").err == "");

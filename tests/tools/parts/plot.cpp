@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdlib>
+#include <limits>
 #include <string>
 #include <vector>
 
@@ -375,6 +376,21 @@ TEST_CASE("degree 0 shows the components that stand apart, the others as a curve
     }
     CHECK(diagram_picture(bars, report).find("up to 1,000 at once") != std::string::npos);
     CHECK(diagram_picture(bars, report).find("1,000 as a curve") != std::string::npos);
+}
+
+TEST_CASE("values near the largest double of either sign are drawn in the picture") {
+    constexpr double inf = std::numeric_limits<double>::infinity();
+    netmesh_report report = {};
+    report.diagram.max_degree = 0;
+    const std::vector<Bar> bars = {{0, -1.7e308, inf}, {0, -1e308, 1.7e308}, {0, 1, 1.2e308}};
+    const ValueScale scale = scale_for(bars, true);
+    for (const double value : {-1.7e308, -1e308, 1.0, 1.2e308, 1.7e308}) {
+        CHECK(scale.share(value) >= 0);
+        CHECK(scale.share(value) <= 1);
+    }
+    const std::string picture = diagram_picture(bars, report);
+    CHECK(picture.find("inf") == std::string::npos);
+    CHECK(picture.find("nan") == std::string::npos);
 }
 
 TEST_CASE("ticks are round, and labels tell them apart") {
