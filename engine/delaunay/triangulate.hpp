@@ -38,8 +38,8 @@ struct Allowance {
 
 // Triangulates points[n][D]. ok, flat (fewer than D+1 affinely independent points), out_of_memory, cancelled, and what
 // take_input says. Unless there is no first cell yet, the store is left compact and a Delaunay triangulation of what
-// was inserted; vertices not inserted have cell `none`. With an allowance that is spent: cancelled, and the store is of
-// no use.
+// was inserted; vertices not inserted have cell `none`. In the plane cells have no balls before recompute_balls
+// (sphere.hpp) makes them. With an allowance that is spent: cancelled, and the store is of no use.
 template <int D>
 Status triangulate(Store<D>& store, const InputRows& points, std::size_t n, std::uint64_t seed, Monitor& monitor,
                    InputReport* input, Allowance* allowance = nullptr);

@@ -24,7 +24,10 @@ template <int D> struct Held {
         return status;
     }
     netmesh::Status triangulate(const inputs::Points& points) {
-        return netmesh::triangulate<D>(store, points.data(), points.size() / D, 1, monitor, &input);
+        const netmesh::Status status =
+            netmesh::triangulate<D>(store, points.data(), points.size() / D, 1, monitor, &input);
+        if (status == netmesh::Status::ok) netmesh::recompute_balls<D>(store);
+        return status;
     }
     std::uint32_t inputs() const { return static_cast<std::uint32_t>(input.rows - input.duplicates); }
 

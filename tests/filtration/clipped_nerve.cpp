@@ -146,6 +146,7 @@ struct Square : Meshed<2> {
         const double points[] = {-1, -1, 1, -1, -1, 1, 1, 1};
         InputReport report;
         REQUIRE(triangulate<2>(store, points, 4, 1, monitor, &report) == Status::ok);
+        recompute_balls<2>(store);
     }
 };
 
@@ -237,6 +238,7 @@ TEST_CASE_TEMPLATE_DEFINE("memory that ends anywhere leaves the mesh as it is", 
     for (std::size_t i = 0; i < points.size(); i += D) points[i] *= 0x1p-20;
     InputReport report;
     REQUIRE(triangulate<D>(mesh.store, points.data(), points.size() / D, 1, mesh.monitor, &report) == Status::ok);
+    recompute_balls<D>(mesh.store);
     Arena& arena = mesh.block.arena;
     std::vector<Cell<D>> cells;
     for (CellId c(0); c < mesh.state.cell_slots; ++c) cells.push_back(mesh.store.cell(c));

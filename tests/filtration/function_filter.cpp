@@ -9,6 +9,7 @@
 
 #include "common/dimensions.hpp"
 #include "common/meshed.hpp"
+#include "delaunay/sphere.hpp"
 #include "delaunay/triangulate.hpp"
 
 using namespace netmesh;
@@ -185,6 +186,7 @@ TEST_CASE("the interval of d_2 holds what is as far as it can be") {
     Monitor monitor;
     InputReport input;
     REQUIRE(triangulate<2>(store, points.data(), points.size() / 2, 1, monitor, &input) == Status::ok);
+    recompute_balls<2>(store);
     for (VertexId v(2); v < state.vertex_count; ++v) {
         store.vertex(v).marker = v == 2 ? Marker::steiner : Marker::exempt;
         store.vertex(v).origin = 0;

@@ -8,6 +8,7 @@
 #include "common/dimensions.hpp"
 #include "common/meshed.hpp"
 #include "delaunay/load.hpp"
+#include "delaunay/sphere.hpp"
 #include "delaunay/triangulate.hpp"
 #include "mesh/check_reach.hpp"
 #include "mesh/clipped_cell.hpp"
@@ -84,6 +85,7 @@ template <int D> struct Framed {
         Monitor monitor;
         InputReport input;
         REQUIRE(triangulate<D>(store, all.data(), n + 2 * D, 1, monitor, &input) == Status::ok);
+        recompute_balls<D>(store);
         measure_edges<D>(store);
         for (CellId c(0); c < state.cell_slots; ++c)
             for (const VertexId v : store.cell(c).vertex) store.vertex(v).cell = c;

@@ -20,6 +20,7 @@
 #include "common/dimensions.hpp"
 #include "common/inputs.hpp"
 #include "common/simplices.hpp"
+#include "delaunay/sphere.hpp"
 #include "delaunay/triangulate.hpp"
 #include "filtration/equal_foot.hpp"
 
@@ -198,6 +199,7 @@ template <int D> void try_set(const inputs::Points& points, std::uint64_t seed, 
     const Status status = triangulate<D>(store, points.data(), points.size() / D, seed, monitor, &report);
     if (status == Status::flat) return;
     REQUIRE(status == Status::ok);
+    recompute_balls<D>(store);
     const Simplices all = simplices_of<D>(store);
     inputs::Random random(seed);
     if (seed % 2 == 1) blur<D>(store, random);
