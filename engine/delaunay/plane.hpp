@@ -73,7 +73,7 @@ private:
     const double* point(std::uint32_t k) const { return question_.points + 2 * std::size_t{k}; }
     bool has_room(std::size_t cells, std::size_t lines);
     bool refuse_list(std::size_t lines) {
-        arena_.refuse(2 * lines * sizeof(PlaneLine));
+        arena_.refuse(lines * sizeof(PlaneLine));
         return false;
     }
     int collect(CellId c, const double** p, VertexId* ids) const;
@@ -135,8 +135,8 @@ template <int D> bool PlaneRun<D>::has_room(std::size_t cells, std::size_t lines
     const std::size_t now = cells * sizeof(PlaneCell) + lines * sizeof(PlaneLine) + Arena::alignment;
     const std::size_t last = state_.cells_offset + (state_.cell_slots + cells) * sizeof(Cell<D>) + Arena::alignment;
     if (now <= arena_.bytes_free() && last <= cells_end_) return true;
-    const std::size_t above = last > arena_.high_mark() ? last - arena_.low_mark() : 0;
-    arena_.refuse(now > above ? now : above);
+    const std::size_t in_the_end = last > cells_end_ ? arena_.bytes_free() + (last - cells_end_) : 0;
+    arena_.refuse(now > in_the_end ? now : in_the_end);
     return false;
 }
 

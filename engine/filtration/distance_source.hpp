@@ -10,6 +10,9 @@
 
 namespace netmesh {
 
+// Of a negative number itself: the half of the least one rounds to zero, and has to be refused.
+inline double halved(double distance) { return distance < 0 ? distance : distance / 2 + 0.0; }
+
 // Half the distance of points i and j < i.
 struct DistanceSource {
     enum class Kind { full, lower, halves, function, points };
@@ -23,10 +26,10 @@ struct DistanceSource {
     double half(std::uint32_t i, std::uint32_t j) const {
         const std::size_t n = count;
         switch (kind) {
-        case Kind::full: return numbers[i * n + j] / 2 + 0.0;
-        case Kind::lower: return numbers[triangle(i) + j] / 2 + 0.0;
+        case Kind::full: return halved(numbers[i * n + j]);
+        case Kind::lower: return halved(numbers[triangle(i) + j]);
         case Kind::halves: return numbers[triangle(i) + j];
-        case Kind::function: return distance_at(evaluate, user, i, j) / 2 + 0.0;
+        case Kind::function: return halved(distance_at(evaluate, user, i, j));
         case Kind::points: break;
         }
         return half_distance(static_cast<int>(dim), numbers + i * std::size_t{dim}, numbers + j * std::size_t{dim});

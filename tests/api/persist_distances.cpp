@@ -179,7 +179,7 @@ TEST_CASE("distances that are none are refused with their place") {
     };
     const Matrix good = random_matrix(6, 1, 9);
     for (const std::uint32_t degree : {0u, 1u}) {
-        for (const double wrong : {-1.0, not_a_number}) {
+        for (const double wrong : {-1.0, -std::numeric_limits<double>::denorm_min(), not_a_number}) {
             Matrix m = good;
             m.full[3 * 6 + 1] = m.full[1 * 6 + 3] = m.lower[3 + 1] = wrong;
             refused(request_of(m, NETMESH_DISTANCES_FULL, degree), NETMESH_FIELD_NUMBERS, 3, 1);

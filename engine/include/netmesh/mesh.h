@@ -25,7 +25,7 @@ typedef struct netmesh_delaunay_request {
     netmesh_monitor monitor;
     const void* points;      /* [point_count][D], any finite numbers; -0.0 counts as 0. Not read by the plan */
     size_t point_count;      /* 1 .. NETMESH_POINTS_MAX */
-    uint64_t seed;           /* of every random choice; init: 1. The result does not depend on it, time does */
+    uint64_t seed;           /* of every random choice; init: 1. Cells do not depend on it; their order and time do */
     netmesh_purpose purpose; /* MESH or PERSIST; read by the plan alone */
     netmesh_point_format point_format; /* of points; see there */
     size_t point_stride_bytes;         /* from one of them to the next; 0: packed */
