@@ -71,7 +71,7 @@ target_compile_options(netmesh_engine PRIVATE ${NETMESH_ENGINE_FLAGS})
 # A Release build is small, but for what the large jobs spend their time in: archive.size counts the bytes of all that
 # is built. What headers leave out at -Os (__OPTIMIZE_SIZE__) stays in: they have to mean the same in all files.
 target_compile_options(netmesh_engine PRIVATE "$<$<CONFIG:Release>:-Os;-U__OPTIMIZE_SIZE__>")
-set(fast api/report api/structs delaunay/spatial_order diagram/bottleneck
+set(fast api/report api/structs delaunay/spatial_order delaunay/triangulate diagram/bottleneck
   diagram/wasserstein filtration/mesh_filter filtration/rips_graph homology/lower_star/surface
   homology/matrix/cohomology homology/matrix/homology homology/matrix/image homology/pair_writer
   homology/rips/rips homology/rips/rips_simplices homology/vineyard/vineyard jobs/persist_alpha
@@ -84,8 +84,8 @@ if(CMAKE_CXX_COMPILER_ID STREQUAL "GNU")
 endif()
 set_source_files_properties(${fast} PROPERTIES COMPILE_OPTIONS "$<$<CONFIG:Release>:-O2${unaligned}>")
 # Where -O3 saves a part of a large job that counts.
-set(fastest complex/faces delaunay/kernel delaunay/sphere delaunay/store delaunay/triangulate filtration/alpha
-  filtration/circumsphere homology/lower_star/lower_star mesh/input_tree numerics/radix_sort numerics/value_order)
+set(fastest complex/faces delaunay/kernel delaunay/sphere delaunay/store filtration/alpha filtration/circumsphere
+  homology/lower_star/lower_star mesh/input_tree numerics/radix_sort numerics/value_order)
 list(TRANSFORM fastest REPLACE ".+" "${PROJECT_SOURCE_DIR}/engine/\\0.cpp")
 set_source_files_properties(${fastest} PROPERTIES COMPILE_OPTIONS "$<$<CONFIG:Release>:-O3${unaligned}>")
 target_include_directories(netmesh_engine
