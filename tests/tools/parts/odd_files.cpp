@@ -379,6 +379,15 @@ std::vector<OddFile> exports() {
             "ply\nformat ascii 1.0\nelement vertex 2\nproperty float x\nproperty float y\n"
             "property float z\nend_header\n1 2 3\n",
             8, "ends after 1 of 2"),
+        bad("format_twice.ply", "ply\nformat ascii 1.0\nformat binary_little_endian 1.0\n", 3, "a second format line"),
+        bad("list_length.ply", "ply\nformat ascii 1.0\nelement a 1\nproperty list float int q\n", 4,
+            "lengths are whole numbers"),
+        bad("vertex_twice.ply",
+            "ply\nformat ascii 1.0\nelement vertex 1\nproperty float x\nproperty float y\nelement vertex 1\n", 6,
+            "a second element vertex"),
+        bad("property_twice.ply",
+            "ply\nformat ascii 1.0\nelement vertex 1\nproperty float x\nproperty float y\nproperty float x\n", 6,
+            "a second property \"x\""),
         bad("meshlab_count.off", "OFF\n2 1 0\n1 2 3\n4 5 6\n7 8 9\n3 0 1 2\n", 5, "a vertex too many?"),
         bad("geomview_colours.off", "COFF\n1 0 0\n1 2 3\n", 3, "a vertex of 3 numbers"),
     };
