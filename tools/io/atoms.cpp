@@ -40,6 +40,31 @@ std::string_view trimmed(std::string_view text) {
     return words.empty() ? std::string_view() : words.size() == 1 ? words[0] : text;
 }
 
+char lower_case(char c) { return c >= 'A' && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : c; }
+
+enum class Columns { plain, extended, other };  // nothing said of them; element and place in columns 1 to 4; else
+
+// What an extended XYZ file's comment line says of the columns: Properties=species:S:1:pos:R:3, and more columns
+// behind. A line with the word alone is other: it may be meant to say it.
+Columns columns_of(std::string_view comment) {
+    constexpr std::string_view word = "properties", layout = "Properties=species:S:1:pos:R:3";
+    std::string lower;
+    for (const char c : comment) lower += lower_case(c);
+    bool is_layout = false, is_mentioned = false;
+    for (std::size_t at = lower.find(word); at != std::string::npos; at = lower.find(word, at + word.size())) {
+        const std::string_view rest = comment.substr(at);
+        const char behind = rest.size() > layout.size() ? rest[layout.size()] : ' ';
+        if (starts(rest, layout) && (behind == ' ' || behind == '\t' || behind == ':')) {
+            is_layout = true;
+            continue;
+        }
+        const std::size_t next = rest.find_first_not_of(" \t\"'", word.size());
+        if (next != std::string_view::npos && (rest[next] == '=' || rest[next] == ':')) return Columns::other;
+        is_mentioned = true;
+    }
+    return is_layout ? Columns::extended : is_mentioned ? Columns::other : Columns::plain;
+}
+
 void note_atoms(const char* format, std::uint64_t left_out, std::uint64_t models, PointCloud* cloud) {
     cloud->note = std::string("read as atoms of ") + format;
     if (left_out > 0) cloud->note += ", without " + std::to_string(left_out) + " at alternate places";
@@ -54,7 +79,7 @@ bool is_chemical_xyz(std::string_view content) {
     std::uint64_t count = 0;
     if (!reader.next(&line) || !parse_unsigned(std::string(line), &count) || count == 0) return false;
     if (!reader.next(&line)) return false;
-    if (line.find("Properties=") != std::string_view::npos) return true;  // extended
+    if (columns_of(line) != Columns::plain) return true;
     bool named = false, numbered = true;
     for (std::uint64_t i = 0; i < count && i < 1000; i++) {
         if (!reader.next(&line)) return named;
@@ -75,12 +100,11 @@ Outcome parse_xyz_atoms(std::string_view content, PointCloud* cloud) {
     if (!parse_unsigned(std::string(line), &count) || count == 0)
         return line_error(cloud->name, 1, quoted(line) + " is not a number of atoms");
     reader.next(&line);
-    const std::size_t properties = line.find("Properties=");
-    if (properties != std::string_view::npos && !starts(line.substr(properties + 11), "species:S:1:pos:R:3"))
+    if (columns_of(line) == Columns::other)
         return line_error(
             cloud->name, reader.number(),
             "Properties do not begin with species:S:1:pos:R:3; places are read from columns 2 to 4; write these "
-            "properties first");
+            "columns first, and Properties=species:S:1:pos:R:3 without blanks, or take the line's text out");
     cloud->dim = 3;
     for (std::uint64_t i = 0; i < count; i++) {
         if (!reader.next(&line))

@@ -6,6 +6,7 @@
 #include "platform/memory.hpp"
 #include "tools/io/lines.hpp"
 #include "tools/io/numbers.hpp"
+#include "tools/io/table_lines.hpp"
 
 namespace netmesh::tool {
 
@@ -18,6 +19,15 @@ struct Row {
     std::size_t first, count;  // in numbers
 };
 using Rows = std::vector<Row>;
+
+// The first line, where it holds names.
+struct Header {
+    std::uint64_t line = 0;          // 0: there is none
+    std::vector<std::string> names;  // without an empty first field
+    bool has_corner = false;         // its first field is empty: each row begins with a name, which may be a number
+    bool has_row_names = false;
+    std::string first_row;  // name of the first row
+};
 
 std::string count_text(std::size_t count) { return counted(count, "number", "numbers"); }
 
@@ -52,11 +62,29 @@ std::string_view without_last_comma(std::string_view line) {
     return is_behind ? line.substr(0, end - 1) : line;
 }
 
-// A row without its name, which may hold blanks where something else parts fields.
-std::string_view behind_name(std::string_view line) {
-    std::size_t end = line.find_first_of(",;\t");
-    if (end == std::string_view::npos) end = line.find(' ');
-    return end == std::string_view::npos ? std::string_view() : line.substr(end + 1);
+// A row without its name, which may hold blanks where something else parts fields; empty where there is nothing else.
+std::string_view behind_name(std::string_view line, std::string* name) {
+    const std::size_t from = line[0] == '"' ? line.find('"', 1) : 0;
+    std::size_t end = line.find_first_of(",;\t", from);
+    if (end == std::string_view::npos) end = line.find(' ', from);
+    if (end == std::string_view::npos) return {};
+    std::string_view text = without_blanks(line.substr(0, end));
+    if (text.size() > 1 && text.front() == '"' && text.back() == '"') text = text.substr(1, text.size() - 2);
+    *name = std::string(text);
+    return line.substr(end + 1);
+}
+
+// False where the line holds no names. A tab in front of it is an empty first field, too.
+bool read_header(std::string_view line, bool has_tab, Header* header) {
+    const auto parted_by = [&](char c) { return line.find(c) != std::string_view::npos; };
+    const char delimiter = parted_by(',') ? ',' : parted_by(';') ? ';' : parted_by('\t') ? '\t' : ' ';
+    std::vector<Field> fields;
+    if (!cut_line(line, delimiter, &fields)) return false;
+    const bool is_first_empty = fields.size() > 1 && fields[0].text.empty();
+    if (!is_first_empty && !is_header(line)) return false;
+    header->has_corner = is_first_empty || has_tab;
+    for (std::size_t i = is_first_empty ? 1 : 0; i < fields.size(); i++) header->names.emplace_back(fields[i].text);
+    return true;
 }
 
 // So many numbers at most, if one character parts them.
@@ -83,36 +111,45 @@ private:
 };
 
 // *released: the content itself, where it is not needed afterwards, or null.
-Outcome read_rows(std::string_view content, std::string* released, DistanceFile* file, Rows* rows) {
+Outcome read_rows(std::string_view content, std::string* released, DistanceFile* file, Rows* rows, Header* header) {
     LineReader reader(content);
     TextReleaser releaser(released);
     file->numbers.reserve(count_fields(content));
     std::string_view line;
     std::vector<double> row;
-    bool may_be_header = true, has_header = false, has_names = false;
     std::optional<bool> parted_by_commas;  // or by blanks alone, in all rows of two numbers and more
     while (reader.next_content(&line)) {
+        const bool has_tab = line.data() != content.data() && line.data()[-1] == '\t';
         line = without_last_comma(line);
+        if (rows->empty() && header->line == 0 && read_header(line, has_tab, header)) {
+            header->line = reader.number();
+            add_note("skipped header " + quoted(line), file);
+            continue;
+        }
         Complaint complaint = parse_numbers(line, &row, true);
-        if (!complaint.empty() && has_header) {
-            const std::string_view rest = behind_name(line);
+        const bool has_name_of_digits =
+            complaint.empty() && header->has_corner &&
+            (rows->empty() ? row.size() == header->names.size() + 1 : header->has_row_names);
+        bool has_name = has_name_of_digits;
+        std::string name;
+        if (has_name_of_digits) {
+            if (row.size() == 1)
+                return line_error(file->place.name, reader.number(), "a row that has a name and no distance");
+            behind_name(line, &name);
+        } else if (!complaint.empty() && header->line > 0) {
+            const std::string_view rest = behind_name(line, &name);
             if (!rest.empty() && parse_numbers(rest, &row, true).empty()) {
-                if (!has_names) add_note("left out the names that rows begin with", file);
-                has_names = true;
                 complaint.clear();
+                has_name = true;
                 line = rest;
             }
         }
-        if (!complaint.empty()) {
-            if (may_be_header && is_header(line)) {
-                may_be_header = false;
-                has_header = true;
-                add_note("skipped header " + quoted(line), file);
-                continue;
-            }
-            return line_error(file->place.name, reader.number(), complaint);
+        if (!complaint.empty()) return line_error(file->place.name, reader.number(), complaint);
+        if (has_name && !header->has_row_names) {
+            add_note("left out the names that rows begin with", file);
+            header->has_row_names = true;
+            if (rows->empty()) header->first_row = name;
         }
-        may_be_header = false;
         const auto commas = static_cast<std::size_t>(
             std::count_if(line.begin(), line.end(), [](char c) { return c == ',' || c == ';'; }));
         const bool in_one_way = (commas == 0 || commas + 1 == row.size()) &&
@@ -121,6 +158,7 @@ Outcome read_rows(std::string_view content, std::string* released, DistanceFile*
             return line_error(file->place.name, reader.number(),
                               "commas part some numbers and blanks others; write decimals with a point");
         if (row.size() > 1) parted_by_commas = commas > 0;
+        if (has_name_of_digits) row.erase(row.begin());
         rows->push_back({reader.number(), file->numbers.size(), row.size()});
         file->numbers.insert(file->numbers.end(), row.begin(), row.end());
         releaser.pass(reader.offset());
@@ -240,12 +278,29 @@ Outcome take_entries(const Rows& rows, DistanceFile* file) {
     return {};
 }
 
-Outcome take_rows(const Rows& rows, bool sparse, DistanceFile* file) {
-    const Outcome outcome = check_numbers(*file, rows, sparse);
+// A header that names more or fewer points than there are: rows are missing, or they are not what they seem.
+Outcome check_header(const Header& header, const Rows& rows, const DistanceFile& file) {
+    const std::size_t count = header.names.size();
+    if (header.line == 0 || count == file.points) return {};
+    const bool names_their_column = header.has_row_names && !header.has_corner && count == file.points + 1;
+    // R prints a `dist` so: columns a and b, rows b and c.
+    const bool leaves_out_last =
+        header.has_row_names && count == rows.size() && count + 1 == file.points && header.names[0] != header.first_row;
+    if (names_their_column || leaves_out_last) return {};
+    return line_error(file.place.name, header.line,
+                      "the header names " + counted(count, "point", "points") + ", the rows are of " +
+                          grouped_text(file.points) +
+                          "; take out the header and the names that rows begin with, or put # in front of this line if "
+                          "it is no header");
+}
+
+Outcome take_rows(const Rows& rows, const Header& header, bool sparse, DistanceFile* file) {
+    Outcome outcome = check_numbers(*file, rows, sparse);
     if (!outcome.good()) return outcome;
     if (sparse) return take_entries(rows, file);
     const bool is_triangle = rows[0].count == 1 && (rows.size() > 1 || file->numbers[0] != 0);
-    return is_triangle ? take_triangle(rows, file) : take_square(rows, file);
+    outcome = is_triangle ? take_triangle(rows, file) : take_square(rows, file);
+    return outcome.good() ? check_header(header, rows, *file) : outcome;
 }
 
 }  // namespace
@@ -267,8 +322,9 @@ Outcome DistanceFile::fault(std::uint64_t a, std::uint64_t b, const std::string&
 
 Outcome parse_distances(std::string_view content, bool sparse, DistanceFile* file) {
     Rows rows;
-    const Outcome outcome = read_rows(content, nullptr, file, &rows);
-    return outcome.good() ? take_rows(rows, sparse, file) : outcome;
+    Header header;
+    const Outcome outcome = read_rows(content, nullptr, file, &rows, &header);
+    return outcome.good() ? take_rows(rows, header, sparse, file) : outcome;
 }
 
 Outcome take_distances(Table table, bool sparse, DistanceFile* file) {
@@ -278,7 +334,7 @@ Outcome take_distances(Table table, bool sparse, DistanceFile* file) {
     file->numbers = std::move(table.values);
     Rows rows;
     for (std::size_t r = 0; r < height; r++) rows.push_back({0, r * table.width, table.width});
-    if (table.width != 1 || height == 1 || sparse) return take_rows(rows, sparse, file);
+    if (table.width != 1 || height == 1 || sparse) return take_rows(rows, {}, sparse, file);
     const Outcome outcome = check_numbers(*file, rows, false);
     return outcome.good() ? take_condensed(file) : outcome;
 }
@@ -292,8 +348,9 @@ Outcome read_distances(const std::string& path, bool sparse, DistanceFile* file)
     if (table.width > 0) return take_distances(std::move(table), sparse, file);
     file->place.name = table.name;
     Rows rows;
-    outcome = read_rows(text, &text, file, &rows);
-    return outcome.good() ? take_rows(rows, sparse, file) : outcome;
+    Header header;
+    outcome = read_rows(text, &text, file, &rows, &header);
+    return outcome.good() ? take_rows(rows, header, sparse, file) : outcome;
 }
 
 }  // namespace netmesh::tool

@@ -28,7 +28,8 @@ struct DistanceFile {
 // an empty one for that), with as many numbers as there are points before it, 0 behind them or not. A square with
 // nothing but zeros on one side of its diagonal is a triangle, too (numpy's tril and triu). sparse: lines `i j d`,
 // points numbered from 0. `inf` is a distance. A header is skipped, and
-// behind it a name in front of each row; file->note says so.
+// behind it a name in front of each row, which may be a number where the header's first field is empty (pandas, R);
+// file->note says so. A header must have as many names as there are points.
 // .npy, .npz: a square, `i j d` rows if sparse, or one axis of n (n - 1) / 2 numbers, the upper triangle row by row,
 // which is the lower one column by column, as scipy's pdist and R's dist have it.
 // Every fault is Exit::data with file, line and field.

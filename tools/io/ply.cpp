@@ -86,8 +86,12 @@ Complaint parse_property(const std::vector<std::string_view>& words, PlyHeader* 
     if (words.size() != (property.is_list ? 5u : 3u)) return "a property line that is not understood";
     const std::string_view type = words[property.is_list ? 3 : 1];
     if (property.is_list && !scalar_of(words[2], &property.count_type)) return "no such type: " + quoted(words[2]);
+    if (property.count_type == Scalar::f32 || property.count_type == Scalar::f64)
+        return "a list whose length is of type " + quoted(words[2]) + "; lengths are whole numbers, such as uchar";
     if (!scalar_of(type, &property.type)) return "no such type: " + quoted(type);
     property.name = std::string(words.back());
+    for (const Property& other : header->elements.back().properties)
+        if (other.name == property.name) return "a second property " + quoted(property.name) + " of one element";
     header->elements.back().properties.push_back(property);
     return {};
 }
@@ -96,6 +100,7 @@ Complaint parse_header_line(std::string_view line, bool* format_seen, PlyHeader*
     const std::vector<std::string_view> words = split_blanks(line);
     if (words.empty() || words[0] == "comment" || words[0] == "obj_info") return {};
     if (words[0] == "format" && words.size() == 3) {
+        if (*format_seen) return "a second format line";
         header->big_endian = words[1] == "binary_big_endian";
         if (words[1] != "ascii" && words[1] != "binary_little_endian" && !header->big_endian)
             return "format " + quoted(words[1]) + "; ascii, binary_little_endian and binary_big_endian are read";
@@ -107,6 +112,8 @@ Complaint parse_header_line(std::string_view line, bool* format_seen, PlyHeader*
         Element element;
         element.name = std::string(words[1]);
         if (!parse_unsigned(std::string(words[2]), &element.count)) return quoted(words[2]) + " is not a count";
+        for (const Element& other : header->elements)
+            if (element.name == "vertex" && other.name == "vertex") return "a second element vertex";
         header->elements.push_back(element);
         return {};
     }
@@ -116,7 +123,7 @@ Complaint parse_header_line(std::string_view line, bool* format_seen, PlyHeader*
 
 Complaint find_columns(PlyHeader* header) {
     for (std::size_t e = 0; e < header->elements.size(); e++) {
-        if (header->elements[e].name != "vertex" || header->vertex_element != SIZE_MAX) continue;
+        if (header->elements[e].name != "vertex") continue;
         header->vertex_element = e;
         const std::vector<Property>& properties = header->elements[e].properties;
         for (std::size_t i = 0; i < properties.size(); i++) {

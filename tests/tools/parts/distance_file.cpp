@@ -57,8 +57,35 @@ TEST_CASE("names in front of rows are left out behind a header of them") {
         CHECK(file.numbers == Numbers{0, 3, 5, 3, 0, 4, 5, 4, 0});
         CHECK(file.note.find("; left out the names that rows begin with") != std::string::npos);
     }
+    // Of pandas and of R.
+    for (const char* const text :
+         {",0,1,2\n0,0.0,3.0,5.0\n1,3.0,0.0,4.0\n2,5.0,4.0,0.0\n", "\ta\tb\tc\n7\t0\t3\t5\n8\t3\t0\t4\n9\t5\t4\t0\n",
+          "\"\",\"a\",\"b, c\",\"1\"\n\"a\",0,3,5\n\"b, c\",3,0,4\n\"1\",5,4,0\n",
+          "\"\" \"a\" \"b\" \"c\"\n\"a\" 0 3 5\n\"b\" 3 0 4\n\"c\" 5 4 0\n", ",a,1,2\na,0,3,5\n1,3,0,4\n2,5,4,0\n"}) {
+        const DistanceFile file = good(text);
+        CHECK(file.numbers == Numbers{0, 3, 5, 3, 0, 4, 5, 4, 0});
+        CHECK(file.note.find("; left out the names that rows begin with") != std::string::npos);
+    }
+    CHECK(good(",i,j,d\n0,0,1,2.5\n1,1,2,1.5\n", true).entries.size() == 2);
+    CHECK(fault(",0,1\n0,0,3\n1\n") == "d.csv:3: a row that has a name and no distance");
+    CHECK(fault(",0,1\n0,0,3\n1 3,0\n").find("d.csv:3: commas part some") == 0);
     CHECK(fault("a,0,3\nb,3,0\n").find("d.csv:1: ") == 0);
     CHECK(fault(",a,b\na,0,x\nb,3,0\n").find("d.csv:2: ") == 0);
+}
+
+TEST_CASE("a header has as many names as there are points") {
+    const std::string remedy =
+        "; take out the header and the names that rows begin with, or put # in front of this line if it is no header";
+    CHECK(fault(",a,b,c\n1\n2,5\n3,6,7\n") == "d.csv:1: the header names 3 points, the rows are of 4" + remedy);
+    CHECK(fault("my distances\n0 1 2\n1 0 3\n2 3 0\n") ==
+          "d.csv:1: the header names 2 points, the rows are of 3" + remedy);
+    CHECK(fault("a b c\n0 1\n1 0\n") == "d.csv:1: the header names 3 points, the rows are of 2" + remedy);
+    CHECK(good(",a,b,c,d\n1\n2,5\n3,6,7\n").points == 4);
+    CHECK(good("a,b,c\n3\n5,4\n").numbers == Numbers{3, 5, 4});
+    CHECK(good("name,a,b\na,0,1\nb,1,0\n").points == 2);             // the column of names has one, too
+    CHECK(good("  a b\nb 3\nc 5 4\n").numbers == Numbers{3, 5, 4});  // R's print of a dist
+    CHECK(fault(",a,b\na,1\nb,0.5,1\n").find("names 2 points, the rows are of 3") != std::string::npos);
+    CHECK(good("i j d\n0 1 2\n1 2 3\n2 3 4\n3 4 5\n", true).points == 5);
 }
 
 TEST_CASE("what was understood of distances is said") {
