@@ -36,7 +36,7 @@ struct DelaunayFigures {
 };
 template <int D> struct DelaunayFiguresOf;
 template <> struct DelaunayFiguresOf<2> {
-    static constexpr DelaunayFigures value = {{1650, 158.3, 0}, {2400, 334, 0}, {2400, 196.5, 0}};
+    static constexpr DelaunayFigures value = {{2200, 158, 0}, {2400, 334, 0}, {2400, 196.5, 0}};
 };
 template <> struct DelaunayFiguresOf<3> {
     static constexpr DelaunayFigures value = {{2100, 554, 201}, {9000, 1333.5, 1200}, {9000, 777.7, 569}};
