@@ -155,6 +155,7 @@ struct Step {
     std::vector<double> numbers;
     const BoundLine* line;
 };
+// Infinity of either sign, too: a function has no lower bound below its first scale.
 bool parse_number(const std::string& text, double* value) {
     if (text != "inf" && text != "-inf") return parse_finite(text, value);
     *value = text == "inf" ? HUGE_VAL : -HUGE_VAL;

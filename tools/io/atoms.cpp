@@ -42,7 +42,8 @@ std::string_view trimmed(std::string_view text) {
 
 char lower_case(char c) { return c >= 'A' && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : c; }
 
-enum class Columns { plain, extended, other };  // nothing said of them; element and place in columns 1 to 4; else
+// Nothing is said of them; element and place are columns 1 to 4; anything else is said, or may be.
+enum class Columns { plain, extended, other };
 
 // What an extended XYZ file's comment line says of the columns: Properties=species:S:1:pos:R:3, and more columns
 // behind. A line with the word alone is other: it may be meant to say it.
