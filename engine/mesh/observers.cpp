@@ -39,7 +39,7 @@ template <int D> void Observers<D>::note_released(Hierarchy<D>& hierarchy, std::
 }
 
 template <int D> void Observers<D>::note(const AuditNote& note) {
-    if (!measures_ || (note.vertex != none && note.vertex >= first_new_)) return;
+    if (!measures_) return;
     NETMESH_ASSERT(note_count_ < notes_max_);
     notes_[note_count_++] = note;
 }

@@ -49,11 +49,15 @@ public:
                    VertexId v, bool cleaning);
     // In the step at hand; Cage::next is used until that is measured.
     void note_released(Hierarchy<D>& hierarchy, std::uint32_t d);
-    // The same of cages of the thesis, and of anything else that an AuditNote is for.
+    // With cages of the thesis: what an AuditNote is for.
     void note(const AuditNote& note);
-    // What open places for each input, and more, for notes: in a step each input is noted at most twice, yielded to and
-    // then out of its shell; each cage once as it is released. What is not counted is cages that grow, of which the
-    // first growth of a step alone needs a note, as the shells of others are new.
+    // Cage d has grown, and `shell` was of it. A shell of the step's own is looked at in any case.
+    void note_grown(VertexId shell, std::uint32_t d) {
+        if (shell < first_new_) note({none, d});
+    }
+    // What open places for each input, for notes. In a step each input is yielded to at most once; each cage, of which
+    // there are fewer than inputs, is released at most once, and its first growth is noted; later ones are where all of
+    // the shell before was inputs, yielded to in the same step.
     static constexpr std::size_t notes_per_input = 4, note_bytes = notes_per_input * sizeof(AuditNote);
     void stop_measuring() { measures_ = false; }
     void stop_measuring_features() { terms_.features = false; }

@@ -73,7 +73,6 @@ public:
 private:
     template <class Visit> bool visit_changed(Visit&& visit);
     template <class Visit> bool visit_inside(const Cage& cage, Visit&& visit);
-    template <class Visit> bool visit_noted(const AuditNote& note, Visit&& visit);
     bool has_outermost_features();
     bool list_changed();
     void list_cages(CellId c);
@@ -130,8 +129,8 @@ private:
     bool all_features_rise_ = false;  // f_P has just become finite in the outermost domain
 };
 
-// Calls visit(cell), perhaps several times, for each cell at a vertex that the step has inserted, or that was in a cage
-// which it has released. False when the gap is too small for the search.
+// Calls visit(cell), perhaps several times, for each cell at a vertex that the step has inserted, or that is in a cage
+// which it has made grow or has released. False when the gap is too small for the search.
 template <class Visit> [[gnu::cold]] bool StepAudit::visit_changed(Visit&& visit) {
     for (VertexId v(all_features_rise_ ? frame_ + 2 * static_cast<std::uint32_t>(dim) : step_.first_made);
          v < store_.state.vertex_count; ++v)
@@ -142,19 +141,12 @@ template <class Visit> [[gnu::cold]] bool StepAudit::visit_changed(Visit&& visit
         next = cage.next;
         if (!visit_inside(cage, visit)) return false;
     }
-    for (std::uint32_t k = 0; is_thesis() && k < step_.note_count; ++k)
-        if (!visit_noted(step_.notes[k], visit)) return false;
-    return true;
-}
-
-// A shell's own vertices follow one another; what comes after them does no harm.
-template <class Visit> [[gnu::cold]] bool StepAudit::visit_noted(const AuditNote& note, Visit&& visit) {
-    if (note.released != none) return visit_inside(made_->cage(note.released), visit);
-    std::uint32_t end = note.vertex + 1;
-    if (dim <= thesis_dim_max && note.vertex >= frame_) end = note.vertex + template_size(dim, false);
-    if (end > store_.state.vertex_count) end = store_.state.vertex_count;
-    for (VertexId v(note.vertex); v < end; ++v)
-        if (!visit_any_star(store_, v, visit)) return false;
+    for (std::uint32_t k = 0; is_thesis() && k < step_.note_count; ++k) {
+        const AuditNote& note = step_.notes[k];
+        const bool fits = note.cage != none ? visit_inside(made_->cage(note.cage), visit)
+                                            : visit_any_star(store_, VertexId(note.vertex), visit);
+        if (!fits) return false;
+    }
     return true;
 }
 

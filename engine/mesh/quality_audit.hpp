@@ -63,9 +63,8 @@ template <int D> double cage_insertion_bound(CageKind kind = CageKind::compact);
 
 // With cages of the thesis: what a step has changed besides what it has inserted in its own name. One of the two.
 struct AuditNote {
-    std::uint32_t vertex;    // an input that a shell has yielded to, or that is of a shell no more; or the first of the
-                             // own vertices of a shell that is one no more
-    std::uint32_t released;  // a cage
+    std::uint32_t vertex;  // an input that a shell has yielded to
+    std::uint32_t cage;    // one that has grown, or was released: what was of its shell is so no more
 };
 
 // What the last step has done.

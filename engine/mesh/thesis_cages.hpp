@@ -263,7 +263,10 @@ template <int D, class Rule> Status ThesisCages<D, Rule>::grow_cage(std::uint32_
     const Cage old = cage;
     cage.radius = radius;
     const Status status = insert_shell(d);
-    if (status == Status::ok) return demote(old);
+    if (status == Status::ok) {
+        observers_.note_grown(VertexId(old.shell), d);
+        return demote(old);
+    }
     cage = old;
     return status;
 }
@@ -277,11 +280,8 @@ template <int D, class Rule> Status ThesisCages<D, Rule>::release_cage(std::uint
 
 // The shell becomes vertices like others; their cells, and those of their neighbours, are looked at.
 template <int D, class Rule> Status ThesisCages<D, Rule>::demote(const Cage& cage) {
-    if (cage.shell >= inputs_) observers_.note({cage.shell, none});
     visit_shell(cage, [&](VertexId v) {
-        if (v == none) return;
-        if (v < inputs_) observers_.note({v, none});
-        if (store_.vertex(v).marker == Marker::exempt) store_.vertex(v).marker = Marker::steiner;
+        if (v != none && store_.vertex(v).marker == Marker::exempt) store_.vertex(v).marker = Marker::steiner;
     });
     visit_shell(cage, [&](VertexId v) {
         if (v != none) queue_.push(v);
