@@ -1,7 +1,7 @@
 #include "jobs/persist_filter.hpp"
 
-#include "homology/lower_star/lower_star.hpp"
 #include "jobs/persist_alpha.hpp"
+#include "jobs/persist_packed.hpp"
 #include "vocabulary/dimension.hpp"
 #include "vocabulary/features.hpp"
 
@@ -20,6 +20,7 @@ Status persist_filter(const FilteredMesh<D>& mesh, const PersistRequest& request
         out->simplices = found.simplices;
         return status;
     }
+    const std::size_t behind = work.arena.low_mark();
     ArenaScope scope(work.arena);
     Evaluation evaluation = {work.arena.take_low<double>(mesh.vertices())};
     if (evaluation.value == nullptr) return Status::out_of_memory;
@@ -29,8 +30,9 @@ Status persist_filter(const FilteredMesh<D>& mesh, const PersistRequest& request
     if (status == Status::ok) status = evaluate<D>(filtered, request.filter, work, &evaluation);
     out->culprit = evaluation.culprit;
     if (status == Status::ok)
-        status = persist_lower_star<D>({store.view(), evaluation.value, evaluation.zero_born, filtered.part},
-                                       request.diagram, work, &found);
+        status =
+            persist_packed<D>(mesh.store, behind, {store.view(), evaluation.value, evaluation.zero_born, filtered.part},
+                              request.diagram, work, &found);
     if (status != Status::ok) return status;
     if (cells.is_there) out->clip_radius = cells.ball.radius;
     out->pairs = found.pairs;

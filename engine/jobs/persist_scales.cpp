@@ -8,6 +8,7 @@
 #include "jobs/certified_bars.hpp"
 #include "jobs/join_shift.hpp"
 #include "jobs/joined_bars.hpp"
+#include "jobs/persist_packed.hpp"
 #include "jobs/scale_grid.hpp"
 #include "mesh/mesh_points.hpp"
 #include "numerics/double_double.hpp"
@@ -171,6 +172,7 @@ template <int D> Status ScalesJoin<D>::persist_mesh(const double* x, std::uint32
         result_->row_b = !are_two ? 0 : a < b ? b : a;
     }
     if (status != Status::ok) return status;
+    const std::size_t behind = arena_.low_mark();
     double* const value = arena_.take_low<double>(state.vertex_count);
     if (value == nullptr) return Status::out_of_memory;
     const Work work = {arena_, monitor_};
@@ -187,8 +189,8 @@ template <int D> Status ScalesJoin<D>::persist_mesh(const double* x, std::uint32
     if (status == Status::ok) status = evaluate<D>(filtered, which, work, &filter);
     CountedPairs found = {};
     if (status == Status::ok)
-        status = persist_lower_star<D>({store.view(), value, n, filtered.part},
-                                       {request_.max_degree, request_.keep_zero}, work, &found);
+        status = persist_packed<D>(store, behind, {store.view(), value, n, filtered.part},
+                                   {request_.max_degree, request_.keep_zero}, work, &found);
     if (status != Status::ok) return status;
     bars->list = found.pairs;
     count_mesh(n, state.vertex_count, found.simplices, filter.certificate, result_);
