@@ -149,13 +149,13 @@ template <int D> double planned_vertices(const MeshKind& kind, double points) {
     const double shell = kind.shell ? f.shell * square_root(growth) * to_power(n, f.shell_power) : 0;
     if (kind.cages) growth *= f.cages_growth;
     double vertices = points * (1 + growth * (1 + f.spread_root / root + f.spread / n)) + shell;
-    if (points < 100) vertices += 100 - points;
+    if (points < 100) vertices += (D == 3 ? 2.5 : 1) * (100 - points);
     if (kind.net) vertices += f.net_fixed + f.net * to_power(n, f.net_power) + f.net_each * points;
     if constexpr (D <= thesis_dim_max)
         if (kind.thesis) vertices += 1.6 * RootTemplate<D>::size;
     double fine = kind.eps > 0 ? f.sizes : 0;
     for (int k = 0; k < D && kind.eps > 0; ++k) fine /= kind.eps;
-    if (fine > 0) fine = points * (f.sizes_each + fine) * (1 + 3 / square_root(points));
+    if (fine > 0) fine = points * (f.sizes_each + fine) * (1 + 3.2 / square_root(points));
     return fine > vertices ? fine : vertices;
 }
 

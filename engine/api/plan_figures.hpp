@@ -72,15 +72,15 @@ template <int D> struct MeshFiguresOf;
 // clang-format off
 template <> struct MeshFiguresOf<2> {
     static constexpr MeshFigures value = {
-        {2.5, 3.5, 6}, {3.4, 1.31, 0.485}, {2, 0.985, 0.302}, 0.9, 7.5, 100,
+        {2.5, 3.5, 6}, {3.43, 1.31, 0.485}, {2, 0.985, 0.302}, 0.9, 7.5, 40,
         0, 62, 700, 0.5, 12, 0.62, 10, 2.47,
-        161, 190, 171, 169.5, 176, 29};
+        161, 190, 171.5, 170, 176, 29};
 };
 template <> struct MeshFiguresOf<3> {
     static constexpr MeshFigures value = {
-        {2.5, 3.5, 6}, {7.9, 1.97, 0.515}, {3.6, 1.39, 0.31}, 1, 11, 60,
-        0.3334, 17, 40, 0.25, 2450, 0.6, 48, 4.9,
-        516, 578, 510, 516, 512, 85};
+        {2.5, 3.5, 6}, {7.63, 1.93, 0.5}, {3.45, 1.39, 0.31}, 1, 14, 90,
+        0.3334, 17, 0, 0.25, 2450, 0.6, 48, 4.9,
+        516, 578, 506, 513, 512, 85};
 };
 // Not of nets and sizes.
 template <> struct MeshFiguresOf<4> {

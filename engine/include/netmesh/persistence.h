@@ -123,7 +123,7 @@ void netmesh_persist_request_init(netmesh_persist_request* request, size_t reque
 /* Persistent homology over Z/2 of the filtration on what the context holds. Values are radii, not squared radii. ALPHA
  * needs a Delaunay triangulation, the others a mesh without cages; one mesh serves every k. Replaces the diagram, also
  * when it fails.
- * Memory above the mesh: as a rule 8 bytes a vertex and the pairs. Alpha: some 25 bytes a simplex and fill, on grids 33.
+ * Memory above the mesh: as a rule 8 bytes a vertex and the pairs; alpha 25 bytes a simplex and fill, on grids 33.
  * KNN and KDISTANCE, k >= 2: on a mesh on which COMPLETE certifies c with whole cells the certified_ratio is at most
  * sqrt(2 + s c^2), s = 1 for KNN and sqrt(k / (k - 1)) for KDISTANCE. For FUNCTION: the sublevel sets of a function
  * (8.6). certified_ratio is infinite where f is too small for its change across a Voronoi cell; a distance_factor keeps
