@@ -187,24 +187,11 @@ template <int D> CellId Kernel<D>::walk(const double* q, CellId from) {
     }
 }
 
-// The cells that the search meets when it comes to this cell's turn: by then they are in the cache.
-template <int D> inline void ask_for_neighbours(const Cell<D>* cells, const Cell<D>& cell) {
-    for (int i = 0; i <= D; ++i) {
-        const Cell<D>& other = cells[cell.neighbour[i].cell()];
-        __builtin_prefetch(&other.centre);
-        __builtin_prefetch(&other.mark);
-    }
-}
-
 #ifdef __OPTIMIZE_SIZE__
 constexpr bool asks_ahead = false;
 #else
 constexpr bool asks_ahead = true;
 #endif
-// In space guesses at what is in conflict cost more than asking cells again that are known; with more facets a cell, of
-// which most lead to known ones, it is the other way round.
-template <int D> constexpr bool searches_without_guesses = asks_ahead&& D == 3;
-
 template <int D> bool Kernel<D>::find_cavity(const double* q, VertexId id, CellId first, Cavity* cavity) {
     if constexpr (D == 2) {
         return PlanarCavity<D>::find(*this, q, id, first, cavity);
@@ -216,60 +203,38 @@ template <int D> bool Kernel<D>::find_cavity(const double* q, VertexId id, CellI
         Cell<D>* const cells = &store_.cell(0);
         end[0].entry = FacetId(first, 0);
         cells[first].mark = stamp;
-        std::ptrdiff_t count = 1, facets = 0;
-        for (std::ptrdiff_t k = 0; k < count; ++k) {
+        CavitySearch progress = {stamp, 1, 0, 0};
+        bool has_tables = false;
+#ifndef __OPTIMIZE_SIZE__
+        if constexpr (D == 3) {
+            SpatialCavity<D>::search(*this, q, id, &progress);
+            has_tables = progress.searched == progress.cells;
+        }
+#endif
+        std::ptrdiff_t count = progress.cells, facets = progress.facets;
+        for (std::ptrdiff_t k = progress.searched; k < count; ++k) {
             // Each facet of this cell leads to one more cell or bounds the cavity.
             const std::size_t lines = static_cast<std::size_t>(count > facets ? count : facets) + D + 1;
             if (lines > capacity) return refuse_list(lines);
             const CellId c = end[-k].entry.cell();
-            if constexpr (!searches_without_guesses<D>) {
-                for (std::uint32_t i = 0; i <= D; ++i) {
-                    const FacetId facet = cells[c].neighbour[i];
-                    Cell<D>& other = cells[facet.cell()];
-                    const std::uint32_t known = other.mark - stamp;  // as below
-                    if (known == 0) continue;
-                    if (known > 1) {
-                        if (in_conflict(facet.cell(), q, id)) {
-                            other.mark = stamp;
-                            end[-count++].entry = facet;
-                            if constexpr (asks_ahead) ask_for_neighbours(cells, other);
-                            continue;
-                        }
-                        other.mark = stamp + 1;
+            for (std::uint32_t i = 0; i <= D; ++i) {
+                const FacetId facet = cells[c].neighbour[i];
+                Cell<D>& other = cells[facet.cell()];
+                const std::uint32_t known = other.mark - stamp;  // 0: in conflict, 1: not, else not met yet
+                if (known == 0) continue;
+                if (known > 1) {
+                    if (in_conflict(facet.cell(), q, id)) {
+                        other.mark = stamp;
+                        end[-count++].entry = facet;
+                        if constexpr (asks_ahead) ask_for_neighbours(cells, other);
+                        continue;
                     }
-                    end[-facets++].facet = FacetId(c, i);
+                    other.mark = stamp + 1;
                 }
-            } else {
-                // Without branches: every cell is asked, known or not, and lines are overwritten when they were not
-                // meant. The cell that the search came from need not be looked at.
-                const std::uint32_t entry = k == 0 ? D + 1 : end[-k].entry.position(), others = k == 0 ? D + 1 : D;
-                std::uint64_t decided = 0;
-                ask_for_neighbours(cells, cells[end[-(k + 1 < count ? k + 1 : k)].entry.cell()]);
-                for (std::uint32_t j = 0; j < others; ++j) {
-                    const std::uint32_t i = j + (j >= entry);
-                    const FacetId facet = cells[c].neighbour[i];
-                    Cell<D>& other = cells[facet.cell()];
-                    const std::uint32_t known = other.mark - stamp;  // 0: in conflict, 1: not, else not met yet
-                    const std::uint32_t fresh = known > 1;
-                    double bound;
-                    const double value = power<D>(other, q, &bound);
-                    std::uint32_t inside = value < 0;
-                    decided += fresh;
-                    if (__builtin_expect(fresh & static_cast<std::uint32_t>(!(__builtin_fabs(value) > bound)), 0)) {
-                        inside = undecided_conflict(facet.cell(), q, id);
-                        --decided;
-                    }
-                    inside = (inside & fresh) | static_cast<std::uint32_t>(known == 0);
-                    other.mark = stamp + 1 - inside;
-                    end[-count].entry = facet;
-                    count += inside & fresh;
-                    end[-facets].facet = FacetId(c, i);
-                    facets += 1 - inside;
-                }
-                store_.state.in_ball_counts.calls[0] += decided;
+                end[-facets++].facet = FacetId(c, i);
             }
         }
-        *cavity = {static_cast<std::uint32_t>(count), static_cast<std::uint32_t>(facets), stamp};
+        *cavity = {static_cast<std::uint32_t>(count), static_cast<std::uint32_t>(facets), stamp, has_tables};
         return true;
     }
 }

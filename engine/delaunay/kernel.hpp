@@ -10,11 +10,19 @@
 namespace netmesh {
 
 // What an insertion would replace: the cells in conflict with the new point and the facets that bound them. Their list
-// stands in the store's gap until the next search.
+// stands in the store's gap until the next search, and in space what spatial.hpp keeps below it.
 struct Cavity {
     std::uint32_t cells;
     std::uint32_t facets;
     std::uint32_t stamp;  // D > 2: mark of the cells in conflict; their neighbours outside carry stamp + 1
+    bool has_tables;      // in space: the search has left what spatial.hpp fills it by
+};
+
+// How far a search has come: so many cells in conflict and bounding facets are listed, and the first `searched` of
+// these cells have been left by all of their facets.
+struct CavitySearch {
+    std::uint32_t stamp;
+    std::ptrdiff_t cells, facets, searched;
 };
 
 // Line k of the list, line 0 highest in memory: columns of different lengths.
@@ -34,15 +42,25 @@ struct PlanarLine {
 // Whether insertions keep Vertex::cell up to date, which visit_star and visit_neighbours need.
 enum class VertexCells : bool { ignored, kept };
 
+// The cells that the search meets when it comes to this cell's turn: by then they are in the cache.
+template <int D> inline void ask_for_neighbours(const Cell<D>* cells, const Cell<D>& cell) {
+    for (int i = 0; i <= D; ++i) {
+        const Cell<D>& other = cells[cell.neighbour[i].cell()];
+        __builtin_prefetch(&other.centre);
+        __builtin_prefetch(&other.mark);
+    }
+}
+
 // What the kernel does in the plane, see planar.hpp. For D = 2.
 template <int D> class Kernel;
 template <int D> struct PlanarCavity {
     static bool find(Kernel<D>& kernel, const double* q, VertexId id, CellId first, Cavity* cavity);
     static void fill(Kernel<D>& kernel, const Cavity& cavity, VertexId id);
 };
-// How it makes the new cells in space, see spatial.hpp; false, and nothing is done, where the cavity is too large for
-// its tables, or the gap too small. For D = 3.
+// What it does in space, see spatial.hpp. The search ends early where tables of it have no room; make_cells then does
+// nothing and returns false. For D = 3.
 template <int D> struct SpatialCavity {
+    static void search(Kernel<D>& kernel, const double* q, VertexId id, CavitySearch* progress);
     static bool make_cells(Kernel<D>& kernel, const Cavity& cavity, VertexId id, CellSupply<D>& supply);
 };
 

@@ -1,5 +1,6 @@
-// Space's own way of filling a cavity: the new cells stand on the triangles of a sphere, so what borders what is read
-// off the sphere's edges. A part of kernel.cpp; templates, so that nothing of it is made where space is not served.
+// Space's own way of finding and filling a cavity. The powers that the search computes are those that make the new
+// balls, so they are kept; and the new cells stand on the triangles of a sphere, so what borders what is read off the
+// sphere's edges. A part of kernel.cpp; templates, so that nothing of it is made where space is not served.
 #pragma once
 #include "delaunay/kernel.hpp"
 
@@ -7,63 +8,152 @@ namespace netmesh {
 
 #ifndef __OPTIMIZE_SIZE__
 
-// A triangulated sphere of n vertices has 2 n - 4 triangles.
-constexpr std::uint32_t boundary_vertices_max = 32;
-constexpr std::uint32_t boundary_facets_max = 2 * boundary_vertices_max - 4;
+// They stand in the gap below the first lines of the cavity's list, as the stack has no room for them (netmesh/job.h),
+// and serve cavities whose list ends above them.
+struct SpatialTables {
+    static constexpr std::uint32_t lines_max = 64;
+    static constexpr int slot_bits = 7;
+    static constexpr std::uint32_t slots = 1u << slot_bits;  // a sphere of 64 triangles has 34 vertices
+    static constexpr VertexId vacant{none - 1};
 
-// The vertices of a cavity's boundary with numbers from 1 on, in the order in which they are met. A hash table of many
-// more slots than vertices. Whether a vertex is there already cannot be predicted; so there is no branch on it.
-class BoundaryVertices {
-public:
-    void clear() {
-        next_ = 1;
-        for (std::uint8_t& number : number_) number = 0;
+    // What power() has said of each cell in conflict.
+    double power[lines_max], bound[lines_max];
+    std::uint8_t inside[lines_max];  // of each bounding facet: the line of its cell in conflict
+    // The balls of the pencil of each bounding facet, inside and beyond it, with what power() has said of them.
+    // Columns, so that several cells are computed at a time.
+    struct Ball {
+        double x[lines_max], y[lines_max], z[lines_max], radius2[lines_max], error[lines_max], power[lines_max],
+            bound[lines_max];
+    } in, out;
+
+    std::uint8_t unsolved[lines_max];  // lines of new cells whose ball is not made of others
+    struct {
+        std::uint16_t edge[3];
+        std::uint16_t position;
+    } triangle[lines_max];
+    std::uint8_t behind[slots * slots];  // 4 * triangle + position in its cell
+    static_assert(4 * lines_max <= 256);
+    VertexId vertex[slots];  // a hash table; a vertex's slot is its number
+
+    void forget_vertices() {
+        for (VertexId& v : vertex) v = vacant;
     }
+    // Whether a vertex is there already cannot be predicted; so there is no branch on it: a product is 0 either way.
     std::uint32_t number_of(VertexId v) {
-        vertex_[next_] = v;
-        std::uint32_t slot = v * 0x9E3779B1u >> (32 - slot_bits), number = number_in(slot);
-        while (vertex_[number] != v) number = number_in(slot = (slot + 1) & (slots - 1));
-        number_[slot] = static_cast<std::uint8_t>(number);
-        next_ += number == next_;
-        return number;
+        std::uint32_t slot = v * 0x9E3779B1u >> (32 - slot_bits);
+        while (!is_for(slot, v)) slot = (slot + 1) & (slots - 1);
+        vertex[slot] = v;
+        return slot;
     }
-    std::uint32_t count() const { return next_ - 1; }
-    VertexId operator[](std::uint32_t number) const { return vertex_[number]; }
 
 private:
-    // Of a vacant slot the number that comes next.
-    std::uint32_t number_in(std::uint32_t slot) const {
-        const std::uint32_t number = number_[slot];
-        return number | (next_ & (0u - static_cast<std::uint32_t>(number == 0)));
+    bool is_for(std::uint32_t slot, VertexId v) const {
+        const std::uint64_t other = vertex[slot] ^ v, taken = vertex[slot] ^ vacant;
+        return other * taken == 0;
     }
-    static constexpr int slot_bits = 8;
-    static constexpr std::uint32_t slots = 1u << slot_bits;
-    std::uint32_t next_;
-    std::uint8_t number_[slots];  // 0: vacant
-    VertexId vertex_[boundary_vertices_max + 2];
 };
 
-struct BoundaryTriangle {
-    std::uint16_t edge[3];
-    std::uint16_t position;
-};
-
-// They stand in the gap below the cavity's list, as the stack has no room for them (netmesh/job.h).
-struct BoundaryTables {
-    static constexpr std::uint32_t most = boundary_vertices_max + 1;
-    BoundaryVertices vertices;
-    BoundaryTriangle triangle[boundary_facets_max];
-    std::uint8_t behind[most * most];  // 4 * triangle + position in its cell
-};
-static_assert(4 * boundary_facets_max < 256 && alignof(BoundaryTables) <= alignof(CavityLine));
-
-// null: no room for them above what the new cells may take.
-template <int D> BoundaryTables* boundary_tables(const Store<D>& store, const Cavity& cavity) {
-    const std::size_t lines = (cavity.cells > cavity.facets ? cavity.cells : cavity.facets) + std::size_t{1};
-    const std::size_t below = lines * sizeof(CavityLine) + sizeof(BoundaryTables);
+// Where they stand; null: the gap is too small, were `cells` cells made.
+template <int D> SpatialTables* spatial_tables(const Store<D>& store, std::uint32_t cells) {
+    static_assert(alignof(SpatialTables) <= 8 && sizeof(CavityLine) * SpatialTables::lines_max % 8 == 0);
+    constexpr std::size_t below = SpatialTables::lines_max * sizeof(CavityLine) + sizeof(SpatialTables);
     const Arena& arena = store.arena;
-    if (below + cavity.facets * sizeof(Cell<D>) > arena.high_mark() - arena.low_mark()) return nullptr;
-    return reinterpret_cast<BoundaryTables*>(arena.at(arena.high_mark() - below));
+    if (below + cells * sizeof(Cell<D>) > arena.high_mark() - arena.low_mark()) return nullptr;
+    return reinterpret_cast<SpatialTables*>(arena.at(arena.high_mark() - below));
+}
+
+// As in kernel.cpp, but without branches, as guesses at what is in conflict cost more than asking cells again that are
+// known: every cell is asked, and lines are overwritten when they were not meant. The cell that the search came from
+// need not be looked at.
+template <int D>
+void SpatialCavity<D>::search(Kernel<D>& kernel, const double* point, VertexId id, CavitySearch* progress) {
+    Store<D>& store = kernel.store_;
+    SpatialTables* const tables = spatial_tables<D>(store, 0);
+    if (tables == nullptr) return;
+    Cell<D>* const cells = &store.cell(0);
+    CavityLine* const end = kernel.list_end();
+    const std::uint32_t stamp = progress->stamp;
+    double q[D];
+    for (int i = 0; i < D; ++i) q[i] = point[i];
+    std::uint64_t decided = 0;
+    std::ptrdiff_t count = 1, facets = 0, k = 0;
+    tables->power[0] = power<D>(cells[end[0].entry.cell()], q, &tables->bound[0]);
+    for (; k < count; ++k) {
+        if ((count > facets ? count : facets) + D + 1 > std::ptrdiff_t{SpatialTables::lines_max}) break;
+        const CellId c = end[-k].entry.cell();
+        const std::uint32_t entry = k == 0 ? D + 1 : end[-k].entry.position(), others = k == 0 ? D + 1 : D;
+        ask_for_neighbours<D>(cells, cells[end[-(k + 1 < count ? k + 1 : k)].entry.cell()]);
+        for (std::uint32_t j = 0; j < others; ++j) {
+            const std::uint32_t i = j + (j >= entry);
+            const FacetId facet = cells[c].neighbour[i];
+            Cell<D>& other = cells[facet.cell()];
+            const std::uint32_t known = other.mark - stamp;  // 0: in conflict, 1: not, else not met yet
+            const std::uint32_t fresh = known > 1;
+            double bound;
+            const double value = power<D>(other, q, &bound);
+            std::uint32_t inside = value < 0;
+            decided += fresh;
+            if (__builtin_expect(fresh & static_cast<std::uint32_t>(!(__builtin_fabs(value) > bound)), 0)) {
+                inside = kernel.undecided_conflict(facet.cell(), point, id);
+                --decided;
+            }
+            inside = (inside & fresh) | static_cast<std::uint32_t>(known == 0);
+            other.mark = stamp + 1 - inside;
+            end[-count].entry = facet;
+            tables->power[count] = value;
+            tables->bound[count] = bound;
+            count += inside & fresh;
+            end[-facets].facet = FacetId(c, i);
+            tables->out.power[facets] = value;
+            tables->out.bound[facets] = bound;
+            tables->inside[facets] = static_cast<std::uint8_t>(k);
+            facets += 1 - inside;
+        }
+    }
+    store.state.in_ball_counts.calls[0] += decided;
+    progress->cells = count;
+    progress->facets = facets;
+    progress->searched = k;
+}
+
+template <int D> void put_ball(const Cell<D>& cell, std::uint32_t k, SpatialTables::Ball* ball) {
+    ball->x[k] = cell.centre[0];
+    ball->y[k] = cell.centre[1];
+    ball->z[k] = cell.centre[2];
+    ball->radius2[k] = cell.radius2;
+    ball->error[k] = cell.error;
+}
+
+// pencil_sphere of each pair of balls, operation by operation, into `in`; the square of the error bound, +infinity
+// where the powers are too uncertain, into its powers. Written so that compilers make vectors of it: no branch, no
+// inner loop, no condition before a division.
+[[gnu::noinline]] inline void mix_balls(SpatialTables* tables, const double* q, std::uint32_t count) {
+    constexpr double u = unit_roundoff;
+    SpatialTables::Ball& in = tables->in;
+    const SpatialTables::Ball& out = tables->out;
+    const double qx = q[0], qy = q[1], qz = q[2];
+    for (std::uint32_t k = 0; k < count; ++k) {
+        const double b = -in.power[k], a = out.power[k], bound_in = in.bound[k], bound_out = out.bound[k];
+        const double sum = a + b, inverse = 1 / sum;
+        const double w = a * inverse, v = b * inverse;
+        const double dx = in.x[k] - out.x[k], dy = in.y[k] - out.y[k], dz = in.z[k] - out.z[k];
+        const double x = out.x[k] + w * dx, y = out.y[k] + w * dy, z = out.z[k] + w * dz;
+        const double ex = qx - x, ey = qy - y, ez = qz - z;
+        const double apart2 = dx * dx + dy * dy + dz * dz;
+        const double size2 = x * x + y * y + z * z;
+        const double radius2 = ex * ex + ey * ey + ez * ez;
+        const double in2 = in.error[k] * in.error[k] * in.radius2[k];
+        const double out2 = out.error[k] * out.error[k] * out.radius2[k];
+        const double w_error = 1.02 * (w * bound_in + v * bound_out) * inverse + 8 * u;
+        const double distance2 = 2.3 * (w * in2 + v * out2 + w_error * w_error * apart2) + (50 * u * u) * size2;
+        const double error2 = distance2 / radius2;
+        in.x[k] = x;
+        in.y[k] = y;
+        in.z[k] = z;
+        in.radius2[k] = radius2;
+        in.error[k] = 1.01 * square_root(error2);
+        in.power[k] = bound_in + bound_out < 0x1p-6 * sum ? error2 : infinity;
+    }
 }
 
 template <int D> [[gnu::noinline]] void solve_cell(const Store<D>& store, double error_max, Cell<D>& cell) {
@@ -77,20 +167,16 @@ template <int D> [[gnu::noinline]] void solve_cell(const Store<D>& store, double
 template <int D>
 bool SpatialCavity<D>::make_cells(Kernel<D>& kernel, const Cavity& cavity, VertexId id, CellSupply<D>& supply) {
     // turn[i]: the positions other than i, so that i and they are an even permutation.
-    constexpr std::uint8_t turn[4][3] = {{1, 2, 3}, {0, 3, 2}, {3, 0, 1}, {2, 1, 0}};
-    if (cavity.facets > boundary_facets_max) return false;
+    static constexpr std::uint8_t turn[4][3] = {{1, 2, 3}, {0, 3, 2}, {3, 0, 1}, {2, 1, 0}};
+    if (!cavity.has_tables) return false;
     Store<D>& store = kernel.store_;
-    BoundaryTables* const tables = boundary_tables<D>(store, cavity);
+    SpatialTables* const tables = spatial_tables<D>(store, cavity.facets);
     if (tables == nullptr) return false;
     Cell<D>* const cells = &store.cell(0);
     CavityLine* const end = kernel.list_end();
-    const double* const q = store.point(id);
+    const double error_max = kernel.error_max_, error2_max = error_max * error_max;
     const std::uint32_t facets = cavity.facets;
-    BoundaryVertices& vertices = tables->vertices;
-    BoundaryTriangle* const triangle = tables->triangle;
-    std::uint8_t* const behind = tables->behind;
-    constexpr std::uint32_t most = BoundaryTables::most;
-    vertices.clear();
+    tables->forget_vertices();
     for (std::uint32_t k = 0; k < facets; ++k) {
         CavityLine& line = end[-static_cast<std::ptrdiff_t>(k)];
         const CellId n = line.made = supply.take();
@@ -98,40 +184,57 @@ bool SpatialCavity<D>::make_cells(Kernel<D>& kernel, const Cavity& cavity, Verte
         const Cell<D>& old = cells[line.facet.cell()];
         Cell<D>& fresh = cells[n];
         const FacetId outer = old.neighbour[i];
-        const std::uint32_t number[3] = {vertices.number_of(old.vertex[turn[i][0]]),
-                                         vertices.number_of(old.vertex[turn[i][1]]),
-                                         vertices.number_of(old.vertex[turn[i][2]])};
+        const std::uint32_t number[3] = {tables->number_of(old.vertex[turn[i][0]]),
+                                         tables->number_of(old.vertex[turn[i][1]]),
+                                         tables->number_of(old.vertex[turn[i][2]])};
         __builtin_memcpy(fresh.vertex, old.vertex, sizeof fresh.vertex);
         fresh.vertex[i] = id;
         fresh.neighbour[i] = outer;
         fresh.mark = 0;
-        cells[outer.cell()].neighbour[outer.position()] = FacetId(n, i);
-        triangle[k].position = static_cast<std::uint16_t>(i);
+        Cell<D>& beyond = cells[outer.cell()];
+        beyond.neighbour[outer.position()] = FacetId(n, i);
+        put_ball(old, k, &tables->in);
+        put_ball(beyond, k, &tables->out);
+        tables->in.power[k] = tables->power[tables->inside[k]];
+        tables->in.bound[k] = tables->bound[tables->inside[k]];
+        tables->triangle[k].position = static_cast<std::uint16_t>(i);
         for (std::uint32_t r = 0; r < 3; ++r) {
             const std::uint32_t from = number[(r + 1) % 3], to = number[(r + 2) % 3];
-            triangle[k].edge[r] = static_cast<std::uint16_t>(to * most + from);
-            behind[from * most + to] = static_cast<std::uint8_t>(4 * k + turn[i][r]);
+            tables->triangle[k].edge[r] = static_cast<std::uint16_t>(to * SpatialTables::slots + from);
+            tables->behind[from * SpatialTables::slots + to] = static_cast<std::uint8_t>(4 * k + turn[i][r]);
         }
     }
-    bool at_hull = false;
-    for (std::uint32_t number = 1; number <= vertices.count(); ++number) {
-        at_hull |= vertices[number] == none;
-        if (vertices[number] != none) __builtin_prefetch(store.point(vertices[number]));
-    }
+    mix_balls(tables, store.point(id), facets);
+    std::uint32_t unsolved = 0;
     for (std::uint32_t k = 0; k < facets; ++k) {
         const CavityLine& line = end[-static_cast<std::ptrdiff_t>(k)];
-        const std::uint32_t i = triangle[k].position;
+        const std::uint32_t i = tables->triangle[k].position;
         Cell<D>& fresh = cells[line.made];
-        const Cell<D>& inside = cells[line.facet.cell()];
-        const Cell<D>& outside = cells[fresh.neighbour[i].cell()];
         for (std::uint32_t r = 0; r < 3; ++r) {
-            const std::uint32_t other = behind[triangle[k].edge[r]];
+            const std::uint32_t other = tables->behind[tables->triangle[k].edge[r]];
             fresh.neighbour[turn[i][r]] = FacetId(end[-static_cast<std::ptrdiff_t>(other / 4)].made, other % 4);
         }
-        if (at_hull && store.is_ghost(line.made))
-            make_ghost<D>(fresh);
-        else if (!pencil_sphere<D>(inside, outside, q, kernel.error_max_, fresh))
-            solve_cell<D>(store, kernel.error_max_, fresh);
+        fresh.centre[0] = tables->in.x[k];
+        fresh.centre[1] = tables->in.y[k];
+        fresh.centre[2] = tables->in.z[k];
+        fresh.radius2 = tables->in.radius2[k];
+        fresh.error = static_cast<float>(tables->in.error[k]);
+        const double error2 = tables->in.power[k];
+        const std::uint32_t solved =
+            static_cast<std::uint32_t>(error2 < error2_max) & static_cast<std::uint32_t>(fresh.radius2 > 0x1p-800);
+        tables->unsolved[unsolved] = static_cast<std::uint8_t>(k);
+        unsolved += 1 - solved;
+    }
+    for (std::uint32_t j = 0; j < unsolved; ++j)
+        for (const VertexId v : cells[end[-std::ptrdiff_t{tables->unsolved[j]}].made].vertex)
+            if (v != none) __builtin_prefetch(store.point(v));
+    // Ghosts are among them, as both balls of a ghost's pencil are unknown.
+    for (std::uint32_t j = 0; j < unsolved; ++j) {
+        const CellId n = end[-std::ptrdiff_t{tables->unsolved[j]}].made;
+        if (store.is_ghost(n))
+            make_ghost<D>(cells[n]);
+        else
+            solve_cell<D>(store, error_max, cells[n]);
     }
     return true;
 }

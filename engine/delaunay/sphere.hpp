@@ -14,8 +14,9 @@ namespace netmesh {
 // Computed power |q - centre|^2 - radius2 of q, and in *bound what its error cannot exceed (NaN or infinite when
 // nothing is known). A caller compares with > and < so that NaN decides nothing.
 template <int D> inline double power(const Cell<D>& cell, const double* q, double* bound) {
-    double d2 = 0;
-    for (int i = 0; i < D; ++i) {
+    const double first = q[0] - cell.centre[0];
+    double d2 = first * first;
+    for (int i = 1; i < D; ++i) {
         const double d = q[i] - cell.centre[i];
         d2 += d * d;
     }

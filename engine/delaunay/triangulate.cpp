@@ -65,12 +65,20 @@ public:
         low_ = (low + Arena::alignment - 1) & ~(Arena::alignment - 1);
         return store_.open_cells();
     }
-    Status start(const VertexId* ids) { return kernel_.start(ids); }
+    Status start(const VertexId* ids) {
+        for (int i = 0; i <= D; ++i) first_[i] = ids[i];
+        return kernel_.start(ids);
+    }
     bool insert(std::uint32_t k, std::uint32_t* made) {
         const VertexId v(order_[k]);
-        if (ahead > 0 && k + ahead < store_.state.vertex_count) __builtin_prefetch(&store_.vertex(order_[k + ahead]));
+        if (ahead > 0 && k + ahead < store_.state.vertex_count) {
+            const double* const next = store_.point(order_[k + ahead]);
+            __builtin_prefetch(next);
+            __builtin_prefetch(next + D - 1);
+        }
         *made = 0;
-        if (store_.vertex(v).cell != none) return true;
+        for (const VertexId w : first_)
+            if (v == w) return true;
         const double* const q = store_.point(v);
         const CellId hit = kernel_.locate(q, v, store_.state.last_cell);
         Cavity cavity;
@@ -86,6 +94,7 @@ private:
     Kernel<D> kernel_;
     const std::uint32_t* order_;
     std::size_t low_;
+    VertexId first_[D + 1];  // the vertices of the first cell
 };
 template <int D> using TriangulationRun = std::conditional_t<D == 2, PlaneRun<D>, KernelRun<D>>;
 
