@@ -10,6 +10,7 @@
 #include <cstdint>
 
 #include "homology/lower_star/link.hpp"
+#include "memory/prefetch.hpp"
 #include "numerics/sort.hpp"
 
 namespace netmesh {
@@ -146,6 +147,7 @@ template <int D> bool Star<D>::open(const TriangulatedBall<D>& ball, VertexId v)
     count_ = seen_count_ = 0;
     clear_table(ball.begin[v + 1] - ball.begin[v], hull);
     add(0, 0, ball.incidence[ball.begin[v]].word());
+    for (std::uint32_t t = ball.begin[v]; jumps_matter && t < ball.begin[v] + 16; ++t) ball.prefetch(t);
     for (std::uint32_t t = ball.begin[v]; t < ball.begin[v + 1]; ++t) {
         ball.prefetch(t + 16);
         const VertexId* p = ball.complex.vertices(ball.incidence[t].cell());
