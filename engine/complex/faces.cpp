@@ -198,7 +198,7 @@ void link_facets(const Faces<D>& faces, const Trie<D>& trie, int k, std::uint32_
 }
 
 template <int D>
-Status enumerate(const TriangulationView<D>& complex, int dimension_max, const std::uint32_t* order, const Work& work,
+Status enumerate(const TriangulationView<D>& complex, int dimension_max, std::uint32_t* order, const Work& work,
                  std::size_t low, Faces<D>* out) {
     const std::size_t high = work.arena.high_mark();
     WordStream stream(work.arena);
@@ -212,7 +212,7 @@ Status enumerate(const TriangulationView<D>& complex, int dimension_max, const s
     if (!unfold<D>(stream.words(), dimension_max, faces.count, nullptr, nullptr, work.arena))
         return Status::out_of_memory;
     for (int k = 0; k <= dimension_max; ++k) {
-        faces.last_vertex[k] = work.arena.take_high<std::uint32_t>(faces.count[k]);
+        faces.last_vertex[k] = k == 0 && order != nullptr ? order : work.arena.take_high<std::uint32_t>(faces.count[k]);
         if (faces.last_vertex[k] == nullptr) return Status::out_of_memory;
     }
     const std::size_t high_kept = work.arena.high_mark();

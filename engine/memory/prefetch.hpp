@@ -10,7 +10,7 @@ constexpr bool jumps_matter = true;
 #endif
 
 // Always inline: a function that does nothing but prefetch is taken for one without effect and dropped.
-template <class T> __attribute__((always_inline)) inline void prefetch(const T* at) {
+template <class T> [[gnu::always_inline]] inline void prefetch(const T* at) {
     if (jumps_matter) __builtin_prefetch(at);
 }
 
