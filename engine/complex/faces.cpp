@@ -1,5 +1,5 @@
-// A face belongs to the star of its least vertex. Stars are walked one by one, by vertex or as vertices are first met
-// in the cells, each depth first along ascending vertices:
+// A face belongs to the star of its least vertex. Stars are walked one by one, by vertex or along an order, each depth
+// first along ascending vertices:
 //
 //   v  ->  v w  ->  v w x ...        a node is a face; its children append one greater vertex
 //
@@ -8,6 +8,7 @@
 // its first k vertices, is the child x of facet i of p, so boundaries come from boundaries one dimension below.
 #include "complex/faces.hpp"
 
+#include "complex/faces_along.hpp"
 #include "complex/star_walk.hpp"
 #include "vocabulary/dimension.hpp"
 
@@ -15,12 +16,6 @@ namespace netmesh {
 namespace {
 
 constexpr std::uint32_t children_max = 0xFFFFFFFEu;
-
-#ifdef __OPTIMIZE_SIZE__
-constexpr bool jumps_matter = false;
-#else
-constexpr bool jumps_matter = true;
-#endif
 
 // Cells by vertex.
 template <int D> struct Incidence {
@@ -68,34 +63,13 @@ __attribute__((always_inline)) inline void fetch_star(const TriangulationView<D>
         __builtin_prefetch(complex.vertices(incidence.cell[begin + i]));
 }
 
-// The vertices as they are first met in the cells: *count of them. Null: out of memory.
-template <int D> std::uint32_t* vertices_met(const TriangulationView<D>& complex, Arena& arena, std::uint32_t* count) {
-    std::uint32_t* const order = arena.take_high<std::uint32_t>(complex.vertex_count);
-    const HighScope scope(arena);
-    unsigned char* const met = arena.take_high<unsigned char>(complex.vertex_count);
-    if (order == nullptr || met == nullptr) return nullptr;
-    arena.each(complex.vertex_count, 1, [met](std::uint64_t v) { met[v] = 0; });
-    std::uint32_t n = 0;
-    arena.each(complex.cell_count, 5 * (D + 1), [&](std::uint64_t c) {
-        const VertexId* const vertex = complex.vertices(CellId(static_cast<std::uint32_t>(c)));
-        for (int i = 0; i <= D; ++i) {
-            if (met[vertex[i]] == 0) order[n++] = vertex[i];
-            met[vertex[i]] = 1;
-        }
-    });
-    *count = n;
-    return order;
-}
-
-// Writes, for each used vertex, the vertex and the records of its star; then `none`.
+// Writes, for each used vertex, by number or along an order, the vertex and the records of its star; then `none`.
 template <int D>
-Status walk_stars(const TriangulationView<D>& complex, int dimension_max, bool local, const Work& work,
+Status walk_stars(const TriangulationView<D>& complex, int dimension_max, const std::uint32_t* order, const Work& work,
                   WordStream& stream) {
     Incidence<D> incidence;
     StarWalk<D> star;
-    std::uint32_t* order = nullptr;
-    std::uint32_t count = complex.vertex_count;
-    if (local && (order = vertices_met(complex, work.arena, &count)) == nullptr) return Status::out_of_memory;
+    const std::uint32_t count = complex.vertex_count;
     if (!build_incidence(complex, work.arena, &incidence)) return Status::out_of_memory;
     if (!star.reserve(complex, incidence.degree_max, dimension_max, work.arena)) return Status::out_of_memory;
     for (std::uint32_t i = 0; i < count; ++i) {
@@ -224,11 +198,11 @@ void link_facets(const Faces<D>& faces, const Trie<D>& trie, int k, std::uint32_
 }
 
 template <int D>
-Status enumerate(const TriangulationView<D>& complex, int dimension_max, bool local, const Work& work, std::size_t low,
-                 Faces<D>* out) {
+Status enumerate(const TriangulationView<D>& complex, int dimension_max, std::uint32_t* order, const Work& work,
+                 std::size_t low, Faces<D>* out) {
     const std::size_t high = work.arena.high_mark();
     WordStream stream(work.arena);
-    const Status status = walk_stars(complex, dimension_max, local, work, stream);
+    const Status status = walk_stars(complex, dimension_max, order, work, stream);
     if (status != Status::ok) return status;
     work.arena.release_high(high);
 
@@ -238,7 +212,7 @@ Status enumerate(const TriangulationView<D>& complex, int dimension_max, bool lo
     if (!unfold<D>(stream.words(), dimension_max, faces.count, nullptr, nullptr, work.arena))
         return Status::out_of_memory;
     for (int k = 0; k <= dimension_max; ++k) {
-        faces.last_vertex[k] = work.arena.take_high<std::uint32_t>(faces.count[k]);
+        faces.last_vertex[k] = k == 0 && order != nullptr ? order : work.arena.take_high<std::uint32_t>(faces.count[k]);
         if (faces.last_vertex[k] == nullptr) return Status::out_of_memory;
     }
     const std::size_t high_kept = work.arena.high_mark();
@@ -247,7 +221,7 @@ Status enumerate(const TriangulationView<D>& complex, int dimension_max, bool lo
         if (trie.first_child[k] == nullptr) return Status::out_of_memory;
     }
     std::uint32_t* place = nullptr;
-    if (local) {
+    if (order != nullptr) {
         place = work.arena.take_high<std::uint32_t>(complex.vertex_count);
         if (place == nullptr) return Status::out_of_memory;
     }
@@ -259,7 +233,7 @@ Status enumerate(const TriangulationView<D>& complex, int dimension_max, bool lo
                                                              static_cast<std::size_t>(k + 1));
         if (faces.facets[k] == nullptr) return Status::out_of_memory;
     }
-    if (local)
+    if (order != nullptr)
         work.arena.each(faces.count[0], 5,
                         [&](std::uint64_t i) { place[faces.last_vertex[0][i]] = static_cast<std::uint32_t>(i); });
     for (int k = 1; k <= dimension_max; ++k) {
@@ -271,16 +245,61 @@ Status enumerate(const TriangulationView<D>& complex, int dimension_max, bool lo
     return Status::ok;
 }
 
+template <int D>
+Status enumerate_along(const TriangulationView<D>& complex, std::uint32_t* order, const Work& work, std::size_t low,
+                       Faces<D>* out) {
+    Arena& arena = work.arena;
+    const std::size_t high = arena.high_mark();
+    Faces<D> faces = {};
+    faces.dimension_max = D;
+    FacesAlong<D> along(complex, arena);
+    if (!along.read_cells(order, faces.count)) return Status::out_of_memory;
+    arena.release_low(low);
+    for (int k = 1; k <= D; ++k) {
+        faces.facets[k] = arena.take_low<std::uint32_t>(std::size_t{faces.count[k]} * static_cast<std::size_t>(k + 1));
+        if (faces.facets[k] == nullptr) return Status::out_of_memory;
+    }
+    const Status status = along.run(faces.count, faces.facets, work.monitor);
+    if (status != Status::ok) return status;
+    arena.release_high(high);
+    faces.last_vertex[0] = order;
+    for (int k = 1; k <= D; ++k) {
+        std::uint32_t* const last = arena.take_high<std::uint32_t>(faces.count[k]);
+        if (last == nullptr) return Status::out_of_memory;
+        faces.last_vertex[k] = last;
+        const std::uint32_t *const below = faces.last_vertex[k - 1], *const facets = faces.facets[k];
+        const std::size_t width = static_cast<std::size_t>(k) + 1;
+        arena.each(faces.count[k], 3, [=](std::uint64_t f) { last[f] = below[facets[f * width]]; });
+    }
+    *out = faces;
+    return Status::ok;
+}
+
 }  // namespace
 
 template <int D>
-Status enumerate_faces(const TriangulationView<D>& complex, int dimension_max, const Work& work, Faces<D>* out,
-                       bool drops_complex, FaceNumbers numbers) {
+Status enumerate_faces(const TriangulationView<D>& complex, int dimension_max, const Work& work, Faces<D>* out) {
     if (dimension_max < 0 || dimension_max > D) return Status::invalid_argument;
+    const std::size_t high = work.arena.high_mark(), low = work.arena.low_mark();
+    const Status status = enumerate(complex, dimension_max, nullptr, work, low, out);
+    if (status != Status::ok) {
+        work.arena.release_low(low);
+        work.arena.release_high(high);
+    }
+    return status;
+}
+
+template <int D>
+Status enumerate_faces_along(const TriangulationView<D>& complex, std::uint32_t* order, bool drops_complex,
+                             const Work& work, Faces<D>* out) {
     const std::size_t high = work.arena.high_mark();
     const std::size_t low = drops_complex ? work.arena.offset_of(complex.cells) : work.arena.low_mark();
-    const bool local = jumps_matter && numbers == FaceNumbers::local;
-    const Status status = enumerate(complex, dimension_max, local, work, low, out);
+    Status status;
+    if constexpr (lists_follow_order<D>) {
+        status = enumerate_along(complex, order, work, low, out);
+    } else {
+        status = enumerate(complex, D, jumps_matter ? order : nullptr, work, low, out);
+    }
     if (status != Status::ok) {
         work.arena.release_low(low);
         work.arena.release_high(high);
@@ -289,7 +308,8 @@ Status enumerate_faces(const TriangulationView<D>& complex, int dimension_max, c
 }
 
 #define NETMESH_INSTANTIATE(D)                                                                                         \
-    template Status enumerate_faces<D>(const TriangulationView<D>&, int, const Work&, Faces<D>*, bool, FaceNumbers);
+    template Status enumerate_faces<D>(const TriangulationView<D>&, int, const Work&, Faces<D>*);                      \
+    template Status enumerate_faces_along<D>(const TriangulationView<D>&, std::uint32_t*, bool, const Work&, Faces<D>*);
 NETMESH_EACH_DIMENSION(NETMESH_INSTANTIATE)
 #undef NETMESH_INSTANTIATE
 

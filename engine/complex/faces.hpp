@@ -4,19 +4,17 @@
 #include <cstdint>
 
 #include "complex/triangulation.hpp"
+#include "memory/prefetch.hpp"
 #include "memory/work.hpp"
 #include "vocabulary/status.hpp"
 
 namespace netmesh {
 
-// How faces are numbered. lexicographic: those of one dimension by their ascending vertex lists, so numbers depend on
-// the set of cells alone, not on the order in which cells are stored. local: the same, but as if vertices were numbered
-// as they are first met in the cells; faces that are near each other then mostly have near numbers, as cells mostly do,
-// so that less jumps about in memory. Built for small size: always lexicographic.
-enum class FaceNumbers { lexicographic, local };
+// Whether the vertex lists of faces along an order ascend in that; otherwise they ascend by number, as all others do.
+template <int D> constexpr bool lists_follow_order = jumps_matter&& D <= 3;
 
-// The faces of dimension 0..dimension_max, those of one dimension numbered densely. Vertex lists ascend, whatever the
-// numbers are.
+// The faces of dimension 0..dimension_max, those of one dimension numbered densely. First, last and greatest mean the
+// order in which vertex lists ascend.
 template <int D> struct Faces {
     int dimension_max;
     std::uint32_t count[D + 1];         // by dimension; 0 above dimension_max
@@ -38,16 +36,26 @@ template <int D> struct Faces {
 
 // Lists the faces of dimension 0..dimension_max (0 <= dimension_max <= D) of a triangulation whose neighbour words are
 // not read. Vertices that are in no cell are no faces. `facets` is left at the low end of the arena, ascending in k;
-// `last_vertex` at the high end, so that it can be released alone. Nothing else stays.
-// With local numbers a 0-face is not its vertex: last_vertex[0] says which one it is.
+// `last_vertex` at the high end, so that it can be released alone, in the order of k. Nothing else stays.
+// Vertex lists ascend by number, and so do faces by their lists: numbers depend on the set of cells alone, not on the
+// order in which cells are stored.
 // Cost: O(sum over cells of 2^(D+1)) and a few words a simplex of scratch: one word per vertex of a cell while stars
 // are walked, about two words a face while boundaries are made.
-// drops_complex: the cells are the last piece at the arena's low end; they are given back once they are read, in any
-// case.
 // out_of_memory, cancelled: the arena is as before and *out is not written. A dimension with 2^32 - 1 faces or more
 // counts as out_of_memory.
 template <int D>
-Status enumerate_faces(const TriangulationView<D>& complex, int dimension_max, const Work& work, Faces<D>* out,
-                       bool drops_complex = false, FaceNumbers numbers = FaceNumbers::lexicographic);
+Status enumerate_faces(const TriangulationView<D>& complex, int dimension_max, const Work& work, Faces<D>* out);
+
+// All faces, numbered so that those of vertices that are near in `order` mostly have near numbers and less jumps about
+// in memory; see lists_follow_order. A 0-face is not its vertex: last_vertex[0] says which one it is. Built for small
+// size: as above.
+// order: [vertex_count] all vertices, the last piece at the arena's high end, where it is taken over; without
+// Status::ok it stays. drops_complex: the cells are the last piece at the arena's low end; they are given back once
+// they are read, in any case. Cost: as above; in D = 2 and 3 a lookup for each face of each cell, and a word per vertex
+// of a cell, per cell and per vertex, in D = 3 also per edge, of scratch. As above, and internal: it is not the
+// triangulation of a ball.
+template <int D>
+Status enumerate_faces_along(const TriangulationView<D>& complex, std::uint32_t* order, bool drops_complex,
+                             const Work& work, Faces<D>* out);
 
 }  // namespace netmesh

@@ -237,7 +237,7 @@ template <int D> bool Sorter<D>::split_equal_keys(std::size_t count) {
 
 template <int D>
 Status spatial_order(const unsigned char* coordinates, std::ptrdiff_t stride_bytes, std::uint32_t count,
-                     std::uint64_t seed, Arena& arena, std::uint32_t* order, bool* repeats) {
+                     std::uint64_t seed, Arena& arena, std::uint32_t* order, bool* repeats, bool in_rounds) {
     *repeats = false;
     if (count == 0) return Status::ok;
     ArenaScope scope(arena);
@@ -258,7 +258,7 @@ Status spatial_order(const unsigned char* coordinates, std::ptrdiff_t stride_byt
     // A point is in the last round with probability 3/4, else in the one before with 3/4, and so on; equal points
     // fall into the same round. Small sets need few rounds.
     std::uint32_t rounds_max = 0;
-    for (std::uint32_t left = count; left > 64 && rounds_max < 15; left /= 4) ++rounds_max;
+    for (std::uint32_t left = in_rounds ? count : 0; left > 64 && rounds_max < 15; left /= 4) ++rounds_max;
     for (std::uint32_t i = 0; i < count;)
         for (const std::uint64_t piece = arena.piece(i, count, 20 + 10 * D); i < piece; ++i) {
             std::uint64_t h = mix64(s.hash(i) ^ seed);
@@ -273,7 +273,7 @@ Status spatial_order(const unsigned char* coordinates, std::ptrdiff_t stride_byt
 
 #define NETMESH_INSTANTIATE(D)                                                                                         \
     template Status spatial_order<D>(const unsigned char*, std::ptrdiff_t, std::uint32_t, std::uint64_t, Arena&,       \
-                                     std::uint32_t*, bool*);
+                                     std::uint32_t*, bool*, bool);
 NETMESH_EACH_DIMENSION(NETMESH_INSTANTIATE)
 #undef NETMESH_INSTANTIATE
 

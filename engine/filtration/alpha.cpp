@@ -89,13 +89,13 @@ private:
 // The radii of the K-faces that are not marked, and marks for their facets: the least double.
 template <int D> template <int K> Status AlphaValues<D>::find_radii() {
     const std::uint32_t count = faces_.count[K];
-    const std::uint32_t* facet = faces_.facets[K];
     double volume = 1;
-    for (std::uint32_t f = 0; f < count; ++f, facet += K + 1) {
+    for (std::uint32_t f = 0; f < count; ++f) {
         double& value = value_[K][f];
         const double* point[K + 1];
         if constexpr (K > 1) {
-            points_.of_face(faces_, K, f, point);
+            std::uint32_t facet[K + 1];
+            points_.template of_face<K>(faces_, f, point, facet);
             Circumsphere sphere;
             if (circumsphere_fast<K, D>(point, &sphere)) {
                 if (sphere.volume < volume) volume = sphere.volume;
@@ -106,7 +106,7 @@ template <int D> template <int K> Status AlphaValues<D>::find_radii() {
             for (int i = 0; i <= K; ++i)
                 if ((sphere.within >> i & 1u) != 0) value_[K - 1][facet[i]] = -infinity;
         } else if (!(value < 0)) {
-            points_.of_face(faces_, K, f, point);
+            points_.template of_face<K>(faces_, f, point, nullptr);
             Radius edge;
             if (edge_radius<D>(point, &edge)) {
                 errors_.note(edge.value, edge.error);

@@ -43,15 +43,19 @@ struct FaceTable {
     const std::uint32_t* const* last_vertex;
     const std::uint32_t* const* facets;
 
-    // The points of a k-face, ascending. The last vertex of a cell is that of the facet opposite its first one, too.
+    // The points of a k-face by ascending vertex. The last vertex of a cell is that of the facet opposite its first
+    // one, too.
     void points(const PointRecords& records, int k, std::uint32_t face, const double** point) const {
-        for (; k > 0; --k) {
+        std::uint32_t vertex[dimension_most() + 1];
+        for (int i = k; i > 0; --i) {
             const std::uint32_t* const facet =
-                facets[k] + static_cast<std::size_t>(face) * (static_cast<std::size_t>(k) + 1);
-            point[k] = records[k == dim ? last_vertex[k - 1][facet[0]] : last_vertex[k][face]];
-            face = facet[k];
+                facets[i] + static_cast<std::size_t>(face) * (static_cast<std::size_t>(i) + 1);
+            vertex[i] = i == dim ? last_vertex[i - 1][facet[0]] : last_vertex[i][face];
+            face = facet[i];
         }
-        point[0] = records[last_vertex[0][face]];
+        vertex[0] = last_vertex[0][face];
+        if (jumps_matter) insertion_sort(vertex, static_cast<std::uint32_t>(k) + 1, Ascending{});
+        for (int i = 0; i <= k; ++i) point[i] = records[vertex[i]];
     }
 };
 
@@ -66,6 +70,7 @@ public:
 
 private:
     static constexpr std::uint32_t few = 16;
+    static constexpr std::uint32_t ahead = 16;  // values whose stretches are asked for
     // What two radii below radius_min may be off by together. CloseValues allows for it: 5 units in the last place
     // each.
     static constexpr double spread_min = 0x1p-1072;
@@ -132,6 +137,7 @@ bool RadiusOrder::collect(bool all) {
         for (int k = 1; k <= faces_.dim; ++k)
             for (std::uint32_t i = 0; i < faces_.count[k];)
                 for (const std::uint64_t piece = work_.arena.piece(i, faces_.count[k], 30); i < piece; ++i) {
+                    if (i + ahead < faces_.count[k]) close.fetch(value_[k][i + ahead]);
                     if (value_[k][i] >= 0) room += 2 * close.add(value_[k][i]);
                 }
     }
@@ -145,6 +151,7 @@ bool RadiusOrder::collect(bool all) {
     std::uint32_t label = 0;
     for (int k = 1; k <= faces_.dim; ++k) {
         work_.arena.each(faces_.count[k], 30, [&](std::uint64_t i) {
+            if (!all && i + ahead < faces_.count[k]) close.fetch(value_[k][i + ahead]);
             if (!(value_[k][i] >= 0) || !(all || close.found(value_[k][i]))) return;
             radius_[count_] = value_[k][i];
             label_[count_++] = label + static_cast<std::uint32_t>(i);

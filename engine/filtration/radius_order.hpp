@@ -6,6 +6,7 @@
 #include "complex/faces.hpp"
 #include "filtration/circumsphere_exact.hpp"
 #include "memory/work.hpp"
+#include "numerics/sort.hpp"
 #include "numerics/vector.hpp"
 #include "vocabulary/status.hpp"
 
@@ -19,17 +20,32 @@ struct PointRecords {
         return reinterpret_cast<const double*>(reinterpret_cast<const unsigned char*>(coordinates) +
                                                static_cast<std::ptrdiff_t>(v) * stride_bytes);
     }
-    // last_vertex[D] is not read.
-    template <int D> void of_face(const Faces<D>& faces, int k, std::uint32_t face, const double** point) const {
-        std::uint32_t vertex[D + 1];
-        if (k == D) {
-            const std::uint32_t* const facet = faces.facets_of(D, face);
-            vertex[D] = faces.last_vertex[D - 1][facet[0]];
-            faces.vertices(D - 1, facet[D], vertex);
+    // The points by ascending vertex, whatever the order of the vertex list. facet, if any: of each point, that of the
+    // face's facets which is opposite. last_vertex[D] is not read.
+    template <int K, int D>
+    void of_face(const Faces<D>& faces, std::uint32_t face, const double** point, std::uint32_t* facet) const {
+        const std::uint32_t* const all = faces.facets_of(K, face);
+        std::uint32_t vertex[K + 1];
+        if constexpr (K == D) {
+            vertex[D] = faces.last_vertex[D - 1][all[0]];
+            faces.vertices(D - 1, all[D], vertex);
         } else {
-            faces.vertices(k, face, vertex);
+            faces.vertices(K, face, vertex);
         }
-        for (int i = 0; i <= k; ++i) point[i] = (*this)[vertex[i]];
+        if constexpr (lists_follow_order<D>) {
+            static_assert(D < 4, "a vertex and a position fit into one word: there are fewer than 2^30 vertices");
+            for (std::uint32_t i = 0; i <= K; ++i) vertex[i] = vertex[i] << 2 | i;
+            sort_small<K + 1>(vertex);
+            for (int i = 0; i <= K; ++i) {
+                if (facet != nullptr) facet[i] = all[vertex[i] & 3];
+                point[i] = (*this)[vertex[i] >> 2];
+            }
+        } else {
+            for (int i = 0; i <= K; ++i) {
+                if (facet != nullptr) facet[i] = all[i];
+                point[i] = (*this)[vertex[i]];
+            }
+        }
     }
 };
 

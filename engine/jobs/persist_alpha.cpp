@@ -1,5 +1,6 @@
 #include "jobs/persist_alpha.hpp"
 
+#include "delaunay/spatial_order.hpp"
 #include "homology/matrix/ball.hpp"
 #include "vocabulary/dimension.hpp"
 
@@ -47,7 +48,18 @@ Status diagram_of(const AlphaFiltration<D>& filtration, DiagramRequest request, 
     const std::size_t high = work.arena.high_mark();
     Faces<D> faces;
     work.monitor.begin(NETMESH_STAGE_FILTER, 0);
-    Status status = enumerate_faces(filtration.complex, D, work, &faces, filtration.drops_cells, FaceNumbers::local);
+    std::uint32_t* order = nullptr;
+    Status status = Status::ok;
+    if (jumps_matter) {
+        order = work.arena.take_high<std::uint32_t>(filtration.complex.vertex_count);
+        if (order == nullptr) return Status::out_of_memory;
+        bool repeats;
+        status =
+            spatial_order<D>(reinterpret_cast<const unsigned char*>(filtration.coordinates), filtration.stride_bytes,
+                             filtration.complex.vertex_count, 0, work.arena, order, &repeats, false);
+    }
+    if (status == Status::ok)
+        status = enumerate_faces_along(filtration.complex, order, filtration.drops_cells, work, &faces);
     if (status != Status::ok) return status;
     // A cell's last vertex is that of the facet opposite its first one, too.
     work.arena.release_high(work.arena.offset_of(faces.last_vertex[D - 1]));

@@ -211,40 +211,83 @@ TEST_CASE_TEMPLATE_DEFINE("one cell has all subsets of its vertices as faces", T
 }
 TEST_CASE_TEMPLATE_APPLY(subsets, Dimensions<6, 6>);
 
-TEST_CASE("local numbers: the same faces with their facets, vertices as they are met in the cells") {
-    Cells<3> cells = freudenthal<3>(3);
+// The same faces with their facets, whatever the order; vertices are numbered along it.
+template <int D> void compare_along(Cells<D> cells, std::uint64_t seed) {
+    CAPTURE(D);
+    CAPTURE(seed);
     cells.vertex_count += 5;  // that are in none
     Random random;
+    random.state = seed;
     for (std::size_t i = cells.list.size(); i-- > 1;)
         std::swap(cells.list[i], cells.list[random.below(static_cast<std::uint32_t>(i + 1))]);
-    Block block(std::size_t{1} << 22);
+    Block block(std::size_t{1} << 23);
     Monitor monitor;
-    Faces<3> plain, local;
-    REQUIRE(enumerate_faces<3>(cells.view(), 3, {block.arena, monitor}, &plain) == Status::ok);
-    REQUIRE(enumerate_faces<3>(cells.view(), 3, {block.arena, monitor}, &local, false, FaceNumbers::local) ==
-            Status::ok);
-    std::vector<std::uint32_t> met;
-    for (const auto& cell : cells.list)
-        for (const std::uint32_t v : cell)
-            if (std::find(met.begin(), met.end(), v) == met.end()) met.push_back(v);
-    for (int k = 0; k <= 3; ++k) {
-        REQUIRE(local.count[k] == plain.count[k]);
+    const Work work = {block.arena, monitor};
+    Faces<D> plain, along;
+    REQUIRE(enumerate_faces<D>(cells.view(), D, work, &plain) == Status::ok);
+    const std::uint32_t n = cells.vertex_count;
+    std::uint32_t* const order = block.arena.template take_high<std::uint32_t>(n);
+    REQUIRE(order != nullptr);
+    std::vector<std::uint32_t> place(n), used;
+    for (std::uint32_t i = 0; i < n; ++i) order[i] = i;
+    for (std::uint32_t i = n; i-- > 1;) std::swap(order[i], order[random.below(i + 1)]);
+    for (std::uint32_t i = 0; i < n; ++i) {
+        place[order[i]] = i;
+        const bool is_used = std::any_of(cells.list.begin(), cells.list.end(), [&](const auto& cell) {
+            return std::find(cell.begin(), cell.begin() + D + 1, order[i]) != cell.begin() + D + 1;
+        });
+        if (is_used) used.push_back(order[i]);
+    }
+    const std::size_t high = block.arena.high_mark();
+    REQUIRE(enumerate_faces_along<D>(cells.view(), order, false, work, &along) == Status::ok);
+    CHECK(block.arena.high_mark() < high);
+    for (int k = 0; k <= D; ++k) {
+        REQUIRE(along.count[k] == plain.count[k]);
         std::set<Simplex> expected, found;
         std::size_t differ = 0;
-        for (std::uint32_t i = 0; i < local.count[k]; ++i) {
+        for (std::uint32_t i = 0; i < along.count[k]; ++i) {
             expected.insert(vertices_of(plain, k, i));
-            const Simplex face = vertices_of(local, k, i);
-            found.insert(face);
+            Simplex face = vertices_of(along, k, i);
             for (int j = 0; j <= k && k > 0; ++j) {
                 Simplex facet = face;
                 facet.erase(facet.begin() + j);
-                if (vertices_of(local, k - 1, local.facets_of(k, i)[j]) != facet) ++differ;
+                if (vertices_of(along, k - 1, along.facets_of(k, i)[j]) != facet) ++differ;
+                if (j > 0 && lists_follow_order<D> && place[face[j - 1]] >= place[face[j]]) ++differ;
+                if (j > 0 && !lists_follow_order<D> && face[j - 1] >= face[j]) ++differ;
             }
-            if (k == 0 && face[0] != met[i]) ++differ;
+            if (k == 0 && face[0] != used[i]) ++differ;
+            std::sort(face.begin(), face.end());
+            found.insert(face);
         }
         CHECK(found == expected);
         CHECK(differ == 0);
     }
+}
+
+TEST_CASE_TEMPLATE_DEFINE("faces along an order", T, faces_along_an_order) {
+    constexpr int D = T::value;
+    for (std::uint64_t seed = 1; seed < 4; ++seed) compare_along<D>(freudenthal<D>(D == 4 ? 1 : 3), seed);
+    Cells<D> one;
+    one.vertex_count = D + 1;
+    one.list.emplace_back();
+    for (std::uint32_t i = 0; i <= D; ++i) one.list[0][i] = i;
+    compare_along<D>(one, 4);
+}
+TEST_CASE_TEMPLATE_APPLY(faces_along_an_order, Dimensions<2, 4>);
+
+TEST_CASE("faces along an order: what is no ball is found out") {
+    Cells<3> cells;
+    cells.vertex_count = 8;  // two cells that are apart
+    cells.list = {{0, 1, 2, 3}, {4, 5, 6, 7}};
+    Block block(std::size_t{1} << 20);
+    Monitor monitor;
+    std::uint32_t* const order = block.arena.take_high<std::uint32_t>(8);
+    for (std::uint32_t i = 0; i < 8; ++i) order[i] = i;
+    const std::size_t low = block.arena.low_mark(), high = block.arena.high_mark();
+    Faces<3> faces;
+    CHECK(enumerate_faces_along<3>(cells.view(), order, false, {block.arena, monitor}, &faces) == Status::internal);
+    CHECK(block.arena.low_mark() == low);
+    CHECK(block.arena.high_mark() == high);
 }
 
 TEST_CASE("vertices of very high degree") {

@@ -10,20 +10,10 @@
 #include <cstdint>
 
 #include "homology/lower_star/link.hpp"
+#include "memory/prefetch.hpp"
 #include "numerics/sort.hpp"
 
 namespace netmesh {
-
-// Ascending, without branches.
-template <int N> void sort_small(std::uint32_t* items) {
-    for (int end = N - 1; end > 0; --end) {
-        for (int i = 0; i < end; ++i) {
-            const std::uint32_t a = items[i], b = items[i + 1];
-            items[i] = a < b ? a : b;
-            items[i + 1] = a < b ? b : a;
-        }
-    }
-}
 
 template <int D> class Star {
 public:
@@ -157,6 +147,7 @@ template <int D> bool Star<D>::open(const TriangulatedBall<D>& ball, VertexId v)
     count_ = seen_count_ = 0;
     clear_table(ball.begin[v + 1] - ball.begin[v], hull);
     add(0, 0, ball.incidence[ball.begin[v]].word());
+    for (std::uint32_t t = ball.begin[v]; jumps_matter && t < ball.begin[v] + 16; ++t) ball.prefetch(t);
     for (std::uint32_t t = ball.begin[v]; t < ball.begin[v + 1]; ++t) {
         ball.prefetch(t + 16);
         const VertexId* p = ball.complex.vertices(ball.incidence[t].cell());

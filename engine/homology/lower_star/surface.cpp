@@ -124,12 +124,18 @@ Status Surface::run() {
             for (int i = 0; i < 3; ++i) below_[complex_.vertices(c)[i]] = c;
         }
     monitor_.begin(NETMESH_STAGE_GRADIENT, n);
+    // Vertices as they are last met in the cells, which are near each other in memory when they are in the plane.
     JoinList joins(arena_);
-    for (VertexId v(0); v < n; ++v) {
-        if (below_[v] == none) return Status::invalid_argument;
-        if (!read_link(v, CellId(below_[v]), joins)) return Status::out_of_memory;
-        if (monitor_.advance(v)) return Status::cancelled;
+    std::uint32_t done = 0;
+    for (CellId c(0); c < complex_.cell_count; ++c) {
+        for (int i = 0; i < 3; ++i) {
+            const VertexId v = complex_.vertices(c)[i];
+            if (below_[v] != c) continue;
+            if (!read_link(v, c, joins)) return Status::out_of_memory;
+            if (monitor_.advance(done++)) return Status::cancelled;
+        }
     }
+    if (done != n) return Status::invalid_argument;
     above_[outside()] = outside();
     joins.sort_by_rank();
     const VertexOrder vertices = {value_, order_, n, zero_born_count_};

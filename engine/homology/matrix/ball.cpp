@@ -14,6 +14,7 @@
 #include "homology/matrix/reduction.hpp"
 #include "homology/pair_writer.hpp"
 #include "homology/union_find.hpp"
+#include "memory/prefetch.hpp"
 #include "numerics/value_order.hpp"
 
 namespace netmesh {
@@ -172,6 +173,8 @@ Status BallHomology::unite_vertices(const FaceOrder& edges, BitSet* joining) {
 
         Status visit(std::uint32_t) { return h.progress_.stop(1) ? Status::cancelled : Status::ok; }
         EdgeEnds ends(std::uint32_t i) const {
+            constexpr std::uint32_t far = 24;
+            if (i + far < edges.count) prefetch(h.of(1).faces + 2 * std::size_t{edges.face[i + far]});
             const std::uint32_t* const vertex = h.of(1).faces + 2 * std::size_t{edges.face[i]};
             return {vertex[0], vertex[1]};
         }
@@ -229,6 +232,14 @@ Status BallHomology::unite_cells(std::uint32_t* parent, const FaceOrder& facets)
     };
     for (std::uint32_t i = facets.count; i-- > 0;) {
         if (progress_.stop(1)) return Status::cancelled;
+        constexpr std::uint32_t far = 24, near = 8;
+        if (jumps_matter && i >= far) {
+            prefetch(first + facets.face[i - far]);
+            prefetch(place + first[facets.face[i - 2 * near]]);
+            const EdgeEnds later = sides(facets.face[i - near]);
+            prefetch(parent + later.a);
+            prefetch(parent + later.b);
+        }
         const std::uint32_t f = facets.face[i];
         EdgeEnds cells = sides(f);
         if (!unite(parent, cells.a, cells.b, is_older)) continue;
@@ -266,12 +277,14 @@ Status BallHomology::run_on_disk() {
 class BallHomology::Recorder {
 public:
     using Columns = ListedColumns<RankedMatrix, KeptSums>;
-    Recorder(BallHomology& homology, Columns& columns, std::uint32_t k, const FaceOrder& order, const FaceOrder& rows)
-        : h_(homology), columns_(columns), k_(k), order_(order), rows_(rows) {}
+    Recorder(BallHomology& homology, Columns& columns, const RankedMatrix& matrix, const std::uint32_t* owner,
+             const FaceOrder& order, const FaceOrder& rows)
+        : h_(homology), columns_(columns), matrix_(matrix), owner_(owner), k_(matrix.k), order_(order), rows_(rows) {}
 
     bool next(std::uint32_t* j) {
         for (; next_ < order_.count; ++next_) {
             h_.arena_.step(next_, 10);
+            if (jumps_matter) fetch();
             ++h_.progress_.done;
             if (h_.positive_[k_].has(order_.face[next_])) continue;
             *j = order_.face[next_++];
@@ -292,8 +305,31 @@ public:
     }
 
 private:
+    // Columns go by value, so all of theirs is everywhere in memory: asks for what the next ones read, step by step.
+    __attribute__((always_inline)) void fetch() const {
+        constexpr std::uint32_t far = 24, near = 8;
+        if (next_ + far >= order_.count) return;
+        prefetch(matrix_.faces + std::size_t{order_.face[next_ + far]} * (k_ + 1));
+        prefetch(h_.of(k_).value + order_.face[next_ + far]);
+        const std::uint32_t* const face = matrix_.faces + std::size_t{order_.face[next_ + 2 * near]} * (k_ + 1);
+        for (std::uint32_t i = 0; i <= k_; ++i) prefetch(matrix_.rank + face[i]);
+        const std::uint32_t pivot = matrix_.pivot_of(order_.face[next_ + near]);
+        if (pivot != none) {
+            prefetch(owner_ + pivot);
+            prefetch(rows_.face + pivot);
+        }
+        const std::uint32_t soon = matrix_.pivot_of(order_.face[next_ + near / 2]);
+        if (soon != none) {
+            const std::uint32_t other = owner_[soon];
+            if (other < ColumnStore::stored) prefetch(matrix_.faces + std::size_t{other} * (k_ + 1));
+            if (other == none) prefetch(h_.of(k_ - 1).value + rows_.face[soon]);
+        }
+    }
+
     BallHomology& h_;
     Columns& columns_;
+    const RankedMatrix& matrix_;
+    const std::uint32_t* const owner_;
     std::uint32_t k_, next_ = 0;
     const FaceOrder order_, rows_;
 };
@@ -330,7 +366,7 @@ Status BallHomology::reduce(std::uint32_t k, const FaceOrder& columns, FaceOrder
         if (taken_[k].has(static_cast<std::uint32_t>(j)))
             owner[matrix.pivot_of(static_cast<std::uint32_t>(j))] = static_cast<std::uint32_t>(j);
     });
-    Recorder recorder(*this, reduced, k, columns, *rows);
+    Recorder recorder(*this, reduced, matrix, owner, columns, *rows);
     return reduce_columns(reduced, recorder);
 }
 
