@@ -22,7 +22,7 @@ struct Share {
 
 class Boxes {
 public:
-    Boxes(const AnyStore& store, const TreeLayout& tree, const IntegralRequest& request, double coarsest)
+    Boxes(const AnyStore& store, const AnyInputTree& tree, const IntegralRequest& request, double coarsest)
         : dim(store.dim), coarsest_(coarsest), store_(store), tree_(tree), centre_(request.centre),
           radius_(request.radius), balls_(request.balls) {}
 
@@ -46,7 +46,7 @@ private:
     const int dim;
     const double coarsest_;  // eta, h / f_P(centre), of a box that is never split
     const AnyStore& store_;
-    const TreeLayout& tree_;
+    const AnyInputTree& tree_;
     const double* centre_;
     const double* radius_;
     int balls_;
@@ -186,8 +186,8 @@ Status Boxes::run(double eta, Monitor& monitor, FeatureIntegral* integral) {
 
 }  // namespace
 
-Status feature_integral(const AnyStore& store, const TreeLayout& tree, double coarsest, const IntegralRequest& request,
-                        const Work& work, FeatureIntegral* integral) {
+Status feature_integral(const AnyStore& store, const AnyInputTree& tree, double coarsest,
+                        const IntegralRequest& request, const Work& work, FeatureIntegral* integral) {
     ArenaScope scope(work.arena);
     const int dim = store.dim;
     Boxes boxes(store, tree, request, coarsest);

@@ -8,7 +8,7 @@ namespace {
 
 class CellTightener {
 public:
-    CellTightener(const AnyStore& store, const TreeLayout& tree, double cut, Arena& arena)
+    CellTightener(const AnyStore& store, const AnyInputTree& tree, double cut, Arena& arena)
         : dim(store.dim), store_(store), tree_(tree), cut_(cut), arena_(arena) {}
 
     Status open();
@@ -32,7 +32,7 @@ private:
 
     const int dim;
     const AnyStore& store_;
-    const TreeLayout& tree_;
+    const AnyInputTree& tree_;
     double cut_;
     Arena& arena_;
 
@@ -243,7 +243,7 @@ Status CellTightener::tighten(VertexId v, Interval* interval) {
 
 }  // namespace
 
-Status tighten_cell_bounds(const AnyMesh& mesh, const TreeLayout& tree, const Work& work, Interval* interval) {
+Status tighten_cell_bounds(const AnyMesh& mesh, const AnyInputTree& tree, const Work& work, Interval* interval) {
     CellTightener tightener(mesh.store, tree, mesh.cut, work.arena);
     Status status = tightener.open();
     const std::uint32_t vertices = mesh.vertices();

@@ -84,7 +84,7 @@ public:
         measure_cells<D>(store, out_radius.data(), reach.data());
         whole = out_radius;
         const std::size_t low = this->block.arena.low_mark(), high = this->block.arena.high_mark();
-        REQUIRE(clip_cell_bounds<D>(store, ball_, {}, out_radius.data(), reach.data()) == Status::ok);
+        REQUIRE(clip_cell_bounds(store, ball_, {}, out_radius.data(), reach.data()) == Status::ok);
         CHECK((this->block.arena.low_mark() == low && this->block.arena.high_mark() == high));
         for (const Sample<D>& s : samples_) {
             const VertexId v(s.vertex);

@@ -239,8 +239,8 @@ TEST_CASE_TEMPLATE_DEFINE("intervals of a function hold at the farthest corner o
                 value[w] = std::max(0.0, at_corner + (rising ? lipschitz : -lipschitz) * along);
             }
             Evaluation out = {value.data(), interval.data()};
-            REQUIRE(clamp_function<D>(filtered, {lipschitz, factor, cut}, FilterValues::thesis, mesh.block.arena,
-                                      &out) == Status::ok);
+            REQUIRE(clamp_function(filtered, {lipschitz, factor, cut}, FilterValues::thesis, mesh.block.arena, &out) ==
+                    Status::ok);
             CHECK(interval[v].lo <= at_corner * (1 + 1e-9));
             CHECK(at_corner <= interval[v].hi * (1 + 1e-9));
         }
@@ -263,7 +263,7 @@ TEST_CASE_TEMPLATE_DEFINE("intervals hold where cells reach into the domain", T,
     for (VertexId v(0); v < mesh.state.vertex_count; ++v)
         value[v] = 1 + std::sqrt(domain.distance2(mesh.store.point(v)));
     Evaluation out = {value.data(), interval.data()};
-    REQUIRE(clamp_function<D>(filtered, {1, 0, cut}, FilterValues::certified, mesh.block.arena, &out) == Status::ok);
+    REQUIRE(clamp_function(filtered, {1, 0, cut}, FilterValues::certified, mesh.block.arena, &out) == Status::ok);
     int reach_in = 0;
     for_each_corner<D>(mesh.store, [&](VertexId v, const double* corner, double) {
         reach_in += domain.contains(corner) && !domain.contains(mesh.store.point(v));
@@ -306,7 +306,7 @@ TEST_CASE("a Lipschitz function stays within its certificate where its assumptio
     for (const FilterValues values : {FilterValues::certified, FilterValues::thesis}) {
         for (std::uint32_t v = 0; v < mesh.state.vertex_count; ++v) value[v] = f(mesh.store.point(v));
         Evaluation evaluation = {value.data()};
-        REQUIRE(clamp_function<2>(mesh.filtered(), {5, 0.5, cut}, values, mesh.block.arena, &evaluation) == Status::ok);
+        REQUIRE(clamp_function(mesh.filtered(), {5, 0.5, cut}, values, mesh.block.arena, &evaluation) == Status::ok);
         const double c = evaluation.certificate.ratio;
         CHECK(c < 4);
         inputs::Random random(9);
@@ -322,8 +322,7 @@ TEST_CASE("a Lipschitz function stays within its certificate where its assumptio
     // A function that is 0 somewhere has no ratio.
     for (std::uint32_t v = 0; v < mesh.state.vertex_count; ++v) value[v] = 0;
     Evaluation zero = {value.data()};
-    REQUIRE(clamp_function<2>(mesh.filtered(), {1, 0, 1}, FilterValues::certified, mesh.block.arena, &zero) ==
-            Status::ok);
+    REQUIRE(clamp_function(mesh.filtered(), {1, 0, 1}, FilterValues::certified, mesh.block.arena, &zero) == Status::ok);
     CHECK(zero.certificate.ratio == infinity);
 }
 
@@ -344,8 +343,8 @@ TEST_CASE_TEMPLATE_DEFINE("a function on cells that leave the domain, or of whic
     const auto check = [&](double most) {
         for (std::uint32_t v = 0; v < mesh.state.vertex_count; ++v) value[v] = f(mesh.store.point(v));
         Evaluation evaluation = {value.data()};
-        REQUIRE(clamp_function<D>({mesh.store, inner, mesh.inputs}, {5, 0.5, cut}, FilterValues::certified,
-                                  mesh.block.arena, &evaluation) == Status::ok);
+        REQUIRE(clamp_function(FilteredMesh<D>{mesh.store, inner, mesh.inputs}, {5, 0.5, cut}, FilterValues::certified,
+                               mesh.block.arena, &evaluation) == Status::ok);
         const double c = evaluation.certificate.ratio, e = evaluation.certificate.error;
         CHECK(c < most);
         CHECK(e <= 5 * inner.radius * (1 + 1e-9));
