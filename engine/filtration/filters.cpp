@@ -111,8 +111,7 @@ Status clip_cells(const FilteredMesh<D>& mesh, const FilterRequest& request, con
     return status;
 }
 
-template <int D>
-Status evaluate(const FilteredMesh<D>& mesh, const FilterRequest& request, const Work& work, Evaluation* out) {
+Status evaluate(const AnyMesh& mesh, const FilterRequest& request, const Work& work, Evaluation* out) {
     const Filter& filter = evaluated_filter(request.filter, request.k);
     out->zero_born = filter.has(filter_trait::inputs_enter_first) ? mesh.inputs : 0;
     if (filter.id == NETMESH_FILTER_COMPLETE) return complete_filter(mesh, request.values, work, out);
@@ -120,7 +119,7 @@ Status evaluate(const FilteredMesh<D>& mesh, const FilterRequest& request, const
         if (filter.id == NETMESH_FILTER_BASIC) return basic_filter(mesh, request.values, work, out);
     }
     if constexpr (built::tight) {
-        if (filter.id == NETMESH_FILTER_TIGHT) return tight_filter<D>(mesh, request.values, work, out);
+        if (filter.id == NETMESH_FILTER_TIGHT) return tight_filter(mesh, request.values, work, out);
     }
     if constexpr (built::nearest_k) {
         if (filter.id == NETMESH_FILTER_KNN)
@@ -136,8 +135,7 @@ Status evaluate(const FilteredMesh<D>& mesh, const FilterRequest& request, const
 }
 
 #define NETMESH_INSTANTIATE(D)                                                                                         \
-    template Status clip_cells<D>(const FilteredMesh<D>&, const FilterRequest&, const Work&, ClippedCells<D>*);        \
-    template Status evaluate<D>(const FilteredMesh<D>&, const FilterRequest&, const Work&, Evaluation*);
+    template Status clip_cells<D>(const FilteredMesh<D>&, const FilterRequest&, const Work&, ClippedCells<D>*);
 NETMESH_EACH_DIMENSION(NETMESH_INSTANTIATE)
 #undef NETMESH_INSTANTIATE
 

@@ -64,7 +64,7 @@ void Clumps::gather_clumps(const AnyInputTree& tree) {
     for (VertexId p(0); p < inputs_;)
         for (const std::uint64_t piece = store_.arena.piece(p, inputs_, 500 * store_.dim); p < piece; ++p) {
             double d2;
-            nearest_in_tree(store_.dim, tree, store_.point(p), none, p, &d2);
+            tree.nearest(store_.point(p), none, p, &d2);
             half_[p] = 0.5 * square_root(d2);
             inner_[p] = infinity;
             outer_[p] = 0;
@@ -79,7 +79,7 @@ void Clumps::gather_clumps(const AnyInputTree& tree) {
             if (!joins) continue;
             clump_[v] = n;
             double d2;
-            nearest_in_tree(store_.dim, tree, store_.point(v), none, n, &d2);
+            tree.nearest(store_.point(v), none, n, &d2);
             const double others = cell_distance(square_root(d2), v);
             if (others < inner_[n]) inner_[n] = others;
             if (!(reach_[v] <= outer_[n])) outer_[n] = reach_[v];
@@ -107,8 +107,10 @@ void Clumps::bound_by_outside() {
 
 }  // namespace
 
-Status tight_filter(const AnyMesh& mesh, const AnyInputTree& tree, FilterValues values, const Work& work,
-                    Evaluation* out) {
+Status tight_filter(const AnyMesh& mesh, FilterValues values, const Work& work, Evaluation* out) {
+    const ArenaScope scope(work.arena);
+    AnyInputTree tree;
+    if (tree.build(mesh.store, work.arena, mesh.inputs) != Status::ok) return Status::out_of_memory;
     work.monitor.begin(NETMESH_STAGE_CERTIFY, mesh.store.state.cell_slots);
     Clumps clumps(mesh);
     const Status status = clumps.open(tree, work.arena);

@@ -129,13 +129,13 @@ void AnyInputTree::visit(const double* x, Consider&& consider, Bound&& bound2) c
 }
 
 template <int D>
-std::uint32_t InputTree<D>::nearest(const double* x, std::uint32_t start, std::uint32_t except,
-                                    double* distance2) const {
+std::uint32_t AnyInputTree::nearest_of(const double* x, std::uint32_t start, std::uint32_t except,
+                                       double* distance2) const {
     std::uint32_t best = none;
     double best2 = infinity;
     const auto consider = [&](std::uint32_t v) -> double {
         if (v == except) return 0;
-        const double d2 = squared_distance(x, v);
+        const double d2 = squared_distance<D>(x, v);
         if (d2 < best2 || (d2 == best2 && v < best)) {
             best2 = d2;
             best = v;
@@ -143,7 +143,7 @@ std::uint32_t InputTree<D>::nearest(const double* x, std::uint32_t start, std::u
         return d2;
     };
     if (start != none) consider(start);
-    this->template visit<D>(x, consider, [&] { return best2; });
+    visit<D>(x, consider, [&] { return best2; });
     *distance2 = best2;
     return best;
 }
@@ -152,14 +152,14 @@ template <int D> std::uint32_t InputTree<D>::nearest_within(const double* x, dou
     std::uint32_t best = none;
     *distance2 = bound2;
     const auto consider = [&](std::uint32_t v) -> double {
-        const double d2 = squared_distance(x, v);
+        const double d2 = squared_distance<D>(x, v);
         if (d2 < *distance2 || (d2 == *distance2 && best != none && v < best)) {
             *distance2 = d2;
             best = v;
         }
         return d2;
     };
-    this->template visit<D>(x, consider, [&] { return *distance2; });
+    visit<D>(x, consider, [&] { return *distance2; });
     return best;
 }
 
@@ -226,15 +226,16 @@ std::uint32_t AnyInputTree::farthest_in_ring(const double* x, double inner, doub
     return best;
 }
 
-std::uint32_t nearest_in_tree(int dim, const AnyInputTree& tree, const double* x, std::uint32_t start,
-                              std::uint32_t except, double* distance2) {
-    return with_dimension(static_cast<std::uint32_t>(dim), [&](auto dimension) {
-        using Tree = InputTree<decltype(dimension)::value>;
-        return static_cast<const Tree&>(tree).nearest(x, start, except, distance2);
+std::uint32_t AnyInputTree::nearest(const double* x, std::uint32_t start, std::uint32_t except,
+                                    double* distance2) const {
+    return with_dimension(static_cast<std::uint32_t>(dim_), [&](auto dimension) {
+        return nearest_of<decltype(dimension)::value>(x, start, except, distance2);
     });
 }
 
-#define NETMESH_INSTANTIATE(D) template class InputTree<D>;
+#define NETMESH_INSTANTIATE(D)                                                                                         \
+    template std::uint32_t AnyInputTree::nearest_of<D>(const double*, std::uint32_t, std::uint32_t, double*) const;    \
+    template class InputTree<D>;
 NETMESH_EACH_DIMENSION(NETMESH_INSTANTIATE)
 #undef NETMESH_INSTANTIATE
 

@@ -55,6 +55,10 @@ public:
     Status build(const AnyStore& store, Arena& arena, std::uint32_t count, bool rings = false,
                  const std::uint32_t* chosen = nullptr);
 
+    // The input nearest to x that is not `except`, smallest index among equals, in terms of the squared distance as
+    // computed. `start` is any input other than `except`, best one near x, or none. Expected O(log n).
+    std::uint32_t nearest(const double* x, std::uint32_t start, std::uint32_t except, double* distance2) const;
+
     // The k inputs nearest to x, 1 <= k <= count, into neighbours[k] in ascending order of distance, then index:
     // unique, whatever the tree. Expected O(k log k + log n).
     void nearest_k(const double* x, std::uint32_t k, Neighbour* neighbours) const;
@@ -76,6 +80,13 @@ protected:
     const double* point(std::uint32_t v) const {
         return reinterpret_cast<const double*>(first_point_ + static_cast<std::ptrdiff_t>(v) * stride_);
     }
+    template <int D> double squared_distance(const double* x, std::uint32_t v) const {
+        ++touches_;
+        return netmesh::distance2<D>(x, point(v));
+    }
+    // nearest, in dimension D.
+    template <int D>
+    std::uint32_t nearest_of(const double* x, std::uint32_t start, std::uint32_t except, double* distance2) const;
     // Calls consider(input), which returns the squared distance or 0, for every input that can be nearer than bound2()
     // or as near, near parts first. W: the dimension or more.
     template <int W, class Consider, class Bound>
@@ -109,23 +120,13 @@ private:
 // With the searches that refinement spends its time in.
 template <int D> class InputTree : public AnyInputTree {
 public:
-    // The input nearest to x that is not `except`, smallest index among equals, in terms of the squared distance as
-    // computed. `start` is any input other than `except`, best one near x. Expected O(log n).
-    std::uint32_t nearest(const double* x, std::uint32_t start, std::uint32_t except, double* distance2) const;
+    std::uint32_t nearest(const double* x, std::uint32_t start, std::uint32_t except, double* distance2) const {
+        return this->template nearest_of<D>(x, start, except, distance2);
+    }
 
     // The same among the inputs nearer to x than bound, of which there may be `none`. Where there is none, parts of
     // the tree that are farther away are passed over at once.
     std::uint32_t nearest_within(const double* x, double bound2, double* distance2) const;
-
-private:
-    double squared_distance(const double* x, std::uint32_t v) const {
-        ++touches_;
-        return netmesh::distance2<D>(x, point(v));
-    }
 };
-
-// InputTree<dim>::nearest of a tree that is an InputTree<dim>.
-std::uint32_t nearest_in_tree(int dim, const AnyInputTree& tree, const double* x, std::uint32_t start,
-                              std::uint32_t except, double* distance2);
 
 }  // namespace netmesh
