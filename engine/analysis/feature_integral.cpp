@@ -22,7 +22,7 @@ struct Share {
 
 class Boxes {
 public:
-    Boxes(const AnyStore& store, const TreeLayout& tree, const IntegralRequest& request, double coarsest)
+    Boxes(const AnyStore& store, const AnyInputTree& tree, const IntegralRequest& request, double coarsest)
         : dim(store.dim), coarsest_(coarsest), store_(store), tree_(tree), centre_(request.centre),
           radius_(request.radius), balls_(request.balls) {}
 
@@ -46,7 +46,7 @@ private:
     const int dim;
     const double coarsest_;  // eta, h / f_P(centre), of a box that is never split
     const AnyStore& store_;
-    const TreeLayout& tree_;
+    const AnyInputTree& tree_;
     const double* centre_;
     const double* radius_;
     int balls_;
@@ -66,7 +66,7 @@ Status Boxes::open(Arena& arena) {
     for (std::uint32_t i = 0; i < tree_.root().end;)
         for (const std::uint64_t piece = arena.piece(i, tree_.root().end, 500 * dim); i < piece; ++i) {
             double d2;
-            nearest_in_tree(dim, tree_, store_.point(tree_.item(i)), tree_.item(i > 0 ? i - 1 : 1), tree_.item(i), &d2);
+            tree_.nearest(store_.point(tree_.item(i)), tree_.item(i > 0 ? i - 1 : 1), tree_.item(i), &d2);
             if (d2 < least2) least2 = d2;
         }
     feature_least_ = 0.5 * square_root(least2) * (1 - sum_rounding);
@@ -76,9 +76,9 @@ Status Boxes::open(Arena& arena) {
 double Boxes::feature_size(const double* x) {
     double d2;
     const std::uint32_t hint = first_;
-    first_ = nearest_in_tree(dim, tree_, x, first_, none, &d2);
+    first_ = tree_.nearest(x, first_, none, &d2);
     if (second_ == first_) second_ = hint;  // the two were different
-    second_ = nearest_in_tree(dim, tree_, x, second_, first_, &d2);
+    second_ = tree_.nearest(x, second_, first_, &d2);
     return square_root(d2);
 }
 
@@ -186,10 +186,13 @@ Status Boxes::run(double eta, Monitor& monitor, FeatureIntegral* integral) {
 
 }  // namespace
 
-Status feature_integral(const AnyStore& store, const TreeLayout& tree, double coarsest, const IntegralRequest& request,
+Status feature_integral(const AnyStore& store, const AnyInputTree& tree, const IntegralRequest& request,
                         const Work& work, FeatureIntegral* integral) {
     ArenaScope scope(work.arena);
     const int dim = store.dim;
+    const double coarsest = with_dimension(static_cast<std::uint32_t>(dim), [](auto dimension) {
+        return figures<decltype(dimension)::value>.coarsest_box;
+    });
     Boxes boxes(store, tree, request, coarsest);
     Status status = boxes.open(work.arena);
     if (status == Status::ok) status = boxes.run(coarsest, work.monitor, integral);

@@ -32,12 +32,7 @@ struct IntegralRequest {
 // they allow, eta being 0.7 at most. The tree's points, two at least, are P. Deterministic. Cost: about
 // (D^1.5 / (2 eta))^D times the integral, in nearest-neighbour searches. Scratch: 8 D + 1 bytes for each level of
 // boxes, some 2,200 levels. out_of_memory, cancelled.
-Status feature_integral(const AnyStore& store, const TreeLayout& tree, double coarsest, const IntegralRequest& request,
+Status feature_integral(const AnyStore& store, const AnyInputTree& tree, const IntegralRequest& request,
                         const Work& work, FeatureIntegral* integral);
-template <int D>
-Status feature_integral(const Store<D>& store, const InputTree<D>& tree, const IntegralRequest& request,
-                        const Work& work, FeatureIntegral* integral) {
-    return feature_integral(AnyStore(store), tree, figures<D>.coarsest_box, request, work, integral);
-}
 
 }  // namespace netmesh

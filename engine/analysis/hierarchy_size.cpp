@@ -1,18 +1,18 @@
 #include "analysis/hierarchy_size.hpp"
 
+#include "mesh/any_cage.hpp"
 #include "mesh/hierarchy_quality.hpp"
 #include "mesh/quality.hpp"
 #include "numerics/elementary.hpp"
-#include "vocabulary/dimension.hpp"
 
 namespace netmesh {
 namespace {
 
 constexpr double margin = 0x1p-40, tolerance = 0x1p-15;
 
-template <int D> class DomainSums {
+class DomainSums {
 public:
-    DomainSums(Store<D>& store, const DomainSumRequest<D>& request, const Work& work, DomainSum& sum)
+    DomainSums(const AnyStore& store, const DomainSumRequest& request, const Work& work, DomainSum& sum)
         : store_(store), request_(request), work_(work), sum_(sum) {}
 
     Status open();
@@ -24,12 +24,12 @@ private:
     bool is_exempt(std::uint32_t v) const { return store_.vertex(v).marker == Marker::exempt; }
     bool is_inserted(std::uint32_t v) const { return store_.vertex(v).cell != none; }
     void sort_vertices(const std::uint32_t* domain);
-    std::uint32_t gather_inputs(std::uint32_t d, const Domain<D>& ball, double* foreign);
-    double feature_size(const InputTree<D>& tree, const double* x) const;
-    double share_of_cages(const InputTree<D>& tree, std::uint32_t d) const;
+    std::uint32_t gather_inputs(std::uint32_t d, const AnyDomain& ball, double* foreign);
+    double feature_size(const AnyInputTree& tree, const double* x) const;
+    double share_of_cages(const AnyInputTree& tree, std::uint32_t d) const;
 
-    Store<D>& store_;
-    const DomainSumRequest<D>& request_;
+    const AnyStore& store_;
+    const DomainSumRequest& request_;
     const Work& work_;
     DomainSum& sum_;
     double* nearest2_;         // [vertices]
@@ -40,7 +40,7 @@ private:
 };
 
 // check_failed: this is no hierarchy.
-template <int D> Status DomainSums<D>::open() {
+Status DomainSums::open() {
     const std::uint32_t vertices = store_.state.vertex_count, cages = request_.cage_count;
     Arena& arena = work_.arena;
     nearest2_ = arena.take_low<double>(vertices);
@@ -56,7 +56,7 @@ template <int D> Status DomainSums<D>::open() {
     const Status status =
         measure_hierarchy(store_, {request_.cages, cages, request_.outermost, nearest2_, domain}, arena, &quality);
     if (status != Status::ok || !quality.is_hierarchy) return status == Status::ok ? Status::check_failed : status;
-    recomputed_nearest2<D>(store_, nearest2_);
+    recomputed_nearest2(store_, nearest2_);
     sort_vertices(domain);
     for (std::uint32_t d = 0; d <= cages; ++d) {
         store_.arena.step(d, 4);
@@ -71,7 +71,7 @@ template <int D> Status DomainSums<D>::open() {
     return Status::ok;
 }
 
-template <int D> void DomainSums<D>::sort_vertices(const std::uint32_t* domain) {
+void DomainSums::sort_vertices(const std::uint32_t* domain) {
     const std::uint32_t vertices = store_.state.vertex_count, domains = request_.cage_count + 1;
     for (std::uint32_t d = 0; d <= domains; ++d) {
         store_.arena.step(d, 4);
@@ -92,7 +92,7 @@ template <int D> void DomainSums<D>::sort_vertices(const std::uint32_t* domain) 
 }
 
 // Q in inputs_; *foreign: F.
-template <int D> std::uint32_t DomainSums<D>::gather_inputs(std::uint32_t d, const Domain<D>& ball, double* foreign) {
+std::uint32_t DomainSums::gather_inputs(std::uint32_t d, const AnyDomain& ball, double* foreign) {
     std::uint32_t count = 0, nearest = none;
     double far2 = infinity;
     for (std::uint32_t k = first_[place(d)]; k < first_[place(d) + 1];)
@@ -111,7 +111,7 @@ template <int D> std::uint32_t DomainSums<D>::gather_inputs(std::uint32_t d, con
     return count;
 }
 
-template <int D> double DomainSums<D>::feature_size(const InputTree<D>& tree, const double* x) const {
+double DomainSums::feature_size(const AnyInputTree& tree, const double* x) const {
     double d2;
     const std::uint32_t first = tree.nearest(x, none, none, &d2);
     tree.nearest(x, none, first, &d2);
@@ -119,24 +119,25 @@ template <int D> double DomainSums<D>::feature_size(const InputTree<D>& tree, co
 }
 
 // The sum that the lower bound subtracts.
-template <int D> double DomainSums<D>::share_of_cages(const InputTree<D>& tree, std::uint32_t d) const {
+double DomainSums::share_of_cages(const AnyInputTree& tree, std::uint32_t d) const {
     double sum = 0;
     for (std::uint32_t e = inside_[place(d)]; e != none; e = request_.cages[e].next) {
         const Cage& cage = request_.cages[e];
         double q2;
         tree.nearest(store_.point(cage.centre), none, cage.centre, &q2);
         const double room = square_root(q2) - cage.radius;
-        sum += room > 0 ? power(2 * in_radius(cage) / room, D) : infinity;
+        sum += room > 0 ? power(2 * in_radius(cage) / room, store_.dim) : infinity;
     }
     return sum;
 }
 
-template <int D> Status DomainSums<D>::add(std::uint32_t d) {
+Status DomainSums::add(std::uint32_t d) {
     ArenaScope scope(work_.arena);
-    const Domain<D> ball = domain_ball<D>(store_, request_.cages, d, request_.outermost);
+    const int dim = store_.dim;
+    const AnyDomain ball = domain_ball(store_, request_.cages, d, request_.outermost);
     double foreign, ratio = 0, reach = 0, off2 = infinity;
     const std::uint32_t count = gather_inputs(d, ball, &foreign);
-    InputTree<D> tree;
+    AnyInputTree tree;
     if (tree.build(store_, work_.arena, count, false, inputs_) != Status::ok) return Status::out_of_memory;
     std::uint32_t size = 0;
     for (std::uint32_t k = first_[place(d)]; k < first_[place(d) + 1];)
@@ -152,8 +153,8 @@ template <int D> Status DomainSums<D>::add(std::uint32_t d) {
             if (out > reach) reach = out;
         }
     if (d != none) {
-        sum_.lower += shell_size<D>;
-        sum_.upper += shell_size<D>;
+        sum_.lower += 2 * dim;  // its shell
+        sum_.upper += 2 * dim;
     }
     if (ratio > sum_.feature_ratio) sum_.feature_ratio = ratio;
     if (size == 0) return Status::ok;
@@ -172,24 +173,23 @@ template <int D> Status DomainSums<D>::add(std::uint32_t d) {
     FeatureIntegral integral;
     const IntegralRequest asked = {ball.centre, radius, 2, request_.tolerance,
                                    request_.boxes_max / (request_.cage_count + 1)};
-    const Status status = feature_integral<D>(store_, tree, asked, work_, &integral);
+    const Status status = feature_integral(store_, tree, asked, work_, &integral);
     if (status != Status::ok) return status;
-    const double volume = unit_ball_volume(D);
-    const double lower = integral.lower[0] / (volume * power(request_.tau, D)) * (1 - tolerance) -
+    const double volume = unit_ball_volume(dim);
+    const double lower = integral.lower[0] / (volume * power(request_.tau, dim)) * (1 - tolerance) -
                          share_of_cages(tree, d) * (1 + tolerance);
     if (lower > 0) sum_.lower += lower;
-    sum_.upper += integral.upper[1] / volume * power(2 * ratio + 1, D) * (1 + tolerance);
+    sum_.upper += integral.upper[1] / volume * power(2 * ratio + 1, dim) * (1 + tolerance);
     sum_.boxes += integral.boxes;
     return Status::ok;
 }
 
 }  // namespace
 
-template <int D>
-Status sum_over_domains(Store<D>& store, const DomainSumRequest<D>& request, const Work& work, DomainSum* sum) {
+Status sum_over_domains(const AnyStore& store, const DomainSumRequest& request, const Work& work, DomainSum* sum) {
     *sum = {};
     ArenaScope scope(work.arena);
-    DomainSums<D> sums(store, request, work, *sum);
+    DomainSums sums(store, request, work, *sum);
     Status status = sums.open();
     for (std::uint32_t d = 0; d < request.cage_count && status == Status::ok; ++d) status = sums.add(d);
     if (status == Status::ok) status = sums.add(none);
@@ -198,10 +198,5 @@ Status sum_over_domains(Store<D>& store, const DomainSumRequest<D>& request, con
     sum->upper = infinity;
     return Status::ok;
 }
-
-#define NETMESH_INSTANTIATE(D)                                                                                         \
-    template Status sum_over_domains<D>(Store<D>&, const DomainSumRequest<D>&, const Work&, DomainSum*);
-NETMESH_EACH_DIMENSION(NETMESH_INSTANTIATE)
-#undef NETMESH_INSTANTIATE
 
 }  // namespace netmesh

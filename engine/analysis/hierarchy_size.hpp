@@ -4,6 +4,7 @@
 
 #include "analysis/feature_integral.hpp"
 #include "memory/work.hpp"
+#include "mesh/any_domain.hpp"
 #include "mesh/cage.hpp"
 
 namespace netmesh {
@@ -43,8 +44,8 @@ struct DomainSum {
     std::uint64_t boxes;  // of all integrals
 };
 
-template <int D> struct DomainSumRequest {
-    Domain<D> outermost;
+struct DomainSumRequest {
+    AnyDomain outermost;
     Cage* cages;
     std::uint32_t cage_count;
     std::uint32_t inputs;  // vertices 0..inputs-1
@@ -56,7 +57,6 @@ template <int D> struct DomainSumRequest {
 // Of a compact mesh. Balls that are not nested or disjoint are no hierarchy: then the bounds say nothing (0, infinity).
 // Cost: measure_hierarchy and two integrals a domain. Scratch: that of measure_hierarchy, 16 bytes a vertex, 17 an
 // input, 8 a cage. out_of_memory, cancelled.
-template <int D>
-Status sum_over_domains(Store<D>& store, const DomainSumRequest<D>& request, const Work& work, DomainSum* sum);
+Status sum_over_domains(const AnyStore& store, const DomainSumRequest& request, const Work& work, DomainSum* sum);
 
 }  // namespace netmesh

@@ -13,7 +13,7 @@ struct PrunedRange {
 // Calls at_item(v) for the items of a range that is not pruned, near ranges first. prune(range, plane2) is asked once a
 // range.
 template <class Prune, class AtItem>
-void search(const AnyStore& store, const TreeLayout& tree, const double* x, Prune&& prune, AtItem&& at_item) {
+void search(const AnyStore& store, const AnyInputTree& tree, const double* x, Prune&& prune, AtItem&& at_item) {
     PrunedRange stack[64];
     int depth = 0;
     stack[depth++] = {tree.root(), 0};
@@ -39,7 +39,7 @@ void search(const AnyStore& store, const TreeLayout& tree, const double* x, Prun
 
 // value[middle] of each range := the least (greatest) of its items by `of`, from the leaves up.
 template <class T, class Of, class Better>
-T summary(const TreeLayout& tree, TreeRange range, const T* value, Of&& of, Better&& better) {
+T summary(const AnyInputTree& tree, TreeRange range, const T* value, Of&& of, Better&& better) {
     T best = of(tree.item(range.middle()));
     if (range.is_leaf()) {
         for (std::uint32_t i = range.begin; i < range.end; ++i)
@@ -52,7 +52,7 @@ T summary(const TreeLayout& tree, TreeRange range, const T* value, Of&& of, Bett
 }
 
 // All ranges, parents before children. list has room for count entries.
-std::uint32_t list_ranges(const TreeLayout& tree, const Arena& arena, TreeRange* list) {
+std::uint32_t list_ranges(const AnyInputTree& tree, const Arena& arena, TreeRange* list) {
     std::uint32_t count = 0;
     list[count++] = tree.root();
     for (std::uint32_t k = 0; k < count;)
@@ -68,7 +68,7 @@ std::uint32_t list_ranges(const TreeLayout& tree, const Arena& arena, TreeRange*
 // The farthest input from those taken so far.
 class FarthestFirst {
 public:
-    FarthestFirst(const AnyStore& store, const TreeLayout& tree) : store_(store), tree_(tree) {}
+    FarthestFirst(const AnyStore& store, const AnyInputTree& tree) : store_(store), tree_(tree) {}
 
     // For inputs 0..count-1, none taken. False: out of memory.
     bool open(Arena& arena, std::uint32_t count) {
@@ -92,7 +92,7 @@ public:
 
 private:
     const AnyStore& store_;
-    const TreeLayout& tree_;
+    const AnyInputTree& tree_;
     std::uint32_t count_ = 0;
     // Squared distance to the inputs taken, -1 for those themselves; its maximum over each range.
     double *near2_ = nullptr, *far2_ = nullptr;
@@ -158,7 +158,7 @@ std::uint32_t FarthestFirst::from_all_taken() const {
 
 }  // namespace
 
-Status pace(const AnyStore& store, const TreeLayout& tree, const std::uint32_t* order, std::uint32_t count,
+Status pace(const AnyStore& store, const AnyInputTree& tree, const std::uint32_t* order, std::uint32_t count,
             const Work& work, double* theta) {
     ArenaScope scope(work.arena);
     std::uint32_t* const rank = work.arena.take_high<std::uint32_t>(count);
@@ -203,7 +203,7 @@ Status pace(const AnyStore& store, const TreeLayout& tree, const std::uint32_t* 
     return Status::ok;
 }
 
-Status farthest_first_order(const AnyStore& store, const TreeLayout& tree, std::uint32_t count, const Work& work,
+Status farthest_first_order(const AnyStore& store, const AnyInputTree& tree, std::uint32_t count, const Work& work,
                             std::uint32_t* order) {
     ArenaScope scope(work.arena);
     FarthestFirst farthest(store, tree);

@@ -12,7 +12,7 @@ namespace netmesh {
 // theta[i] = distance from input order[i] to the nearest of order[0..i-1] over that to the second nearest, in (0, 1]; 1
 // for i < 2. order[0..count) is a permutation of the tree's inputs 0..count-1. The ordering is theta-well-paced for its
 // least theta_i. Expected O(n log n). Scratch: 8 bytes a point. out_of_memory, cancelled.
-Status pace(const AnyStore& store, const TreeLayout& tree, const std::uint32_t* order, std::uint32_t count,
+Status pace(const AnyStore& store, const AnyInputTree& tree, const std::uint32_t* order, std::uint32_t count,
             const Work& work, double* theta);
 
 // The farthest-first ordering: an input far from input 0, then always one of those farthest from all before.
@@ -26,7 +26,7 @@ Status pace(const AnyStore& store, const TreeLayout& tree, const std::uint32_t* 
 //
 // Cost O(n log n) for each factor of two in the spread at most, O(n log n) on inputs of moderate spread. Scratch: 20
 // bytes a point. out_of_memory, cancelled.
-Status farthest_first_order(const AnyStore& store, const TreeLayout& tree, std::uint32_t count, const Work& work,
+Status farthest_first_order(const AnyStore& store, const AnyInputTree& tree, std::uint32_t count, const Work& work,
                             std::uint32_t* order);
 
 }  // namespace netmesh

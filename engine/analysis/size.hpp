@@ -4,6 +4,7 @@
 
 #include "analysis/feature_integral.hpp"
 #include "memory/work.hpp"
+#include "mesh/any_domain.hpp"
 #include "mesh/cage.hpp"
 #include "mesh/sizing.hpp"
 
@@ -47,8 +48,7 @@ double feature_ratio_bound(double tau, const SizeRule& rule);
 // recomputed. Below two inputs f_P is infinite, integrals are 0 and bounds say nothing: lower 0, upper infinite. Cost:
 // that of pacing.hpp and feature_integral.hpp, and O(cells). Scratch: 8 bytes a vertex, 33 an input. out_of_memory,
 // cancelled.
-template <int D>
-Status analyse_size(Store<D>& store, const Domain<D>& domain, std::uint32_t inputs, const SizeOptions& options,
+Status analyse_size(const AnyStore& store, const AnyDomain& domain, std::uint32_t inputs, const SizeOptions& options,
                     const Work& work, SizeAnalysis* analysis);
 
 // The bound that does not hold, null when all do. Room for the rounding of the analysis itself.

@@ -96,10 +96,10 @@ Status analyse_sizes(Context& context, Store<D>& store, const Promises& promises
                      netmesh_size_analysis* to) {
     SizeAnalysis size;
     const double wanted = tolerance > 0 ? tolerance : figures<D>.integral_tolerance;
-    const Status status = analyse_size<D>(store, domain_of<D>(context.mesh), context.input.distinct,
-                                          {promises.tau, promises.sizes, wanted, boxes_max, cages_of(context),
-                                           cage_count_of(context), context.mesh.cage_kind},
-                                          work, &size);
+    const Status status = analyse_size(store, domain_of<D>(context.mesh), context.input.distinct,
+                                       {promises.tau, promises.sizes, wanted, boxes_max, cages_of(context),
+                                        cage_count_of(context), context.mesh.cage_kind},
+                                       work, &size);
     if (status != Status::ok) return status;
     if (context.mesh.goal.ratio > 0) {  // no quality is promised, which is what lets a mesh be smaller
         size.size_lower = 0;
@@ -190,17 +190,14 @@ netmesh_status netmesh_well_paced_order(netmesh_context* context, uint32_t* orde
     if (order == nullptr) return refuse(context, NETMESH_FIELD_ORDER, "order is null");
     if (!context->mesh.present) return finish(context, Status::no_result, no_triangulation);
     const std::uint32_t inputs = context->input.distinct;
-    const Status status = with_dimension(context->input.dim, [&](auto dimension) {
-        constexpr int D = decltype(dimension)::value;
-        ArenaScope scope(context->arena);
-        const Store<D> store(context->arena, context->mesh.store);
-        InputTree<D> tree;
-        Monitor monitor;
-        if (tree.build(store, context->arena, inputs) != Status::ok) return Status::out_of_memory;
-        const Status ordered = farthest_first_order(store, tree, inputs, {context->arena, monitor}, order);
-        if (ordered != Status::ok || theta == nullptr) return ordered;
-        return pace(store, tree, order, inputs, {context->arena, monitor}, theta);
-    });
+    const ArenaScope scope(context->arena);
+    const AnyStore store(static_cast<int>(context->input.dim), context->arena, context->mesh.store);
+    AnyInputTree tree;
+    Monitor monitor;
+    Status status = tree.build(store, context->arena, inputs);
+    if (status == Status::ok) status = farthest_first_order(store, tree, inputs, {context->arena, monitor}, order);
+    if (status == Status::ok && theta != nullptr)
+        status = pace(store, tree, order, inputs, {context->arena, monitor}, theta);
     return finish(context, status);
 }
 
@@ -210,20 +207,16 @@ netmesh_status netmesh_pace(netmesh_context* context, const uint32_t* order, dou
     if (theta == nullptr) return refuse(context, NETMESH_FIELD_THETAS, "theta is null");
     if (!context->mesh.present) return finish(context, Status::no_result, no_triangulation);
     const std::uint32_t inputs = context->input.distinct;
-    const Status status = with_dimension(context->input.dim, [&](auto dimension) {
-        constexpr int D = decltype(dimension)::value;
-        ArenaScope scope(context->arena);
-        const Store<D> store(context->arena, context->mesh.store);
-        InputTree<D> tree;
-        Monitor monitor;
-        std::uint8_t* const seen = context->arena.template take_low<std::uint8_t>(inputs);
-        if (seen == nullptr) return Status::out_of_memory;
-        if (!is_permutation(order, inputs, seen)) return Status::invalid_argument;
-        if (tree.build(store, context->arena, inputs) != Status::ok) return Status::out_of_memory;
-        return pace(store, tree, order, inputs, {context->arena, monitor}, theta);
-    });
-    if (status == Status::invalid_argument)
+    const ArenaScope scope(context->arena);
+    std::uint8_t* const seen = context->arena.take_low<std::uint8_t>(inputs);
+    if (seen == nullptr) return finish(context, Status::out_of_memory);
+    if (!is_permutation(order, inputs, seen))
         return refuse(context, NETMESH_FIELD_ORDER, "order is not a permutation of the inputs");
+    const AnyStore store(static_cast<int>(context->input.dim), context->arena, context->mesh.store);
+    AnyInputTree tree;
+    Monitor monitor;
+    Status status = tree.build(store, context->arena, inputs);
+    if (status == Status::ok) status = pace(store, tree, order, inputs, {context->arena, monitor}, theta);
     return finish(context, status);
 }
 

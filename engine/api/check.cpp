@@ -25,13 +25,13 @@ const char* aspect_violation_of(const Context& context) {
 
 // The squared size that each cell may have, by a search of its own for the two inputs nearest to each vertex; what
 // refinement takes them from is kept with the vertices.
-template <int D>
-Status find_limits(const Store<D>& store, std::uint32_t inputs, const SizeRule& sizes, Arena& arena, double* limit2) {
+Status find_limits(const AnyStore& store, std::uint32_t inputs, const SizeRule& sizes, Arena& arena, double* limit2) {
     const ArenaScope scope(arena);
-    InputTree<D> tree;
+    AnyInputTree tree;
     if (tree.build(store, arena, inputs) != Status::ok) return Status::out_of_memory;
     for (std::uint32_t v = 0; v < store.state.vertex_count;)
-        for (const std::uint64_t piece = store.arena.piece(v, store.state.vertex_count, 500 * D); v < piece; ++v) {
+        for (const std::uint64_t piece = store.arena.piece(v, store.state.vertex_count, 500 * store.dim); v < piece;
+             ++v) {
             if (!(limit2[v] < infinity)) continue;
             Neighbour near[2] = {{infinity, none, 0}, {infinity, none, 0}};
             tree.nearest_k(store.point(v), inputs < 2 ? inputs : 2, near);
@@ -95,7 +95,7 @@ template <int D> Status check_quality(Context& context, Store<D>& store, const P
     if (why->violation == nullptr)
         *why = check_domain(store, domain, cages == 0 ? nullptr : domains, context.complete, promises.net);
     if (why->violation != nullptr) return Status::check_failed;
-    recomputed_nearest2<D>(store, limit2);
+    recomputed_nearest2(store, limit2);
     const double most = 0.5 * promises.tau * (1 + ratio_tolerance);
     for (std::uint32_t v = 0; v < vertices;)
         for (const std::uint64_t piece = store.arena.piece(v, vertices, 15); v < piece; ++v) {
@@ -109,7 +109,7 @@ template <int D> Status check_quality(Context& context, Store<D>& store, const P
     Status status = check_reach<D>(store, reach, &beyond);
     if (status == Status::ok && beyond != none) *why = {aspect_violation_of(context), beyond};
     if (status == Status::ok && why->violation == nullptr && cages == 0 && promises.sizes.asks()) {
-        status = find_limits<D>(store, context.input.distinct, promises.sizes, arena, limit2);
+        status = find_limits(store, context.input.distinct, promises.sizes, arena, limit2);
         if (status == Status::ok) status = check_reach<D>(store, {domain, limit2}, &beyond);
         if (beyond != none) *why = {"a clipped Voronoi cell is larger than the size asked for", beyond};
     }
@@ -129,7 +129,7 @@ Status check_ratio(Context& context, Store<D>& store, const RatioGoal& goal, Mon
     const Work work = {context.arena, monitor};
     ClippedCells<D> cells;
     Status status = clip_cells<D>({store, mesh.domain, mesh.inputs, goal.clipped}, filter, work, &cells);
-    if (status == Status::ok) status = evaluate<D>(cells.of(mesh), filter, work, &evaluation);
+    if (status == Status::ok) status = evaluate(cells.of(mesh), filter, work, &evaluation);
     if (status != Status::ok) return status;
     for (std::uint32_t v = 0; v < store.state.vertex_count && why->violation == nullptr;)
         for (const std::uint64_t piece = store.arena.piece(v, store.state.vertex_count, 25);
@@ -161,10 +161,10 @@ Status check_bounds(Context& context, Store<D>& store, const Promises& promises,
     Status status = Status::ok;
     if (context.mesh.is_mesh && context.mesh.tau > 0) {
         SizeAnalysis size;
-        status = analyse_size<D>(store, domain_of<D>(context.mesh), context.input.distinct,
-                                 {promises.tau, promises.sizes, infinity, 0, cages_of(context), cage_count_of(context),
-                                  context.mesh.cage_kind},
-                                 work, &size);
+        status = analyse_size(store, domain_of<D>(context.mesh), context.input.distinct,
+                              {promises.tau, promises.sizes, infinity, 0, cages_of(context), cage_count_of(context),
+                               context.mesh.cage_kind},
+                              work, &size);
         if (status == Status::ok) why->violation = violated_size_bound(size);
     }
     if (status != Status::ok || why->violation != nullptr) return status;
@@ -183,9 +183,9 @@ Status check(Context& context, std::uint32_t what, const Promises& promises, Mon
     Status status = Status::ok;
     const auto goes_on = [&] { return status == Status::ok && why->violation == nullptr && !monitor.has_stopped(); };
     monitor.begin(NETMESH_STAGE_CHECK, store.state.cell_slots);
-    *why = check_combinatorial<D>(store);  // of every kind of check
-    if (goes_on() && (what & (NETMESH_CHECK_GEOMETRIC | NETMESH_CHECK_DELAUNAY)) != 0) *why = check_geometric<D>(store);
-    if (goes_on() && (what & NETMESH_CHECK_DELAUNAY) != 0) *why = check_delaunay<D>(store);
+    *why = check_combinatorial(store);  // of every kind of check
+    if (goes_on() && (what & (NETMESH_CHECK_GEOMETRIC | NETMESH_CHECK_DELAUNAY)) != 0) *why = check_geometric(store);
+    if (goes_on() && (what & NETMESH_CHECK_DELAUNAY) != 0) *why = check_delaunay(store);
     if (goes_on() && (what & NETMESH_CHECK_QUALITY) != 0 && context.mesh.is_mesh)
         status = check_promises<D>(context, store, promises, monitor, why);
     if (goes_on() && (what & NETMESH_CHECK_BOUNDS) != 0)

@@ -26,7 +26,7 @@ Status measure_focus(Context& context, const netmesh_fit_request& request, const
     const Work work = {context.arena, monitor};
     ClippedCells<D> clipped;
     Status status = clip_cells<D>(mesh, filter, work, &clipped);
-    if (status == Status::ok) status = evaluate<D>(clipped.of(mesh), filter, work, &cells);
+    if (status == Status::ok) status = evaluate(clipped.of(mesh), filter, work, &cells);
     double widest = 1;
     for (VertexId v(0); v < count && status == Status::ok;)
         for (const std::uint64_t piece = context.arena.piece(v, count, 15); v < piece && status == Status::ok; ++v) {

@@ -11,13 +11,14 @@ namespace netmesh {
 namespace {
 
 // Nearest inputs of all vertices; inputs come first.
-template <int D> Status find_origins(Store<D>& store, std::uint32_t inputs) {
+Status find_origins(const AnyStore& store, std::uint32_t inputs) {
     ArenaScope scope(store.arena);
-    InputTree<D> tree;
+    AnyInputTree tree;
     if (tree.build(store, store.arena, inputs) != Status::ok) return Status::out_of_memory;
     std::uint32_t last = 0;
     for (std::uint32_t v = inputs; v < store.state.vertex_count;)
-        for (const std::uint64_t piece = store.arena.piece(v, store.state.vertex_count, 500 * D); v < piece; ++v) {
+        for (const std::uint64_t piece = store.arena.piece(v, store.state.vertex_count, 500 * store.dim); v < piece;
+             ++v) {
             double d2;
             store.vertex(v).origin = last = tree.nearest(store.point(v), last, none, &d2);
         }
@@ -65,19 +66,20 @@ Status take_over(Store<D>& store, const netmesh_load_request& request, std::uint
         for (const std::uint64_t piece = store.arena.piece(v, count, 8); v < piece; ++v) {
             store.vertex(v).marker = static_cast<Marker>(request.markers[v]);
         }
-    return find_origins<D>(store, inputs);
+    return find_origins(store, inputs);
 }
 
 // The domain given, with the least enclosing radius about its centre.
-template <int D> Domain<D> domain_about(const Store<D>& store, std::uint32_t inputs, const double* given) {
-    Domain<D> domain;
-    smallest_enclosing_ball<D>(store, inputs, domain);
-    const double smallest = domain.enclosing_radius;
-    for (int k = 0; k < D; ++k) domain.centre[k] = given[k];
-    domain.radius = given[D];
+AnyDomain domain_about(const AnyStore& store, std::uint32_t inputs, const double* given) {
+    AnyDomain domain;
+    domain.dim = store.dim;
+    const PointRows points = {store.dim, store.first_point(), store.point_stride(), inputs};
+    const double smallest = enclosing_radius_of_inputs(points, store.arena, domain.centre);
+    copy(store.dim, given, domain.centre);
+    domain.radius = given[store.dim];
     domain.enclosing_radius = 0;
     for (std::uint32_t v = 0; v < inputs;)
-        for (const std::uint64_t piece = store.arena.piece(v, inputs, 10 * D); v < piece; ++v) {
+        for (const std::uint64_t piece = store.arena.piece(v, inputs, 10 * store.dim); v < piece; ++v) {
             const double r = square_root(domain.distance2(store.point(v))) * (1 + 8 * unit_roundoff);
             if (r > domain.enclosing_radius) domain.enclosing_radius = r;
         }
@@ -88,7 +90,7 @@ template <int D> Domain<D> domain_about(const Store<D>& store, std::uint32_t inp
 template <int D>
 Status measure_domain(netmesh_context* context, Store<D>& store, const double* given, const SizeRule& sizes) {
     KeptMesh& mesh = context->mesh;
-    keep_domain<D>(domain_about<D>(store, context->input.distinct, given), &mesh);
+    keep_domain<D>(domain_about(store, context->input.distinct, given).template of_dimension<D>(), &mesh);
     HierarchyQuality quality;
     Status status = measure_quality<D>(*context, store, &quality);
     mesh.aspect_ratio_max = quality.worst;

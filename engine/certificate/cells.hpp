@@ -3,7 +3,7 @@
 #include <cstdint>
 
 #include "certificate/rounding.hpp"
-#include "delaunay/store.hpp"
+#include "delaunay/any_store.hpp"
 #include "numerics/vector.hpp"
 
 namespace netmesh {
@@ -43,5 +43,15 @@ template <int D> void measure_cells(const Store<D>& store, double* out_radius, d
             }
         }
 }
+
+// The same, where the dimension is a number at run time.
+inline VertexId nearest_input(const AnyStore& store, VertexId v) {
+    const AnyVertex vertex = store.vertex(v);
+    return vertex.marker == Marker::input ? v : VertexId(vertex.origin);
+}
+inline double distance_to_inputs(const AnyStore& store, VertexId v) {
+    return distance(store.dim, store.point(v), store.point(nearest_input(store, v)));
+}
+void measure_cells(const AnyStore& store, double* out_radius, double* reach);
 
 }  // namespace netmesh

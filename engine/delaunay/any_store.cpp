@@ -2,6 +2,10 @@
 
 namespace netmesh {
 
+AnyStore::AnyStore(int dim, Arena& arena, StoreState& state)
+    : dim(dim), arena(arena), state(state), cells_(static_cast<unsigned char*>(arena.at(state.cells_offset))),
+      vertices_(static_cast<unsigned char*>(arena.at(state.vertices_end)) - vertex_bytes(dim)) {}
+
 std::uint32_t AnyStore::new_stamp() const {
     if (state.stamp > 0xFFFFFFF0u) {
         for (std::uint32_t c = 0; c < state.cell_slots; ++c) cell(c).mark = 0;

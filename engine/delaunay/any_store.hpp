@@ -35,16 +35,14 @@ struct AnyVertex {
     std::uint32_t& origin;
     Marker& marker;
     std::uint8_t& queued;
+    std::uint16_t& size_hint;
 };
 
 // For a store that neither grows nor is compacted meanwhile.
 class AnyStore {
 public:
-    template <int D>
-    AnyStore(const Store<D>& store)
-        : dim(D), arena(store.arena), state(store.state),
-          cells_(store.state.cell_slots == 0 ? nullptr : reinterpret_cast<unsigned char*>(&store.cell(0))),
-          vertices_(reinterpret_cast<unsigned char*>(&store.vertex(0))) {
+    AnyStore(int dim, Arena& arena, StoreState& state);
+    template <int D> AnyStore(const Store<D>& store) : AnyStore(D, store.arena, store.state) {
         static_assert(sizeof(Cell<D>) == cell_bytes(D) && offsetof(Cell<D>, centre) == centre_offset(D) &&
                       offsetof(Cell<D>, radius2) == radius_offset(D) && sizeof(Vertex<D>) == vertex_bytes(D));
     }
@@ -73,7 +71,8 @@ public:
                 *reinterpret_cast<VertexId*>(rest + 12),
                 *reinterpret_cast<std::uint32_t*>(rest + 16),
                 *reinterpret_cast<Marker*>(rest + 20),
-                *(rest + 21)};
+                *(rest + 21),
+                *reinterpret_cast<std::uint16_t*>(rest + 22)};
     }
     AnyVertex vertex(CellId) const = delete;
     const double* point(std::uint32_t v) const {

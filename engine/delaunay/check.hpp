@@ -2,7 +2,7 @@
 #pragma once
 #include <cstdint>
 
-#include "delaunay/store.hpp"
+#include "delaunay/any_store.hpp"
 
 namespace netmesh {
 
@@ -15,22 +15,22 @@ struct CheckResult {
 // returned.
 
 // Vertices distinct and in range, neighbours mutual with equal facets, each vertex's cell at that vertex.
-template <int D> CheckResult check_combinatorial(const Store<D>& store);
+CheckResult check_combinatorial(const AnyStore& store);
 
 // Every cell positively oriented, and the hull closed and locally convex: with one point covered exactly once (which is
 // checked too) the cells then cover the convex hull once. Needs check_combinatorial.
-template <int D> CheckResult check_geometric(const Store<D>& store);
+CheckResult check_geometric(const AnyStore& store);
 
 // No vertex opposite a facet strictly inside the ball on the other side; with the above, by Delaunay's lemma, no vertex
 // strictly inside any ball. Needs check_geometric.
-template <int D> CheckResult check_delaunay(const Store<D>& store);
+CheckResult check_delaunay(const AnyStore& store);
 
 #ifdef NETMESH_VALIDATE
 // What is wrong with a store in use, ghosts and free slots included: counts, vertices, mutual neighbours, orientation
 // and the Delaunay property, all exactly; null when all is well or when it has more than validated_cells_max slots.
 // O(cells).
 constexpr std::uint32_t validated_cells_max = 3000;
-template <int D> const char* violation_in_use(const Store<D>& store);
+const char* violation_in_use(const AnyStore& store);
 #endif
 
 }  // namespace netmesh

@@ -295,7 +295,7 @@ template <int D> void Kernel<D>::fill(const Cavity& cavity, VertexId id) {
                     if (v != none) store_.vertex(v).cell = end[-k].made;
         store_.state.last_cell = end[1 - facets].made;
     }
-    NETMESH_VALIDATE_WHOLE(violation_in_use<D>(store_));
+    NETMESH_VALIDATE_WHOLE(violation_in_use(store_));
 }
 
 #define NETMESH_INSTANTIATE(D) template class Kernel<D>;

@@ -10,53 +10,55 @@ namespace netmesh {
 namespace {
 
 // The same for each order of the facet's vertices.
-template <int D> std::uint64_t facet_key(const Cell<D>& cell, std::uint32_t facet) {
+std::uint64_t facet_key(const AnyCell& cell, int facet) {
     std::uint64_t key = 0;
-    for (std::uint32_t i = 0; i <= D; ++i)
+    for (int i = 0; i < cell.vertex.count; ++i)
         if (i != facet) key += mix64(cell.vertex[i]);
     return key;
 }
 
-template <int D> bool same_facet(const Cell<D>& a, std::uint32_t i, const Cell<D>& b, std::uint32_t j) {
-    for (std::uint32_t k = 0; k <= D; ++k) {
+bool same_facet(const AnyCell& a, int i, const AnyCell& b, int j) {
+    const int count = a.vertex.count;
+    for (int k = 0; k < count; ++k) {
         if (k == i) continue;
         bool found = false;
-        for (std::uint32_t l = 0; l <= D; ++l) found |= l != j && b.vertex[l] == a.vertex[k];
+        for (int l = 0; l < count; ++l) found |= l != j && b.vertex[l] == a.vertex[k];
         if (!found) return false;
     }
     return true;
 }
 
-template <int D> Status link_loaded_cells(Store<D>& store, CheckResult* why) {
+Status link_loaded_cells(const AnyStore& store, CheckResult* why) {
     ArenaScope scope(store.arena);
-    const std::size_t count = std::size_t{store.state.cell_slots} * (D + 1);
+    const int dim = store.dim;
+    const std::size_t count = std::size_t{store.state.cell_slots} * static_cast<std::size_t>(dim + 1);
     if (count > none / 8) return Status::out_of_memory;
-    std::uint64_t* const keys = store.arena.template take_high<std::uint64_t>(count);
-    std::uint32_t* const facets = store.arena.template take_high<std::uint32_t>(count);
-    std::uint64_t* const spare_keys = store.arena.template take_high<std::uint64_t>(count);
-    std::uint32_t* const spare_facets = store.arena.template take_high<std::uint32_t>(count);
+    std::uint64_t* const keys = store.arena.take_high<std::uint64_t>(count);
+    std::uint32_t* const facets = store.arena.take_high<std::uint32_t>(count);
+    std::uint64_t* const spare_keys = store.arena.take_high<std::uint64_t>(count);
+    std::uint32_t* const spare_facets = store.arena.take_high<std::uint32_t>(count);
     if (keys == nullptr || facets == nullptr || spare_keys == nullptr || spare_facets == nullptr)
         return Status::out_of_memory;
     std::size_t k = 0;
     for (CellId c(0); c < store.state.cell_slots;)
-        for (const std::uint64_t piece = store.arena.piece(c, store.state.cell_slots, 2 * (D + 1) * (8 + 8 * D));
+        for (const std::uint64_t piece = store.arena.piece(c, store.state.cell_slots, 2 * (dim + 1) * (8 + 8 * dim));
              c < piece; ++c) {
-            for (std::uint32_t i = 0; i <= D; ++i, ++k) {
-                keys[k] = facet_key<D>(store.cell(c), i);
-                facets[k] = FacetId(c, i).word();
-                store.cell(c).neighbour[i] = none;
+            const AnyCell cell = store.cell(c);
+            for (int i = 0; i <= dim; ++i, ++k) {
+                keys[k] = facet_key(cell, i);
+                facets[k] = FacetId(c, static_cast<std::uint32_t>(i)).word();
+                cell.neighbour[i] = none;
             }
         }
     radix_sort(keys, facets, spare_keys, spare_facets, count, store.arena);
     // Of three equal facets the first meets the second, then the third.
     for (std::size_t a = 0; a < count;)
-        for (const std::uint64_t piece = store.arena.piece(a, count, 40 + 10 * D * D); a < piece; ++a) {
+        for (const std::uint64_t piece = store.arena.piece(a, count, 40 + 10 * dim * dim); a < piece; ++a) {
             for (std::size_t b = a + 1; b < count && keys[b] == keys[a]; ++b) {
                 const FacetId one = FacetId::from_word(facets[a]), two = FacetId::from_word(facets[b]);
-                Cell<D>& first = store.cell(one.cell());
-                Cell<D>& second = store.cell(two.cell());
-                const std::uint32_t i = one.position(), j = two.position();
-                if (!same_facet<D>(first, i, second, j)) continue;
+                const AnyCell first = store.cell(one.cell()), second = store.cell(two.cell());
+                const int i = static_cast<int>(one.position()), j = static_cast<int>(two.position());
+                if (!same_facet(first, i, second, j)) continue;
                 if (first.neighbour[i] != none) {
                     *why = {"a facet belongs to more than two cells", two.cell()};
                     return Status::check_failed;
@@ -68,8 +70,8 @@ template <int D> Status link_loaded_cells(Store<D>& store, CheckResult* why) {
     return Status::ok;
 }
 
-template <int D> void load_vertex(const double* x, std::uint32_t v, Vertex<D>& vertex) {
-    for (int k = 0; k < D; ++k) vertex.x[k] = x[k] + 0.0;
+void load_vertex(int dim, const double* x, std::uint32_t v, const AnyVertex& vertex) {
+    for (int k = 0; k < dim; ++k) vertex.x[k] = x[k] + 0.0;
     vertex.cell = none;
     vertex.next = none;
     vertex.origin = v;
@@ -79,9 +81,9 @@ template <int D> void load_vertex(const double* x, std::uint32_t v, Vertex<D>& v
 }
 
 // Gives a cell its vertices, and each of these the cell. What is wrong with them; null: nothing.
-template <int D> const char* take_vertices(Store<D>& store, const std::uint32_t* vertices, CellId made) {
-    Cell<D>& cell = store.cell(made);
-    for (int i = 0; i <= D; ++i) {
+const char* take_vertices(const AnyStore& store, const std::uint32_t* vertices, CellId made) {
+    const AnyCell cell = store.cell(made);
+    for (int i = 0; i <= store.dim; ++i) {
         cell.vertex[i] = VertexId(vertices[i]);
         if (cell.vertex[i] >= store.state.vertex_count) return "a cell has a vertex that does not exist";
         for (int j = 0; j < i; ++j)
@@ -107,6 +109,28 @@ template <int D> void orient_cell(Store<D>& store, Cell<D>& cell) {
     solve_sphere<D>(p, corner_error_max, cell);
 }
 
+// Vertices and cells, balls included, but for neighbours and nearest2.
+Status fill_store(const AnyStore& store, const double* coordinates, const std::uint32_t* cells, CheckResult* why) {
+    const int dim = store.dim;
+    const std::size_t width = static_cast<std::size_t>(dim);
+    for (std::uint32_t v = 0; v < store.state.vertex_count;)
+        for (const std::uint64_t piece = store.arena.piece(v, store.state.vertex_count, 30); v < piece; ++v) {
+            load_vertex(dim, coordinates + v * width, v, store.vertex(v));
+        }
+    for (CellId c(0); c < store.state.cell_slots;)
+        for (const std::uint64_t piece = store.arena.piece(c, store.state.cell_slots, 80 * dim * dim); c < piece; ++c) {
+            *why = {take_vertices(store, cells + c * (width + 1), c), c};
+            if (why->violation != nullptr) return Status::check_failed;
+            with_dimension(static_cast<std::uint32_t>(dim), [&](auto dimension) {
+                constexpr int D = decltype(dimension)::value;
+                Store<D> of_dimension = store.of_dimension<D>();
+                orient_cell<D>(of_dimension, of_dimension.cell(c));
+            });
+        }
+    *why = {nullptr, none};
+    return Status::ok;
+}
+
 }  // namespace
 
 template <int D>
@@ -116,20 +140,11 @@ Status load_cells(Store<D>& store, const double* coordinates, std::uint32_t vert
     if (store.open_vertices(vertex_count) != Status::ok || store.open_cells() != Status::ok ||
         !store.has_room(cell_count, 0, 0))
         return Status::out_of_memory;
-    for (std::uint32_t v = 0; v < vertex_count;)
-        for (const std::uint64_t piece = store.arena.piece(v, vertex_count, 30); v < piece; ++v) {
-            load_vertex<D>(coordinates + std::size_t{v} * D, v, store.vertex(v));
-        }
-    for (std::uint32_t c = 0; c < cell_count;)
-        for (const std::uint64_t piece = store.arena.piece(c, cell_count, 80 * D * D); c < piece; ++c) {
-            const CellId made = store.new_cell();
-            *why = {take_vertices<D>(store, cells + std::size_t{c} * (D + 1), made), made};
-            if (why->violation != nullptr) return Status::check_failed;
-            orient_cell<D>(store, store.cell(made));
-        }
-    *why = {nullptr, none};
+    for (std::uint32_t c = 0; c < cell_count; ++c) store.new_cell();
+    const Status status = fill_store(store, coordinates, cells, why);
+    if (status != Status::ok) return status;
     measure_edges<D>(store);
-    return link_loaded_cells<D>(store, why);
+    return link_loaded_cells(store, why);
 }
 
 #define NETMESH_INSTANTIATE(D)                                                                                         \

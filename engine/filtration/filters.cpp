@@ -111,33 +111,31 @@ Status clip_cells(const FilteredMesh<D>& mesh, const FilterRequest& request, con
     return status;
 }
 
-template <int D>
-Status evaluate(const FilteredMesh<D>& mesh, const FilterRequest& request, const Work& work, Evaluation* out) {
+Status evaluate(const AnyMesh& mesh, const FilterRequest& request, const Work& work, Evaluation* out) {
     const Filter& filter = evaluated_filter(request.filter, request.k);
     out->zero_born = filter.has(filter_trait::inputs_enter_first) ? mesh.inputs : 0;
-    if (filter.id == NETMESH_FILTER_COMPLETE) return complete_filter<D>(mesh, request.values, work, out);
+    if (filter.id == NETMESH_FILTER_COMPLETE) return complete_filter(mesh, request.values, work, out);
     if constexpr (built::basic) {
-        if (filter.id == NETMESH_FILTER_BASIC) return basic_filter<D>(mesh, request.values, work, out);
+        if (filter.id == NETMESH_FILTER_BASIC) return basic_filter(mesh, request.values, work, out);
     }
     if constexpr (built::tight) {
-        if (filter.id == NETMESH_FILTER_TIGHT) return tight_filter<D>(mesh, request.values, work, out);
+        if (filter.id == NETMESH_FILTER_TIGHT) return tight_filter(mesh, request.values, work, out);
     }
     if constexpr (built::nearest_k) {
         if (filter.id == NETMESH_FILTER_KNN)
-            return distance_filter<D>(mesh, {InputDistance::kth, request.k}, request.values, work, out);
+            return distance_filter(mesh, {InputDistance::kth, request.k}, request.values, work, out);
         if (filter.id == NETMESH_FILTER_KDISTANCE)
-            return distance_filter<D>(mesh, {InputDistance::root_mean_square, request.k}, request.values, work, out);
+            return distance_filter(mesh, {InputDistance::root_mean_square, request.k}, request.values, work, out);
     }
     if constexpr (built::function) {
         if (filter.id == NETMESH_FILTER_FUNCTION && request.function != nullptr)
-            return function_filter<D>(mesh, *request.function, request.values, work, out);
+            return function_filter(mesh, *request.function, request.values, work, out);
     }
     return Status::invalid_argument;
 }
 
 #define NETMESH_INSTANTIATE(D)                                                                                         \
-    template Status clip_cells<D>(const FilteredMesh<D>&, const FilterRequest&, const Work&, ClippedCells<D>*);        \
-    template Status evaluate<D>(const FilteredMesh<D>&, const FilterRequest&, const Work&, Evaluation*);
+    template Status clip_cells<D>(const FilteredMesh<D>&, const FilterRequest&, const Work&, ClippedCells<D>*);
 NETMESH_EACH_DIMENSION(NETMESH_INSTANTIATE)
 #undef NETMESH_INSTANTIATE
 

@@ -4,7 +4,7 @@
 // upper bounds of what is filtered on each Voronoi cell, and own values, which a Clamp (certificate/certificate.hpp)
 // turns into filter values and a certificate.
 #pragma once
-#include "filtration/filter.hpp"
+#include "filtration/any_mesh.hpp"
 
 namespace netmesh {
 
@@ -43,7 +43,6 @@ Status clip_cells(const FilteredMesh<D>& mesh, const FilterRequest& request, con
 // Values, certificate and, when asked for, intervals of the filter on each cell. Costs and scratch: see
 // mesh_filter.hpp, tight_filter.hpp, function_filter.hpp. out_of_memory, cancelled, not_finite (culprit),
 // invalid_argument (a filter that is not one on meshes).
-template <int D>
-Status evaluate(const FilteredMesh<D>& mesh, const FilterRequest& request, const Work& work, Evaluation* out);
+Status evaluate(const AnyMesh& mesh, const FilterRequest& request, const Work& work, Evaluation* out);
 
 }  // namespace netmesh

@@ -8,8 +8,7 @@
 
 namespace netmesh {
 
-template <int D>
-double input_distance(const InputTree<D>& tree, NeighbourDistance distance, const double* x, Neighbour* scratch) {
+double input_distance(const AnyInputTree& tree, NeighbourDistance distance, const double* x, Neighbour* scratch) {
     const std::uint32_t k = distance.k;
     tree.nearest_k(x, k, scratch);
     if (distance.kind == InputDistance::kth) return square_root(scratch[k - 1].distance2);
@@ -18,35 +17,34 @@ double input_distance(const InputTree<D>& tree, NeighbourDistance distance, cons
     return square_root(sum / k);
 }
 
-template <int D>
-Status distance_filter(const FilteredMesh<D>& mesh, NeighbourDistance distance, FilterValues values, const Work& work,
+Status distance_filter(const AnyMesh& mesh, NeighbourDistance distance, FilterValues values, const Work& work,
                        Evaluation* out) {
     const ArenaScope scope(work.arena);
-    const Store<D>& store = mesh.store;
+    const AnyStore& store = mesh.store;
     const std::uint32_t count = mesh.vertices();
     double* const out_radius = work.arena.take_high<double>(count);
     Neighbour* const neighbours = work.arena.take_high<Neighbour>(distance.k);
-    InputTree<D> tree;
+    AnyInputTree tree;
     if (out_radius == nullptr || neighbours == nullptr || tree.build(store, work.arena, mesh.inputs) != Status::ok)
         return Status::out_of_memory;
     work.monitor.begin(NETMESH_STAGE_CERTIFY, count);
     for (VertexId v(0); v < count;)
         for (const std::uint64_t piece = work.arena.piece(v, count, 1); v < piece; ++v) {
-            out->value[v] = input_distance<D>(tree, distance, store.point(v), neighbours);
+            out->value[v] = input_distance(tree, distance, store.point(v), neighbours);
             if (work.monitor.advance(v, 10 + distance.k)) return Status::cancelled;
         }
-    measure_cells<D>(store, out_radius, nullptr);
+    measure_cells(store, out_radius, nullptr);
     // The root mean square of k distances: the sum of their squares has D + 2 roundings in each and k - 1 of its own,
     // then come a quotient and a root, (k + D + 2) / 2 + 1 in all. D <= 6.
     const double doubt = (distance.k + 16.0) * unit_roundoff;
     const auto interval = [&](VertexId v) {
         work.arena.step(v, 60);
         const double most = out->value[v] * (1 + doubt), least = out->value[v] * (1 - doubt);
-        return cut_at(mesh.cut(), store.vertex(v).marker == Marker::exempt
-                                      ? unbounded_interval(least)
-                                      : Interval{least_distance(least, out_radius[v]), (most + out_radius[v]) * up});
+        return cut_at(mesh.cut, store.vertex(v).marker == Marker::exempt
+                                    ? unbounded_interval(least)
+                                    : Interval{least_distance(least, out_radius[v]), (most + out_radius[v]) * up});
     };
-    out->certificate = clamp_values(count, mesh.cut(), values, interval, out->value, out->interval);
+    out->certificate = clamp_values(count, mesh.cut, values, interval, out->value, out->interval);
     return Status::ok;
 }
 
@@ -60,9 +58,9 @@ double more(double f, double change) { return change > 0 ? raised(f + change) : 
 double less(double f, double change) { return change > 0 ? lowered(f - change) : f; }
 
 // The intervals of F = min(f, cut) on the cells of a mesh, from f at its vertices.
-template <int D> class FunctionRange {
+class FunctionRange {
 public:
-    FunctionRange(const FilteredMesh<D>& mesh, const LipschitzBounds& bounds, const double* out_radius,
+    FunctionRange(const AnyMesh& mesh, const LipschitzBounds& bounds, const double* out_radius,
                   const ClippedReach* reach)
         : mesh_(mesh), bounds_(bounds), out_radius_(out_radius), reach_(reach),
           share_(bounds.distance_factor > 0 ? down / (1 + bounds.distance_factor * bounds.lipschitz * up) * down : 0),
@@ -97,7 +95,7 @@ public:
 private:
     double change(double distance) const { return distance > 0 ? bounds_.lipschitz * distance * up : 0; }
 
-    const FilteredMesh<D>& mesh_;
+    const AnyMesh& mesh_;
     const LipschitzBounds& bounds_;
     const double* const out_radius_;
     const ClippedReach* const reach_;
@@ -106,8 +104,7 @@ private:
 
 }  // namespace
 
-template <int D>
-Status clamp_function(const FilteredMesh<D>& mesh, const LipschitzBounds& bounds, FilterValues values, Arena& arena,
+Status clamp_function(const AnyMesh& mesh, const LipschitzBounds& bounds, FilterValues values, Arena& arena,
                       Evaluation* out) {
     const ArenaScope scope(arena);
     double* const value = out->value;
@@ -116,10 +113,10 @@ Status clamp_function(const FilteredMesh<D>& mesh, const LipschitzBounds& bounds
     ClippedReach* const reach = arena.take_high<ClippedReach>(count);
     Interval* const range = arena.take_high<Interval>(count);
     if (out_radius == nullptr || reach == nullptr || range == nullptr) return Status::out_of_memory;
-    measure_cells<D>(mesh.store, out_radius, nullptr);
-    const Status status = bound_clipped_cells<D>(mesh.store, mesh.domain, out_radius, arena, reach);
+    measure_cells(mesh.store, out_radius, nullptr);
+    const Status status = bound_clipped_cells(mesh.store, mesh.domain, out_radius, arena, reach);
     if (status != Status::ok) return status;
-    const FunctionRange<D> range_of(mesh, bounds, out_radius, reach);
+    const FunctionRange range_of(mesh, bounds, out_radius, reach);
     bool is_possible = true, is_positive = true;
     for (VertexId v(0); v < count;)
         for (const std::uint64_t piece = arena.piece(v, count, 40); v < piece; ++v) {
@@ -156,9 +153,8 @@ Status clamp_function(const FilteredMesh<D>& mesh, const LipschitzBounds& bounds
     return Status::ok;
 }
 
-template <int D>
-Status function_filter(const FilteredMesh<D>& mesh, const netmesh_function& function, FilterValues values,
-                       const Work& work, Evaluation* out) {
+Status function_filter(const AnyMesh& mesh, const netmesh_function& function, FilterValues values, const Work& work,
+                       Evaluation* out) {
     work.monitor.begin(NETMESH_STAGE_CERTIFY, mesh.vertices());
     for (VertexId v(0); v < mesh.vertices(); ++v) {
         const double f = out->value[v] = value_at(function, mesh.store.point(v));
@@ -167,18 +163,7 @@ Status function_filter(const FilteredMesh<D>& mesh, const netmesh_function& func
         if (work.monitor.advance(v, 10)) return Status::cancelled;
     }
     const LipschitzBounds bounds = {function.lipschitz, function.distance_factor, function.cut};
-    return clamp_function<D>(mesh, bounds, values, work.arena, out);
+    return clamp_function(mesh, bounds, values, work.arena, out);
 }
-
-#define NETMESH_INSTANTIATE(D)                                                                                         \
-    template double input_distance<D>(const InputTree<D>&, NeighbourDistance, const double*, Neighbour*);              \
-    template Status distance_filter<D>(const FilteredMesh<D>&, NeighbourDistance, FilterValues, const Work&,           \
-                                       Evaluation*);                                                                   \
-    template Status clamp_function<D>(const FilteredMesh<D>&, const LipschitzBounds&, FilterValues, Arena&,            \
-                                      Evaluation*);                                                                    \
-    template Status function_filter<D>(const FilteredMesh<D>&, const netmesh_function&, FilterValues, const Work&,     \
-                                       Evaluation*);
-NETMESH_EACH_DIMENSION(NETMESH_INSTANTIATE)
-#undef NETMESH_INSTANTIATE
 
 }  // namespace netmesh

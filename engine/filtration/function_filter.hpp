@@ -55,7 +55,7 @@
 // A mesh for an additive error of E has the sizes max(E, f - cut) / L (wanted_reach): a cell with f(v) <= cut + E
 // has L R' <= E, another L R' <= f(v) - cut, so that it is at the cut.
 #pragma once
-#include "filtration/filter.hpp"
+#include "filtration/any_mesh.hpp"
 #include "mesh/input_tree.hpp"
 
 namespace netmesh {
@@ -67,20 +67,17 @@ struct NeighbourDistance {
 };
 
 // d_k or D_k at x, 1 <= k <= number of inputs. scratch[k].
-template <int D>
-double input_distance(const InputTree<D>& tree, NeighbourDistance distance, const double* x, Neighbour* scratch);
+double input_distance(const AnyInputTree& tree, NeighbourDistance distance, const double* x, Neighbour* scratch);
 
 // value[v]: d_k or D_k at v, clamped for certified values, cut at rho. Scratch: 8 bytes a vertex, 5 an input, 16 k.
 // out_of_memory, cancelled.
-template <int D>
-Status distance_filter(const FilteredMesh<D>& mesh, NeighbourDistance distance, FilterValues values, const Work& work,
+Status distance_filter(const AnyMesh& mesh, NeighbourDistance distance, FilterValues values, const Work& work,
                        Evaluation* out);
 
 // value[v]: f(v), cut and, where there is a ratio, clamped. Scratch: 56 bytes a vertex. out_of_memory, cancelled,
 // not_finite (culprit: a vertex at which f is not).
-template <int D>
-Status function_filter(const FilteredMesh<D>& mesh, const netmesh_function& function, FilterValues values,
-                       const Work& work, Evaluation* out);
+Status function_filter(const AnyMesh& mesh, const netmesh_function& function, FilterValues values, const Work& work,
+                       Evaluation* out);
 
 // How far a clipped cell may reach whose vertex has the value f, for an additive error of E. A hair less than the bound
 // needs, for its rounding outwards. +infinity where L = 0.
@@ -96,8 +93,7 @@ struct LipschitzBounds {
 };
 
 // The same for values f(v) that are there already.
-template <int D>
-Status clamp_function(const FilteredMesh<D>& mesh, const LipschitzBounds& bounds, FilterValues values, Arena& arena,
+Status clamp_function(const AnyMesh& mesh, const LipschitzBounds& bounds, FilterValues values, Arena& arena,
                       Evaluation* out);
 
 }  // namespace netmesh

@@ -8,36 +8,35 @@
 namespace netmesh {
 namespace {
 
-template <int D> struct CellBounds {
-    const FilteredMesh<D>& mesh;
-    const Store<D>& store;
+struct CellBounds {
+    const AnyMesh& mesh;
+    const AnyStore& store;
     double rho;
     double* out_radius;  // R_v, or more
     double* reach;       // largest distance from a point of v's cell to v's nearest input, or more
 
     // lo_v and hi_v, both cut at rho; of an absent vertex what holds of any cell.
     [[gnu::noinline]] Interval interval(VertexId v) const {
-        const Vertex<D>& vertex = store.vertex(v);
+        const AnyVertex vertex = store.vertex(v);
         const bool bounded = vertex.marker != Marker::exempt && mesh.has(v);
         if (vertex.marker == Marker::input)
             return cut_at(rho, input_interval(square_root(vertex.nearest2), out_radius[v]));
-        const double d = distance_to_inputs<D>(store, v);
+        const double d = distance_to_inputs(store, v);
         return cut_at(rho, bounded ? steiner_interval(d, out_radius[v], reach[v]) : unbounded_interval(d));
     }
     // The thesis's own value: s of 7.4.2.
     [[gnu::noinline]] double own_value(VertexId v) const {
-        const Vertex<D>& vertex = store.vertex(v);
+        const AnyVertex vertex = store.vertex(v);
         const double s =
-            vertex.marker == Marker::input ? 0.5 * square_root(vertex.nearest2) : distance_to_inputs<D>(store, v);
+            vertex.marker == Marker::input ? 0.5 * square_root(vertex.nearest2) : distance_to_inputs(store, v);
         return s < rho ? s : rho;
     }
 };
 
 // Lowers the bounds of v, which the clipper has marked, as far as its value, the ratio and its best depend on them when
 // those of all cells that are not marked have been shown to the clamp (Clamp::sure_ratio).
-template <int D>
-Status clip_as_needed(const CellBounds<D>& bounds, CellClipper<D>& clipper, const Clamp& clamp, VertexId v) {
-    const Vertex<D>& vertex = bounds.store.vertex(v);
+Status clip_as_needed(const CellBounds& bounds, CellClipper& clipper, const Clamp& clamp, VertexId v) {
+    const AnyVertex vertex = bounds.store.vertex(v);
     const double c = clamp.sure_ratio(), own = bounds.own_value(v);
     Interval i = bounds.interval(v);
     if (own <= c * i.lo && i.hi <= c * own) {
@@ -47,9 +46,9 @@ Status clip_as_needed(const CellBounds<D>& bounds, CellClipper<D>& clipper, cons
     if (!clipper.open(v)) return Status::out_of_memory;
     const bool is_input = vertex.marker == Marker::input;
     double& far = is_input ? bounds.out_radius[v] : bounds.reach[v];
-    const double* const from = bounds.store.point(nearest_input<D>(bounds.store, v));
+    const double* const from = bounds.store.point(nearest_input(bounds.store, v));
     if (!is_input && !(own <= c * i.lo)) {
-        const double half = 0.5 * distance_to_inputs<D>(bounds.store, v);
+        const double half = 0.5 * distance_to_inputs(bounds.store, v);
         bounds.out_radius[v] = clipper.bound(vertex.x, bounds.out_radius[v], half);
         i = bounds.interval(v);
     }
@@ -66,23 +65,22 @@ Status clip_as_needed(const CellBounds<D>& bounds, CellClipper<D>& clipper, cons
 }
 
 // The basic filter's inputs are there from the start: no ratio relates their value 0 to what their cells reach.
-template <int D>
-Status mesh_filter(const FilteredMesh<D>& mesh, bool basic, FilterValues values, const Work& work, Evaluation* out) {
+Status mesh_filter(const AnyMesh& mesh, bool basic, FilterValues values, const Work& work, Evaluation* out) {
     const ArenaScope scope(work.arena);
-    const Store<D>& store = mesh.store;
+    const AnyStore& store = mesh.store;
     const std::uint32_t count = mesh.vertices();
     work.monitor.begin(NETMESH_STAGE_CERTIFY, store.state.cell_slots);
-    const CellBounds<D> bounds{mesh, store, mesh.cut(), work.arena.take_high<double>(count),
-                               work.arena.take_high<double>(count)};
+    const CellBounds bounds{mesh, store, mesh.cut, work.arena.take_high<double>(count),
+                            work.arena.take_high<double>(count)};
     if (bounds.out_radius == nullptr || bounds.reach == nullptr) return Status::out_of_memory;
-    measure_cells<D>(store, bounds.out_radius, bounds.reach);
-    const bool clips = built::certificate && mesh.part != nullptr, clips_all = basic || out->interval != nullptr;
-    const NeededReach needed = {clips ? mesh.part->vertex : nullptr, true, mesh.cut()};
+    measure_cells(store, bounds.out_radius, bounds.reach);
+    const bool clips = built::certificate && mesh.present != nullptr, clips_all = basic || out->interval != nullptr;
+    const NeededReach needed = {clips ? mesh.present : nullptr, true, mesh.cut};
     if (clips && clips_all) {
-        const Status status = clip_cell_bounds<D>(mesh.store, mesh.domain, needed, bounds.out_radius, bounds.reach);
+        const Status status = clip_cell_bounds(mesh.store, mesh.domain, needed, bounds.out_radius, bounds.reach);
         if (status != Status::ok) return status;
     }
-    CellClipper<D> clipper(mesh.store, mesh.domain, needed);
+    CellClipper clipper(mesh.store, mesh.domain, needed);
     if (clips && !clips_all) clipper.mark();
 
     const auto is_zero = [&](VertexId v) { return basic && store.vertex(v).marker == Marker::input; };
@@ -102,7 +100,7 @@ Status mesh_filter(const FilteredMesh<D>& mesh, bool basic, FilterValues values,
     for (VertexId v(0); clips && v < count; ++v) {
         store.arena.step(v, 300);
         if (!clipper.is_marked(v)) continue;
-        const Status clipped = clip_as_needed<D>(bounds, clipper, clamp, v);
+        const Status clipped = clip_as_needed(bounds, clipper, clamp, v);
         if (clipped != Status::ok) status = clipped;
         clamp.show(bounds.interval(v));
     }
@@ -110,9 +108,9 @@ Status mesh_filter(const FilteredMesh<D>& mesh, bool basic, FilterValues values,
     clamp.fix_ratio();
     for (VertexId v(0); v < count;)
         for (const std::uint64_t piece = store.arena.piece(v, count, 60); v < piece; ++v) {
-            const Interval i = mesh.has(v) ? bounds.interval(v) : Interval{mesh.cut(), mesh.cut()};
+            const Interval i = mesh.has(v) ? bounds.interval(v) : Interval{mesh.cut, mesh.cut};
             if (out->interval != nullptr) out->interval[v] = i;
-            out->value[v] = is_zero(v) ? 0 : mesh.has(v) ? clamp.value(bounds.own_value(v), i) : mesh.cut();
+            out->value[v] = is_zero(v) ? 0 : mesh.has(v) ? clamp.value(bounds.own_value(v), i) : mesh.cut;
         }
     out->certificate = clamp.certificate();
     out->certificate.from = from;
@@ -121,20 +119,12 @@ Status mesh_filter(const FilteredMesh<D>& mesh, bool basic, FilterValues values,
 
 }  // namespace
 
-template <int D>
-Status complete_filter(const FilteredMesh<D>& mesh, FilterValues values, const Work& work, Evaluation* out) {
-    return mesh_filter<D>(mesh, false, values, work, out);
+Status complete_filter(const AnyMesh& mesh, FilterValues values, const Work& work, Evaluation* out) {
+    return mesh_filter(mesh, false, values, work, out);
 }
 
-template <int D>
-Status basic_filter(const FilteredMesh<D>& mesh, FilterValues values, const Work& work, Evaluation* out) {
-    return mesh_filter<D>(mesh, true, values, work, out);
+Status basic_filter(const AnyMesh& mesh, FilterValues values, const Work& work, Evaluation* out) {
+    return mesh_filter(mesh, true, values, work, out);
 }
-
-#define NETMESH_INSTANTIATE(D)                                                                                         \
-    template Status complete_filter<D>(const FilteredMesh<D>&, FilterValues, const Work&, Evaluation*);                \
-    template Status basic_filter<D>(const FilteredMesh<D>&, FilterValues, const Work&, Evaluation*);
-NETMESH_EACH_DIMENSION(NETMESH_INSTANTIATE)
-#undef NETMESH_INSTANTIATE
 
 }  // namespace netmesh

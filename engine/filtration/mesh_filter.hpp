@@ -25,7 +25,7 @@
 // = lo. Refinement with `certify_filter` (mesh/quality_rule.hpp) brings every other cell there too. So c* <=
 // sqrt(2 + tau), and with the thesis's values c <= tau.
 #pragma once
-#include "filtration/filter.hpp"
+#include "filtration/any_mesh.hpp"
 
 namespace netmesh {
 
@@ -33,9 +33,7 @@ constexpr std::size_t mesh_filter_vertex_bytes = 2 * sizeof(double);  // scratch
 
 // value[v]: t(v), cut at rho; the basic filter gives inputs 0 and says from which scale its ratio holds, the largest
 // out-radius of an input. O(cells). out_of_memory.
-template <int D>
-Status complete_filter(const FilteredMesh<D>& mesh, FilterValues values, const Work& work, Evaluation* out);
-template <int D>
-Status basic_filter(const FilteredMesh<D>& mesh, FilterValues values, const Work& work, Evaluation* out);
+Status complete_filter(const AnyMesh& mesh, FilterValues values, const Work& work, Evaluation* out);
+Status basic_filter(const AnyMesh& mesh, FilterValues values, const Work& work, Evaluation* out);
 
 }  // namespace netmesh

@@ -9,7 +9,7 @@ class Clumps {
 public:
     explicit Clumps(const AnyMesh& mesh) : store_(mesh.store), rho_(mesh.cut), inputs_(mesh.inputs) {}
 
-    Status open(const TreeLayout& tree, Arena& arena);
+    Status open(const AnyInputTree& tree, Arena& arena);
     // What the mesh says about v: F on its cell, or on its clump's, is at most hi; lo stands for r_p there.
     Interval interval(VertexId v) const {
         const VertexId p = clump_[v];
@@ -31,7 +31,7 @@ private:
         return store_.vertex(v).marker == Marker::exempt ? least_distance_unbounded(d)
                                                          : least_distance(d, out_radius_[v]);
     }
-    void gather_clumps(const TreeLayout& tree);
+    void gather_clumps(const AnyInputTree& tree);
     void bound_by_outside();
 
     const AnyStore& store_;
@@ -42,7 +42,7 @@ private:
     double *half_ = nullptr, *inner_ = nullptr, *outer_ = nullptr;  // [input] f_P / 2, r_p, hi(W)
 };
 
-Status Clumps::open(const TreeLayout& tree, Arena& arena) {
+Status Clumps::open(const AnyInputTree& tree, Arena& arena) {
     const std::uint32_t count = store_.state.vertex_count;
     out_radius_ = arena.take_high<double>(count);
     reach_ = arena.take_high<double>(count);
@@ -53,21 +53,18 @@ Status Clumps::open(const TreeLayout& tree, Arena& arena) {
     if (out_radius_ == nullptr || reach_ == nullptr || clump_ == nullptr || half_ == nullptr || inner_ == nullptr ||
         outer_ == nullptr)
         return Status::out_of_memory;
-    with_dimension(static_cast<std::uint32_t>(store_.dim), [&](auto dimension) {
-        constexpr int D = decltype(dimension)::value;
-        measure_cells<D>(store_.of_dimension<D>(), out_radius_, reach_);
-    });
+    measure_cells(store_, out_radius_, reach_);
     gather_clumps(tree);
     bound_by_outside();
     return Status::ok;
 }
 
 // The clumps, hi(W), and what r_p has from the other inputs' distances to W.
-void Clumps::gather_clumps(const TreeLayout& tree) {
+void Clumps::gather_clumps(const AnyInputTree& tree) {
     for (VertexId p(0); p < inputs_;)
         for (const std::uint64_t piece = store_.arena.piece(p, inputs_, 500 * store_.dim); p < piece; ++p) {
             double d2;
-            nearest_in_tree(store_.dim, tree, store_.point(p), none, p, &d2);
+            tree.nearest(store_.point(p), none, p, &d2);
             half_[p] = 0.5 * square_root(d2);
             inner_[p] = infinity;
             outer_[p] = 0;
@@ -82,7 +79,7 @@ void Clumps::gather_clumps(const TreeLayout& tree) {
             if (!joins) continue;
             clump_[v] = n;
             double d2;
-            nearest_in_tree(store_.dim, tree, store_.point(v), none, n, &d2);
+            tree.nearest(store_.point(v), none, n, &d2);
             const double others = cell_distance(square_root(d2), v);
             if (others < inner_[n]) inner_[n] = others;
             if (!(reach_[v] <= outer_[n])) outer_[n] = reach_[v];
@@ -110,8 +107,10 @@ void Clumps::bound_by_outside() {
 
 }  // namespace
 
-Status tight_filter(const AnyMesh& mesh, const TreeLayout& tree, FilterValues values, const Work& work,
-                    Evaluation* out) {
+Status tight_filter(const AnyMesh& mesh, FilterValues values, const Work& work, Evaluation* out) {
+    const ArenaScope scope(work.arena);
+    AnyInputTree tree;
+    if (tree.build(mesh.store, work.arena, mesh.inputs) != Status::ok) return Status::out_of_memory;
     work.monitor.begin(NETMESH_STAGE_CERTIFY, mesh.store.state.cell_slots);
     Clumps clumps(mesh);
     const Status status = clumps.open(tree, work.arena);

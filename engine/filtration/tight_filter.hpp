@@ -32,14 +32,6 @@ inline double tight_domain_factor(double eps) { return 3.0625 + 4 * tight_size(e
 
 // value[v]: t(v), cut at rho; interval[v]: r_p and hi(W) for the vertices of clumps. The mesh may be over-refined or
 // not. O(cells + vertices log n). Scratch: 20 bytes a vertex, 29 an input. out_of_memory.
-Status tight_filter(const AnyMesh& mesh, const TreeLayout& tree, FilterValues values, const Work& work,
-                    Evaluation* out);
-template <int D>
-Status tight_filter(const FilteredMesh<D>& mesh, FilterValues values, const Work& work, Evaluation* out) {
-    const ArenaScope scope(work.arena);
-    InputTree<D> tree;
-    const Status status = tree.build(mesh.store, work.arena, mesh.inputs);
-    return status == Status::ok ? tight_filter(AnyMesh(mesh), tree, values, work, out) : status;
-}
+Status tight_filter(const AnyMesh& mesh, FilterValues values, const Work& work, Evaluation* out);
 
 }  // namespace netmesh

@@ -8,7 +8,7 @@ namespace {
 
 class CellTightener {
 public:
-    CellTightener(const AnyStore& store, const TreeLayout& tree, double cut, Arena& arena)
+    CellTightener(const AnyStore& store, const AnyInputTree& tree, double cut, Arena& arena)
         : dim(store.dim), store_(store), tree_(tree), cut_(cut), arena_(arena) {}
 
     Status open();
@@ -32,7 +32,7 @@ private:
 
     const int dim;
     const AnyStore& store_;
-    const TreeLayout& tree_;
+    const AnyInputTree& tree_;
     double cut_;
     Arena& arena_;
 
@@ -205,7 +205,7 @@ double CellTightener::input_distance_high(VertexId v) {
         double x[dimension_max], q[dimension_max], d2;
         for (int k = 0; k < dim; ++k)
             x[k] = corner_[corner * static_cast<std::size_t>(dim) + static_cast<std::size_t>(k)] + at_[k];
-        near = nearest_in_tree(dim, tree_, x, near, none, &d2);
+        near = tree_.nearest(x, near, none, &d2);
         if (d2 > reached2) reached2 = d2;
         if (worst <= reached2 * (1 + 0x1p-6)) break;
         from_vertex(near, q);
@@ -243,7 +243,10 @@ Status CellTightener::tighten(VertexId v, Interval* interval) {
 
 }  // namespace
 
-Status tighten_cell_bounds(const AnyMesh& mesh, const TreeLayout& tree, const Work& work, Interval* interval) {
+Status tighten_cell_bounds(const AnyMesh& mesh, const Work& work, Interval* interval) {
+    const ArenaScope scope(work.arena);
+    AnyInputTree tree;
+    if (tree.build(mesh.store, work.arena, mesh.inputs) != Status::ok) return Status::out_of_memory;
     CellTightener tightener(mesh.store, tree, mesh.cut, work.arena);
     Status status = tightener.open();
     const std::uint32_t vertices = mesh.vertices();

@@ -24,12 +24,6 @@ namespace netmesh {
 // By whole cells, also where they are clipped: what holds there holds of a part. Absent vertices keep theirs. Marks of
 // cells are used. About 10-20 us a vertex in D = 4. Scratch: 4 bytes a vertex, 5 an input, 8 D a corner of the largest
 // cell. out_of_memory, cancelled.
-Status tighten_cell_bounds(const AnyMesh& mesh, const TreeLayout& tree, const Work& work, Interval* interval);
-template <int D> Status tighten_cell_bounds(const FilteredMesh<D>& mesh, const Work& work, Interval* interval) {
-    const ArenaScope scope(work.arena);
-    InputTree<D> tree;
-    const Status status = tree.build(mesh.store, work.arena, mesh.inputs);
-    return status == Status::ok ? tighten_cell_bounds(AnyMesh(mesh), tree, work, interval) : status;
-}
+Status tighten_cell_bounds(const AnyMesh& mesh, const Work& work, Interval* interval);
 
 }  // namespace netmesh

@@ -13,10 +13,10 @@ Status measure(const FilteredMesh<D>& mesh, const FilterRequest& request, const 
     out->value = work.arena.take_high<double>(mesh.vertices());
     out->interval = work.arena.take_high<Interval>(mesh.vertices());
     if (out->value == nullptr || out->interval == nullptr) return Status::out_of_memory;
-    const Status status = evaluate<D>(mesh, request, work, out);
+    const Status status = evaluate(mesh, request, work, out);
     const Filter& filter = evaluated_filter(request.filter, request.k);
     return status == Status::ok && filter.has(filter_trait::has_tighter_cells)
-               ? tighten_cell_bounds<D>(mesh, work, out->interval)
+               ? tighten_cell_bounds(mesh, work, out->interval)
                : status;
 }
 

@@ -27,7 +27,7 @@ Status persist_filter(const FilteredMesh<D>& mesh, const PersistRequest& request
     ClippedCells<D> cells;
     Status status = clip_cells<D>(mesh, request.filter, work, &cells);
     const FilteredMesh<D> filtered = cells.of(mesh);
-    if (status == Status::ok) status = evaluate<D>(filtered, request.filter, work, &evaluation);
+    if (status == Status::ok) status = evaluate(filtered, request.filter, work, &evaluation);
     out->culprit = evaluation.culprit;
     if (status == Status::ok)
         status =

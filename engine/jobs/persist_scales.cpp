@@ -135,7 +135,7 @@ Status ScalesJoin<D>::bound_mesh(const FilteredMesh<D>& mesh, const FilterReques
     const FilterBounds cells = {filter.value, filter.interval, mesh.vertices()};
     Status status = Status::ok;
     if (find_filter(which.filter)->has(filter_trait::has_tighter_cells))
-        status = tighten_cell_bounds<D>(mesh, work, filter.interval);
+        status = tighten_cell_bounds(mesh, work, filter.interval);
     if (status == Status::ok) status = bound_in_join(cells, list, shift_, arena_, bars.bounds, &grid_);
     if (status == Status::ok)
         status = find_certified_bars<D>({mesh.store.view(), cells, mesh.inputs, list, mesh.part, {}, &shift_}, work,
@@ -186,7 +186,7 @@ template <int D> Status ScalesJoin<D>::persist_mesh(const double* x, std::uint32
     ClippedCells<D> cells;
     status = clip_cells<D>(whole, which, work, &cells);
     const FilteredMesh<D> filtered = cells.of(whole);
-    if (status == Status::ok) status = evaluate<D>(filtered, which, work, &filter);
+    if (status == Status::ok) status = evaluate(filtered, which, work, &filter);
     CountedPairs found = {};
     if (status == Status::ok)
         status = persist_packed<D>(store, behind, {store.view(), value, n, filtered.part},

@@ -31,8 +31,8 @@ std::uint32_t domain_of(int dim, CageForest& forest, std::uint32_t v);
 std::uint32_t template_size(int dim, bool outermost);
 void template_point(int dim, bool outermost, std::uint32_t k, double* x);
 
-// Lists the cells on the cage's boundary at list_top()[-1 - k], as visit_cage_boundary does; *count: how many. False
-// when the gap is too small.
+// Lists the cells on the cage's boundary, which are connected, at list_top()[-1 - k]; *count: how many. There is one at
+// any shell vertex. They stand there until the next search. False when the gap is too small.
 bool list_cage_boundary(const AnyStore& store, const Cage& cage, std::uint32_t* count);
 
 }  // namespace netmesh

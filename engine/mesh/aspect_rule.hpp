@@ -2,7 +2,7 @@
 #pragma once
 #include <cstdint>
 
-#include "mesh/clipped_cell.hpp"
+#include "mesh/blurred_corners.hpp"
 #include "mesh/refinement.hpp"
 #include "vocabulary/dimension.hpp"
 
@@ -116,15 +116,10 @@ protected:
     // when the gap is too small for v's star.
     [[gnu::cold, gnu::noinline]] bool find_blurred(const Domain<D>& ball, VertexId v, Corner<D>* found) {
         *found = Corner<D>{};
-        double blur = 0;
-        bool fits = this->kernel_.visit_star(v, [&](CellId c) {
-            const Cell<D>& cell = this->store_.cell(c);
-            const double share = static_cast<double>(cell.error);
-            if (!(cell.radius2 < infinity) || !(share > corner_error_max)) return;
-            const double wrong = share * square_root(cell.radius2);
-            if (wrong > blur) blur = wrong;
-        });
-        if (!fits || blur == 0) return fits;
+        const AnyStore store(this->store_);
+        double blur;
+        if (!find_blur(store, v, &blur)) return false;
+        if (blur == 0) return true;
         const double bad2 = least_bad2(this->store_.vertex(v)), limit2 = this->sizes_.limit2(v);
         const double least = square_root(limit2 < bad2 ? limit2 : bad2);
         // A cell flatter than coordinates make it: its neighbours have about the same corner.
@@ -132,18 +127,11 @@ protected:
         const double least2 = (least - blur) * (least - blur);
         Domain<D> wide = ball;
         wide.radius += blur;
-        std::uint32_t cells = 0;
-        fits = this->kernel_.visit_star(v, [&](CellId c) {
-            const Cell<D>& cell = this->store_.cell(c);
-            ++cells;
-            if (!(cell.radius2 < infinity)) return;
-            if (wide.contains(cell.centre))
-                found->offer(cell.centre, distance2<D>(cell.centre, this->store_.point(v)), c);
-            else
-                offer_crossings<D>(this->store_, wide, v, c, 0, found);
-        });
-        if (fits && !(found->distance2 > least2)) find_beyond(wide, v, least2, cells, found);
-        return fits;
+        AnyCorner corner(D);
+        const std::uint32_t cells = offer_corners(store, wide, v, &corner);
+        *found = corner.of_dimension<D>();
+        if (cells > 0 && !(found->distance2 > least2)) find_beyond(wide, v, least2, cells, found);
+        return cells > 0;
     }
 
     // The corner is outside of the ball: which of its edges cross the sphere too far from these vertices? A crossing

@@ -245,7 +245,7 @@ template <int D> bool CertificateRule<D>::is_surely_good(VertexId v, const CellV
     const Vertex<D>& vertex = store_.vertex(v);
     const double d = square_root(local_distance2(vertex)), most = largest_good(vertex, 0.5 * d);
     const double near = vertex.marker == Marker::input ? most : most > d ? most - d : 0;
-    const Cut<D> cut(domain_, store_.point(nearest_input(v)), most * most);
+    const Cut cut(domain_, store_.point(nearest_input(v)), most * most);
     return !may_reach_beyond<D>(store_, cut, v, near * near, store_.list_top(), view.cells);
 }
 

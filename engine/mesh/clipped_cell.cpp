@@ -10,16 +10,16 @@ namespace {
 constexpr double lost2 = 0x1p-60;
 
 // Is x as near to v as to all other vertices of its star?
-template <int D>
-bool is_in_cell(const Store<D>& store, VertexId v, const double* x, const CellId* star, std::uint32_t count) {
+bool is_in_cell(const AnyStore& store, VertexId v, const double* x, const CellId* star, std::uint32_t count) {
+    const int dim = store.dim;
     store.arena.pass(1 + count / 8);
     const double* const p = store.point(v);
-    double y[D];
-    for (int k = 0; k < D; ++k) y[k] = x[k] - p[k];
-    const double length = square_root(dot<D>(y, y));
+    double y[dimension_max];
+    for (int k = 0; k < dim; ++k) y[k] = x[k] - p[k];
+    const double length = square_root(dot(dim, y, y));
     for (std::uint32_t s = 0; s < count; ++s)
         for (const VertexId w : store.cell(star[-1 - static_cast<std::ptrdiff_t>(s)]).vertex) {
-            if (w != v && w != none && is_nearer_to<D>(store.point(w), p, y, length)) return false;
+            if (w != v && w != none && is_nearer_to(dim, store.point(w), p, y, length)) return false;
         }
     return true;
 }
@@ -87,7 +87,7 @@ template <int D> void ClippedMeasure<D>::mark_poles(CellId c) {
         const double known2 = out2_[v] > least2(v) ? out2_[v] : least2(v);
         const double s2 = known2 * (1 + 0x1p-40);
         if (is_within(cell, s2)) continue;
-        const Cut<D> cut(ball_, vertex.x, s2);
+        const Cut cut(ball_, vertex.x, s2);
         vertex.queued = may_reach_beyond<D>(store_, cut, v, s2, c) ? 1 : 0;
     }
 }
@@ -120,10 +120,10 @@ template <int D> Status ClippedMeasure<D>::run() {
 }
 
 // Positions of the neighbours of c at v, across facets, that have a smaller index.
-template <int D> unsigned neighbours_before(const Store<D>& store, VertexId v, CellId c) {
-    const Cell<D>& cell = store.cell(c);
+unsigned neighbours_before(const AnyStore& store, VertexId v, CellId c) {
+    const AnyCell cell = store.cell(c);
     unsigned before = 0;
-    for (int i = 0; i <= D; ++i) {
+    for (int i = 0; i <= store.dim; ++i) {
         if (cell.vertex[i] == v) continue;
         const CellId n = cell.neighbour[i].cell();
         if (n < c && !store.is_ghost(n)) before |= 1u << i;
@@ -133,86 +133,145 @@ template <int D> unsigned neighbours_before(const Store<D>& store, VertexId v, C
 
 }  // namespace
 
-template <int D> [[gnu::cold]] bool Flat<D>::cut(const double* u, const double* w, const double* x) {
+void offer_cut_corners(const AnyStore& store, const Cut& cut, VertexId w, CellId c, CutCorners* corners) {
+    const int dim = store.dim;
+    const AnyCell cell = store.cell(c);
+    if (!(cell.radius2 < infinity)) {
+        corners->unknown |= !store.is_ghost(c);
+        return;
+    }
+    const double here = cut.height(dim, cell.centre);
+    if (!(here > 0)) corners->offer(cell.centre, distance2(dim, cell.centre, cut.origin()), c);
+    for (int i = 0; i <= dim; ++i) {
+        if (cell.vertex[i] == w || cell.neighbour[i] == none) continue;
+        const CellId n = cell.neighbour[i].cell();
+        const AnyCell other = store.cell(n);
+        if (n < c || !(other.radius2 < infinity)) continue;
+        const double there = cut.height(dim, other.centre);
+        if (here > 0 ? there > 0 : !(there > 0)) continue;
+        double x[dimension_max];
+        cut_edge(dim, cell, here, other, there, x);
+        corners->offer(x, distance2(dim, x, cut.origin()), c);
+    }
+}
+
+[[gnu::cold]] bool find_reaching_point(const AnyStore& store, const Cut& cut, VertexId w, const CutCorners& corners,
+                                       double* x) {
+    const int dim = store.dim;
+    const double *const u = cut.origin(), s2 = cut.distance2();
+    const double* from = store.point(w);
+    if (cut.height(dim, from) > 0 || distance2(dim, from, u) > s2) from = corners.near;
+    if (!(corners.far.distance2 > s2) || (from == corners.near && !(corners.near2 <= s2))) return false;
+    double along = 0, length2 = 0, from2 = 0;
+    for (int k = 0; k < dim; ++k) {
+        const double e = corners.far.x[k] - from[k], f = from[k] - u[k];
+        along += e * f;
+        length2 += e * e;
+        from2 += f * f;
+    }
+    // The larger root, without cancellation, and with no more than squares of lengths on the way.
+    const double length = square_root(length2), height = along / length, rest = s2 > from2 ? s2 - from2 : 0;
+    const double root = square_root(height * height + rest);
+    const double t = (height > 0 ? rest / (height + root) : root - height) / length;
+    for (int k = 0; k < dim; ++k) x[k] = from[k] + t * (corners.far.x[k] - from[k]);
+    return true;
+}
+
+[[gnu::cold]] bool Flat::cut(const double* u, const double* w, const double* x) {
     double* const n = normal[codimension];
     double length2 = 0, rest2 = 0, level = 0;
-    for (int k = 0; k < D; ++k) {
+    for (int k = 0; k < dim; ++k) {
         n[k] = x[k] - w[k];
         length2 += n[k] * n[k];
         level += n[k] * (w[k] - u[k]);
     }
     level += 0.5 * length2;
     for (int i = 0; i < codimension; ++i) {
-        const double along = dot<D>(n, normal[i]);
-        for (int k = 0; k < D; ++k) n[k] -= along * normal[i][k];
+        const double along = dot(dim, n, normal[i]);
+        for (int k = 0; k < dim; ++k) n[k] -= along * normal[i][k];
         level -= along * offset[i];
     }
-    for (int k = 0; k < D; ++k) rest2 += n[k] * n[k];
+    for (int k = 0; k < dim; ++k) rest2 += n[k] * n[k];
     const double rest = square_root(rest2);
     if (!(rest2 > lost2 * length2)) return false;
-    for (int k = 0; k < D; ++k) n[k] /= rest;
+    for (int k = 0; k < dim; ++k) n[k] /= rest;
     offset[codimension++] = level / rest;
     return true;
 }
 
-template <int D> [[gnu::cold]] void Flat<D>::foot(const double* p, double* at) const {
-    copy<D>(p, at);
+[[gnu::cold]] void Flat::foot(const double* p, double* at) const {
+    copy(dim, p, at);
     for (int i = 0; i < codimension; ++i) {
         double along = -offset[i];
-        for (int k = 0; k < D; ++k) along += p[k] * normal[i][k];
-        for (int k = 0; k < D; ++k) at[k] -= along * normal[i][k];
+        for (int k = 0; k < dim; ++k) along += p[k] * normal[i][k];
+        for (int k = 0; k < dim; ++k) at[k] -= along * normal[i][k];
     }
 }
 
-template <int D> [[gnu::cold]] void Flat<D>::direction(double* along) const {
+[[gnu::cold]] void Flat::direction(double* along) const {
     double best = 0;
-    for (int axis = 0; axis < D; ++axis) {
-        double p[D] = {};
+    for (int axis = 0; axis < dim; ++axis) {
+        double p[dimension_max] = {};
         p[axis] = 1;
         for (int i = 0; i < codimension; ++i)
-            for (int k = 0; k < D; ++k) p[k] -= normal[i][axis] * normal[i][k];
-        const double length2 = dot<D>(p, p);
+            for (int k = 0; k < dim; ++k) p[k] -= normal[i][axis] * normal[i][k];
+        const double length2 = dot(dim, p, p);
         if (!(length2 > best)) continue;
         best = length2;
-        for (int k = 0; k < D; ++k) along[k] = p[k] / square_root(length2);
+        for (int k = 0; k < dim; ++k) along[k] = p[k] / square_root(length2);
     }
 }
 
-template <int D> [[gnu::cold]] bool Flat<D>::poles(const Domain<D>& ball, const double* u, double (&x)[2][D]) const {
-    const double zero[D] = {};
-    double centre[D], middle[D], nearest[D], away[D];
-    for (int k = 0; k < D; ++k) centre[k] = ball.centre[k] - u[k];
+[[gnu::cold]] bool Flat::poles(const AnyDomain& ball, const double* u, double (&x)[2][dimension_max]) const {
+    const double zero[dimension_max] = {};
+    double centre[dimension_max], middle[dimension_max], nearest[dimension_max], away[dimension_max];
+    for (int k = 0; k < dim; ++k) centre[k] = ball.centre[k] - u[k];
     foot(centre, middle);
     foot(zero, nearest);
-    for (int k = 0; k < D; ++k) away[k] = middle[k] - nearest[k];
-    const double radius2 = ball.radius * ball.radius - distance2<D>(middle, centre), away2 = dot<D>(away, away);
+    for (int k = 0; k < dim; ++k) away[k] = middle[k] - nearest[k];
+    const double radius2 = ball.radius * ball.radius - distance2(dim, middle, centre), away2 = dot(dim, away, away);
     if (!(radius2 > 0)) return false;
     if (away2 > lost2 * ball.radius * ball.radius)
-        for (int k = 0; k < D; ++k) away[k] /= square_root(away2);
+        for (int k = 0; k < dim; ++k) away[k] /= square_root(away2);
     else
         direction(away);
     const double radius = square_root(radius2);
-    for (int k = 0; k < D; ++k) {
+    for (int k = 0; k < dim; ++k) {
         x[0][k] = middle[k] + radius * away[k];
         x[1][k] = middle[k] - radius * away[k];
     }
     return true;
 }
 
-template <int D>
-[[gnu::cold]] void offer_poles(const Store<D>& store, const Domain<D>& ball, const double* u, VertexId v,
-                               const CellId* star, std::uint32_t count, Corner<D>* farthest) {
-    const auto contains = [&](const double* x) { return is_in_cell<D>(store, v, x, star, count); };
+[[gnu::cold]] void offer_poles(const AnyStore& store, const AnyDomain& ball, const double* u, VertexId v,
+                               const CellId* star, std::uint32_t count, AnyCorner* farthest) {
+    const auto contains = [&](const double* x) { return is_in_cell(store, v, x, star, count); };
     for (std::uint32_t s = 0; s < count; ++s) {
         const CellId c = star[-1 - static_cast<std::ptrdiff_t>(s)];
         if (store.is_ghost(c)) continue;
-        store.arena.pass(1 << D);
-        offer_poles<D>(store, ball, u, v, c, neighbours_before<D>(store, v, c), contains, farthest);
+        store.arena.pass(1 << store.dim);
+        offer_poles(store, ball, u, v, c, neighbours_before(store, v, c), contains, farthest);
     }
 }
 
+[[gnu::cold]] void find_beyond(const AnyStore& store, const AnyDomain& ball, const double* u, VertexId v, double bound2,
+                               std::uint32_t count, AnyCorner* found) {
+    const CellId* const star = store.list_top();
+    const Cut cut(ball, u, bound2);
+    CutCorners corners(store.dim);
+    for (std::uint32_t k = 0; k < count; ++k)
+        offer_cut_corners(store, cut, v, star[-1 - static_cast<std::ptrdiff_t>(k)], &corners);
+    if (!corners.reach_beyond(bound2)) return;
+    double x[dimension_max];
+    if (find_reaching_point(store, cut, v, corners, x))
+        return found->offer(x, distance2(store.dim, x, u), corners.far.cell);
+    found->distance2 = bound2;
+    offer_poles(store, ball, u, v, star, count, found);
+    if (!(found->distance2 > bound2)) found->distance2 = -1;
+}
+
 template <int D> bool raise_to_poles(Store<D>& store, const Domain<D>& ball, VertexId v, double* out2) {
-    const Cut<D> cut(ball, store.point(v), *out2 * (1 + 0x1p-40));
+    const Cut cut(ball, store.point(v), *out2 * (1 + 0x1p-40));
     std::uint32_t count = 0;
     if (!visit_star(store, v, [&](CellId) { ++count; })) return false;
     store.arena.pass(count / 2);
@@ -237,14 +296,19 @@ template <int D> Status measure_clipped_cells(Store<D>& store, const Domain<D>& 
     return ClippedMeasure<D>(store, ball, -1, out2).run();
 }
 
+Status measure_clipped_cells(const AnyStore& any, const AnyDomain& ball, double* out2) {
+    return with_dimension(static_cast<std::uint32_t>(any.dim), [&](auto dimension) {
+        constexpr int D = decltype(dimension)::value;
+        Store<D> store = any.of_dimension<D>();
+        return measure_clipped_cells<D>(store, ball.of_dimension<D>(), out2);
+    });
+}
+
 template <int D> Status measure_worst_cells(Store<D>& store, const Domain<D>& ball, double* out2) {
     return ClippedMeasure<D>(store, ball, 0, out2).run();
 }
 
 #define NETMESH_INSTANTIATE(D)                                                                                         \
-    template struct Flat<D>;                                                                                           \
-    template void offer_poles<D>(const Store<D>&, const Domain<D>&, const double*, VertexId, const CellId*,            \
-                                 std::uint32_t, Corner<D>*);                                                           \
     template bool raise_to_poles<D>(Store<D>&, const Domain<D>&, VertexId, double*);                                   \
     template Status measure_clipped_cells<D>(Store<D>&, const Domain<D>&, double*);                                    \
     template Status measure_worst_cells<D>(Store<D>&, const Domain<D>&, double*);

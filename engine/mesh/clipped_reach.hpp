@@ -33,7 +33,7 @@
 // than B or s below the ball's sphere. Nor are they farther below it than r less the distance from c to the bisector of
 // v and any other vertex w, (|v - c|^2 - |w - c|^2) / (2 |v - w|), where that is positive: c is on w's side.
 #pragma once
-#include "mesh/corner.hpp"
+#include "mesh/any_corner.hpp"
 
 namespace netmesh {
 
@@ -45,8 +45,7 @@ struct ClippedReach {
 // reach[v], rounded outwards. out_radius[v]: R_v or more of whole cells, as of measure_cells; becomes infinite for
 // cells that are unbounded. Uses the marks `queued`, which must be 0 and are again. O(cells). Scratch: 16 bytes a
 // vertex and the list of a star. out_of_memory.
-template <int D>
-Status bound_clipped_cells(Store<D>& store, const Domain<D>& ball, double* out_radius, Arena& arena,
+Status bound_clipped_cells(const AnyStore& store, const AnyDomain& ball, double* out_radius, Arena& arena,
                            ClippedReach* reach);
 
 // What of the bounds below is asked for.
@@ -70,16 +69,15 @@ struct NeededReach {
 //
 // Uses the marks `queued`, which must be 0 and are again, and those of cells. Needs a compact store and room for the
 // star of a vertex in its gap. O(cells) and, of what the sphere crosses, a few walks over each star. out_of_memory.
-template <int D>
-Status clip_cell_bounds(Store<D>& store, const Domain<D>& ball, const NeededReach& needed, double* out_radius,
+Status clip_cell_bounds(const AnyStore& store, const AnyDomain& ball, const NeededReach& needed, double* out_radius,
                         double* reach);
 
 // The same cell by cell, for those that can do without some: mark(), then for each that is_marked open() and what is
 // needed, or pass_over(). Costs and needs as above.
-template <int D> class CellClipper {
+class CellClipper {
 public:
-    CellClipper(Store<D>& store, const Domain<D>& ball, const NeededReach& needed)
-        : store_(store), ball_(ball), needed_(needed) {}
+    CellClipper(const AnyStore& store, const AnyDomain& ball, const NeededReach& needed)
+        : dim(store.dim), store_(store), ball_(ball), needed_(needed) {}
 
     // Marks as queued the vertices whose bounds can be lowered.
     void mark();
@@ -99,21 +97,22 @@ private:
     // What is beyond a distance s from u in the half-space.
     struct Beyond {
         double far = 0, near = infinity;  // most of any corner of the cut cell, least distance of one
-        double first[D];                  // the corner of the cut cell nearest to c, from c
+        double first[dimension_max];      // the corner of the cut cell nearest to c, from c
         double first2 = infinity;
     };
 
     CellId star(std::uint32_t k) const { return store_.list_top()[-1 - static_cast<std::ptrdiff_t>(k)]; }
-    void measure(const double* u, double enough2, Corner<D>* farthest) const;
+    void measure(const double* u, double enough2, AnyCorner* farthest) const;
     template <class Show>
-    void show_edge(const double* u, double s, const Cell<D>& cell, const Cell<D>& other, Show&& show) const;
+    void show_edge(const double* u, double s, const AnyCell& cell, const AnyCell& other, Show&& show) const;
     template <class Show> void cut(const double* u, double s, Show&& show) const;
     Beyond look_beyond(const double* u, double s) const;
     bool is_apart(const double* u, double s, const double* w, double* first) const;
     bool is_outside(const double* u, double s, const double* farthest, const Beyond& beyond) const;
 
-    Store<D>& store_;
-    const Domain<D>& ball_;
+    const int dim;
+    const AnyStore& store_;
+    const AnyDomain& ball_;
     const NeededReach needed_;
     VertexId v_ = none;
     std::uint32_t count_ = 0;

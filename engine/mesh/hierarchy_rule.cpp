@@ -385,19 +385,20 @@ template <int D> Verdict HierarchyRule<D>::judge_vertex(VertexId v, Split<D>* sp
 // By the farthest corner of the cage's cell, clipped to the ball of the domain around it.
 template <int D> Verdict HierarchyRule<D>::judge_cage(std::uint32_t d, Split<D>* split) {
     const Cage& cage = hierarchy_.cage(d);
-    const Domain<D> ball = ball_of(hierarchy_.parent(d));
-    Corner<D> corner;
+    const AnyStore store(store_);
+    const AnyDomain ball(ball_of(hierarchy_.parent(d)));
+    AnyCorner corner(D);
     bool leaves_ball;
-    if (!find_cage_corner<D>(store_, cage, ball, &corner, &leaves_ball)) return Verdict::out_of_memory;
+    if (!find_cage_corner(store, cage, ball, &corner, &leaves_ball)) return Verdict::out_of_memory;
     const double inner = in_radius(cage), most = tau_ * inner;
     if (!(corner.distance2 > most * most)) {
         corner.distance2 = -1;
-        if (leaves_ball) find_cage_pole<D>(store_, cage, ball, most * most, &corner);
+        if (leaves_ball) find_cage_pole(store, cage, ball, most * most, &corner);
         if (corner.distance2 < 0) return Verdict::good;
     }
     const double whole = square_root(corner.distance2);
     const double wanted = pull_back<D> * tau_ * inner;
-    this->split_towards(VertexId(cage.centre), corner, wanted, split);
+    this->split_towards(VertexId(cage.centre), corner.of_dimension<D>(), wanted, split);
     const double empty = (wanted < whole ? wanted : whole) - cage.radius;
     split->empty2 = empty * empty;
     return Verdict::bad;

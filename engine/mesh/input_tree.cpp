@@ -14,14 +14,14 @@ constexpr auto is_nearer = [](const Neighbour& a, const Neighbour& b) {
 }  // namespace
 
 // Puts the median along the widest axis into the middle of the range (Hoare's selection; equal keys split evenly).
-template <int D> void InputTree<D>::split(std::uint32_t begin, std::uint32_t end) {
+void AnyInputTree::split(std::uint32_t begin, std::uint32_t end) {
     int axis = 0;
     double widest = -1;
-    for (int k = 0; k < D; ++k) {
+    for (int k = 0; k < dim_; ++k) {
         double low = infinity, high = -infinity;
         for (std::uint32_t i = begin; i < end;)
-            for (const std::uint64_t piece = store_->arena.piece(i, end, 12); i < piece; ++i) {
-                const double x = store_->point(items_[i])[k];
+            for (const std::uint64_t piece = arena_->piece(i, end, 12); i < piece; ++i) {
+                const double x = point(items_[i])[k];
                 if (x < low) low = x;
                 if (x > high) high = x;
             }
@@ -34,13 +34,13 @@ template <int D> void InputTree<D>::split(std::uint32_t begin, std::uint32_t end
     axis_[middle] = static_cast<std::uint8_t>(axis);
     std::int64_t low = begin, high = static_cast<std::int64_t>(end) - 1;
     while (low < high) {
-        const double pivot = store_->point(items_[low + (high - low) / 2])[axis];
+        const double pivot = point(items_[low + (high - low) / 2])[axis];
         std::int64_t i = low, j = high;
         while (i <= j) {
-            while (store_->point(items_[i])[axis] < pivot) ++i;
-            while (store_->point(items_[j])[axis] > pivot) --j;
+            while (point(items_[i])[axis] < pivot) ++i;
+            while (point(items_[j])[axis] > pivot) --j;
             if (i > j) break;
-            store_->arena.step(i, 30);
+            arena_->step(i, 30);
             const std::uint32_t t = items_[i];
             items_[i++] = items_[j];
             items_[j--] = t;
@@ -54,8 +54,7 @@ template <int D> void InputTree<D>::split(std::uint32_t begin, std::uint32_t end
     }
 }
 
-template <int D>
-Status InputTree<D>::build(const Store<D>& store, Arena& arena, std::uint32_t count, bool rings,
+Status AnyInputTree::build(const AnyStore& store, Arena& arena, std::uint32_t count, bool rings,
                            const std::uint32_t* chosen) {
     [[maybe_unused]] const std::size_t low = arena.low_mark();
     items_ = arena.take_low<std::uint32_t>(count);
@@ -63,7 +62,10 @@ Status InputTree<D>::build(const Store<D>& store, Arena& arena, std::uint32_t co
     reach_ = rings ? arena.take_low<double>(count) : nullptr;
     if (items_ == nullptr || axis_ == nullptr || (rings && reach_ == nullptr)) return Status::out_of_memory;
     NETMESH_ASSERT(arena.low_mark() - low <= (input_bytes + (rings ? ring_bytes : 0)) * count + 3 * Arena::alignment);
-    store_ = &store;
+    dim_ = store.dim;
+    first_point_ = store.first_point();
+    stride_ = store.point_stride();
+    arena_ = &store.arena;
     count_ = count;
     touches_ = 0;
     for (std::uint32_t i = 0; i < count;)
@@ -84,8 +86,8 @@ Status InputTree<D>::build(const Store<D>& store, Arena& arena, std::uint32_t co
         if (!rings) continue;
         double reach2 = 0;
         for (std::uint32_t i = range.begin; i < range.end;)
-            for (const std::uint64_t piece = arena.piece(i, range.end, 10 + 5 * D); i < piece; ++i) {
-                const double d2 = squared_distance(store.point(items_[middle]), items_[i]);
+            for (const std::uint64_t piece = arena.piece(i, range.end, 10 + 5 * dim_); i < piece; ++i) {
+                const double d2 = squared_distance(point(items_[middle]), items_[i]);
                 if (d2 > reach2) reach2 = d2;
             }
         reach_[middle] = square_root(reach2) * (1 + 8 * unit_roundoff);
@@ -94,21 +96,20 @@ Status InputTree<D>::build(const Store<D>& store, Arena& arena, std::uint32_t co
     return Status::ok;
 }
 
-template <int D>
-template <class Consider, class Bound>
-void InputTree<D>::visit(const double* x, Consider&& consider, Bound&& bound2) const {
+template <int W, class Consider, class Bound>
+void AnyInputTree::visit(const double* x, Consider&& consider, Bound&& bound2) const {
     const std::uint64_t before = touches_;
-    TreePart<D> stack[40];
+    TreePart<W> stack[40];
     int depth = 0;
     stack[depth++] = {{0, count_}, 0, {}};
     while (depth > 0) {
-        const TreePart<D> from = stack[--depth];
+        const TreePart<W> from = stack[--depth];
         if (from.least2 > bound2()) continue;
         TreeRange range = from.range;
         while (!range.is_leaf()) {
             const std::uint32_t middle = range.middle();
             const int axis = axis_[middle];
-            const double offset = x[axis] - store_->point(items_[middle])[axis];
+            const double offset = x[axis] - point(items_[middle])[axis];
             const double d2 = consider(items_[middle]);
             if (reach_ != nullptr) {
                 // Clusters far smaller than their distance lie on both sides of planes that say nothing about it.
@@ -128,13 +129,13 @@ void InputTree<D>::visit(const double* x, Consider&& consider, Bound&& bound2) c
 }
 
 template <int D>
-std::uint32_t InputTree<D>::nearest(const double* x, std::uint32_t start, std::uint32_t except,
-                                    double* distance2) const {
+std::uint32_t AnyInputTree::nearest_of(const double* x, std::uint32_t start, std::uint32_t except,
+                                       double* distance2) const {
     std::uint32_t best = none;
     double best2 = infinity;
     const auto consider = [&](std::uint32_t v) -> double {
         if (v == except) return 0;
-        const double d2 = squared_distance(x, v);
+        const double d2 = squared_distance<D>(x, v);
         if (d2 < best2 || (d2 == best2 && v < best)) {
             best2 = d2;
             best = v;
@@ -142,7 +143,7 @@ std::uint32_t InputTree<D>::nearest(const double* x, std::uint32_t start, std::u
         return d2;
     };
     if (start != none) consider(start);
-    visit(x, consider, [&] { return best2; });
+    visit<D>(x, consider, [&] { return best2; });
     *distance2 = best2;
     return best;
 }
@@ -151,19 +152,19 @@ template <int D> std::uint32_t InputTree<D>::nearest_within(const double* x, dou
     std::uint32_t best = none;
     *distance2 = bound2;
     const auto consider = [&](std::uint32_t v) -> double {
-        const double d2 = squared_distance(x, v);
+        const double d2 = squared_distance<D>(x, v);
         if (d2 < *distance2 || (d2 == *distance2 && best != none && v < best)) {
             *distance2 = d2;
             best = v;
         }
         return d2;
     };
-    visit(x, consider, [&] { return *distance2; });
+    visit<D>(x, consider, [&] { return *distance2; });
     return best;
 }
 
 // The best so far are a heap with the worst of them on top.
-template <int D> void InputTree<D>::nearest_k(const double* x, std::uint32_t k, Neighbour* neighbours) const {
+void AnyInputTree::nearest_k(const double* x, std::uint32_t k, Neighbour* neighbours) const {
     std::uint32_t found = 0;
     const auto consider = [&](std::uint32_t v) {
         const Neighbour one = {squared_distance(x, v), v, 0};
@@ -184,12 +185,11 @@ template <int D> void InputTree<D>::nearest_k(const double* x, std::uint32_t k, 
         neighbours[hole] = one;
         return one.distance2;
     };
-    visit(x, consider, [&] { return found < k ? infinity : neighbours[0].distance2; });
+    visit<dimension_max>(x, consider, [&] { return found < k ? infinity : neighbours[0].distance2; });
     sort(neighbours, k, is_nearer);
 }
 
-template <int D>
-std::uint32_t InputTree<D>::farthest_in_ring(const double* x, double inner, double outer, double* distance2) const {
+std::uint32_t AnyInputTree::farthest_in_ring(const double* x, double inner, double outer, double* distance2) const {
     std::uint32_t best = none;
     double best1 = inner, best2 = inner * inner;
     const std::uint64_t before = touches_;
@@ -202,11 +202,11 @@ std::uint32_t InputTree<D>::farthest_in_ring(const double* x, double inner, doub
         }
         return d2;
     };
-    TreePart<D> stack[40];
+    TreePart<dimension_max> stack[40];
     int depth = 0;
     stack[depth++] = {{0, count_}, 0, {}};
     while (depth > 0) {
-        const TreePart<D> from = stack[--depth];
+        const TreePart<dimension_max> from = stack[--depth];
         const TreeRange range = from.range;
         if (range.is_leaf()) {
             for (std::uint32_t i = range.begin; i < range.end; ++i) consider(items_[i]);
@@ -215,7 +215,7 @@ std::uint32_t InputTree<D>::farthest_in_ring(const double* x, double inner, doub
         const std::uint32_t middle = range.middle();
         const double d = square_root(consider(items_[middle])), reach = reach_[middle];
         if ((d + reach) * (1 + 8 * unit_roundoff) < best1 || (d - reach) * (1 - 8 * unit_roundoff) > outer) continue;
-        const double offset = x[axis_[middle]] - store_->point(items_[middle])[axis_[middle]];
+        const double offset = x[axis_[middle]] - point(items_[middle])[axis_[middle]];
         stack[depth] = from;
         stack[depth++].range = offset < 0 ? range.below() : range.above();
         stack[depth] = from.beyond(axis_[middle], offset, offset < 0 ? range.above() : range.below());
@@ -226,15 +226,16 @@ std::uint32_t InputTree<D>::farthest_in_ring(const double* x, double inner, doub
     return best;
 }
 
-std::uint32_t nearest_in_tree(int dim, const TreeLayout& tree, const double* x, std::uint32_t start,
-                              std::uint32_t except, double* distance2) {
-    return with_dimension(static_cast<std::uint32_t>(dim), [&](auto dimension) {
-        using Tree = InputTree<decltype(dimension)::value>;
-        return static_cast<const Tree&>(tree).nearest(x, start, except, distance2);
+std::uint32_t AnyInputTree::nearest(const double* x, std::uint32_t start, std::uint32_t except,
+                                    double* distance2) const {
+    return with_dimension(static_cast<std::uint32_t>(dim_), [&](auto dimension) {
+        return nearest_of<decltype(dimension)::value>(x, start, except, distance2);
     });
 }
 
-#define NETMESH_INSTANTIATE(D) template class InputTree<D>;
+#define NETMESH_INSTANTIATE(D)                                                                                         \
+    template std::uint32_t AnyInputTree::nearest_of<D>(const double*, std::uint32_t, std::uint32_t, double*) const;    \
+    template class InputTree<D>;
 NETMESH_EACH_DIMENSION(NETMESH_INSTANTIATE)
 #undef NETMESH_INSTANTIATE
 

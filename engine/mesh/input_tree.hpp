@@ -2,7 +2,7 @@
 #pragma once
 #include <cstdint>
 
-#include "delaunay/store.hpp"
+#include "delaunay/any_store.hpp"
 #include "numerics/vector.hpp"
 
 namespace netmesh {
@@ -42,24 +42,9 @@ struct Neighbour {
     std::uint32_t unused;
 };
 
-// How a tree lies in memory, for searches of any kind: items of a range below the middle have an axis(middle)
+// A tree, where the dimension is a number at run time. Items of a range below the middle have an axis(middle)
 // coordinate at most that of the middle item, those above at least.
-class TreeLayout {
-public:
-    TreeRange root() const { return {0, count_}; }
-    std::uint32_t item(std::uint32_t i) const { return items_[i]; }
-    int axis(std::uint32_t middle) const { return axis_[middle]; }
-    // No item of a range is farther from its middle one; says something where rings are searched.
-    double reach(std::uint32_t middle) const { return reach_ == nullptr ? infinity : reach_[middle]; }
-
-protected:
-    std::uint32_t* items_;
-    std::uint8_t* axis_;  // of the split at the middle item of a range
-    double* reach_;       // of a range about its middle item; null without rings
-    std::uint32_t count_;
-};
-
-template <int D> class InputTree : public TreeLayout {
+class AnyInputTree {
 public:
     // What build places for each input, and with rings besides.
     static constexpr std::size_t input_bytes = sizeof(std::uint32_t) + sizeof(std::uint8_t);
@@ -67,16 +52,12 @@ public:
 
     // Over vertices 0..count-1, or those listed in chosen[count], at the arena's low end; `rings`: to be asked for
     // farthest_in_ring too. O(n log n). out_of_memory.
-    Status build(const Store<D>& store, Arena& arena, std::uint32_t count, bool rings = false,
+    Status build(const AnyStore& store, Arena& arena, std::uint32_t count, bool rings = false,
                  const std::uint32_t* chosen = nullptr);
 
     // The input nearest to x that is not `except`, smallest index among equals, in terms of the squared distance as
-    // computed. `start` is any input other than `except`, best one near x. Expected O(log n).
+    // computed. `start` is any input other than `except`, best one near x, or none. Expected O(log n).
     std::uint32_t nearest(const double* x, std::uint32_t start, std::uint32_t except, double* distance2) const;
-
-    // The same among the inputs nearer to x than bound, of which there may be `none`. Where there is none, parts of
-    // the tree that are farther away are passed over at once.
-    std::uint32_t nearest_within(const double* x, double bound2, double* distance2) const;
 
     // The k inputs nearest to x, 1 <= k <= count, into neighbours[k] in ascending order of distance, then index:
     // unique, whatever the tree. Expected O(k log k + log n).
@@ -89,29 +70,63 @@ public:
     // How often an input has been looked at by searches so far.
     std::uint64_t touches() const { return touches_; }
 
-private:
-    void split(std::uint32_t begin, std::uint32_t end);
-    double squared_distance(const double* x, std::uint32_t v) const {
-        ++touches_;
-        return netmesh::distance2<D>(x, store_->point(v));
+    TreeRange root() const { return {0, count_}; }
+    std::uint32_t item(std::uint32_t i) const { return items_[i]; }
+    int axis(std::uint32_t middle) const { return axis_[middle]; }
+    // No item of a range is farther from its middle one; says something where rings are searched.
+    double reach(std::uint32_t middle) const { return reach_ == nullptr ? infinity : reach_[middle]; }
+
+protected:
+    const double* point(std::uint32_t v) const {
+        return reinterpret_cast<const double*>(first_point_ + static_cast<std::ptrdiff_t>(v) * stride_);
     }
+    template <int D> double squared_distance(const double* x, std::uint32_t v) const {
+        ++touches_;
+        return netmesh::distance2<D>(x, point(v));
+    }
+    // nearest, in dimension D.
+    template <int D>
+    std::uint32_t nearest_of(const double* x, std::uint32_t start, std::uint32_t except, double* distance2) const;
     // Calls consider(input), which returns the squared distance or 0, for every input that can be nearer than bound2()
-    // or as near, near parts first.
-    template <class Consider, class Bound> void visit(const double* x, Consider&& consider, Bound&& bound2) const;
+    // or as near, near parts first. W: the dimension or more.
+    template <int W, class Consider, class Bound>
+    void visit(const double* x, Consider&& consider, Bound&& bound2) const;
 
     // Reports a search that has looked at many inputs, as it does where these are crowded; others are their callers'.
     void report(std::uint64_t touches_before) const {
         constexpr std::uint64_t many = 64;
-        if (touches_ - touches_before > many)
-            store_->arena.pass(static_cast<std::uint32_t>((touches_ - touches_before) / 8));
+        if (touches_ - touches_before > many) arena_->pass(static_cast<std::uint32_t>((touches_ - touches_before) / 8));
     }
 
-    const Store<D>* store_;
+    std::uint32_t* items_;
+    std::uint8_t* axis_;  // of the split at the middle item of a range
+    double* reach_;       // of a range about its middle item; null without rings
+    std::uint32_t count_;
+    int dim_;
     mutable std::uint64_t touches_;
+
+private:
+    void split(std::uint32_t begin, std::uint32_t end);
+    double squared_distance(const double* x, std::uint32_t v) const {
+        ++touches_;
+        return netmesh::distance2(dim_, x, point(v));
+    }
+
+    const unsigned char* first_point_;
+    std::ptrdiff_t stride_;
+    const Arena* arena_;
 };
 
-// InputTree<dim>::nearest of a tree that is an InputTree<dim>.
-std::uint32_t nearest_in_tree(int dim, const TreeLayout& tree, const double* x, std::uint32_t start,
-                              std::uint32_t except, double* distance2);
+// With the searches that refinement spends its time in.
+template <int D> class InputTree : public AnyInputTree {
+public:
+    std::uint32_t nearest(const double* x, std::uint32_t start, std::uint32_t except, double* distance2) const {
+        return this->template nearest_of<D>(x, start, except, distance2);
+    }
+
+    // The same among the inputs nearer to x than bound, of which there may be `none`. Where there is none, parts of
+    // the tree that are farther away are passed over at once.
+    std::uint32_t nearest_within(const double* x, double bound2, double* distance2) const;
+};
 
 }  // namespace netmesh

@@ -27,26 +27,26 @@ Status worst_aspect_ratio(Store<D>& store, const Domain<D>& domain, Arena& arena
     return status;
 }
 
-template <int D> void recomputed_nearest2(const Store<D>& store, double* nearest2) {
+void recomputed_nearest2(const AnyStore& store, double* nearest2) {
+    const int dim = store.dim;
     for (std::uint32_t v = 0; v < store.state.vertex_count;)
         for (const std::uint64_t piece = store.arena.piece(v, store.state.vertex_count, 4); v < piece; ++v) {
             nearest2[v] = infinity;
         }
     for (std::uint32_t c = 0; c < store.state.cell_slots;)
-        for (const std::uint64_t piece = store.arena.piece(c, store.state.cell_slots, 50 * D * D); c < piece; ++c) {
-            const Cell<D>& cell = store.cell(c);
-            for (int i = 0; i <= D; ++i)
-                for (int j = 0; j <= D; ++j) {
+        for (const std::uint64_t piece = store.arena.piece(c, store.state.cell_slots, 50 * dim * dim); c < piece; ++c) {
+            const AnyCell cell = store.cell(c);
+            for (int i = 0; i <= dim; ++i)
+                for (int j = 0; j <= dim; ++j) {
                     if (i == j) continue;
-                    const double d2 = distance2<D>(store.point(cell.vertex[i]), store.point(cell.vertex[j]));
+                    const double d2 = distance2(dim, store.point(cell.vertex[i]), store.point(cell.vertex[j]));
                     if (d2 < nearest2[cell.vertex[i]]) nearest2[cell.vertex[i]] = d2;
                 }
         }
 }
 
 #define NETMESH_INSTANTIATE(D)                                                                                         \
-    template Status worst_aspect_ratio<D>(Store<D>&, const Domain<D>&, Arena&, double*, std::uint32_t*);               \
-    template void recomputed_nearest2<D>(const Store<D>&, double*);
+    template Status worst_aspect_ratio<D>(Store<D>&, const Domain<D>&, Arena&, double*, std::uint32_t*);
 NETMESH_EACH_DIMENSION(NETMESH_INSTANTIATE)
 #undef NETMESH_INSTANTIATE
 

@@ -2,7 +2,7 @@
 #pragma once
 #include <cstdint>
 
-#include "mesh/domain.hpp"
+#include "mesh/any_domain.hpp"
 
 namespace netmesh {
 
@@ -14,6 +14,6 @@ template <int D>
 Status worst_aspect_ratio(Store<D>& store, const Domain<D>& domain, Arena& arena, double* worst, std::uint32_t* vertex);
 
 // nearest2[v], for every vertex: squared distance to the nearest other vertex, over the edges of cells. O(cells).
-template <int D> void recomputed_nearest2(const Store<D>& store, double* nearest2);
+void recomputed_nearest2(const AnyStore& store, double* nearest2);
 
 }  // namespace netmesh

@@ -114,7 +114,7 @@ private:
 
     const int dim;
     const AnyStore& store_;
-    const TreeLayout& tree_;
+    const AnyInputTree& tree_;
     const AnyDomain& outermost_;
     const AuditTerms terms_;
     CageForest *const hierarchy_, *const made_;  // null: no cages now; none ever

@@ -99,7 +99,7 @@ struct AuditScratch {
 // have changed, and the boundaries of the cages that are among them. Scratch: lists of these. out_of_memory.
 struct AnyAuditedMesh {
     AnyStore store;
-    const TreeLayout& tree;
+    const AnyInputTree& tree;
     AnyDomain outermost;
     CageForest* hierarchy;
     AuditTerms terms;

@@ -18,8 +18,8 @@
 // done about those outside of the outermost cage; its shell is denser, and none were seen. Such a cell would be left as
 // it is, and `check` would tell.
 #pragma once
+#include "mesh/any_cage.hpp"
 #include "mesh/aspect_rule.hpp"
-#include "mesh/cage_corner.hpp"
 #include "mesh/cage_template.hpp"
 #include "mesh/hierarchy.hpp"
 #include "numerics/random.hpp"
@@ -391,11 +391,14 @@ template <int D, class Rule> Verdict ThesisCages<D, Rule>::judge_cage(std::uint3
     const Cage& cage = hierarchy_.cage(d);
     const double* const p = store_.point(cage.centre);
     Corner<D> corner;
-    const bool fits = visit_cage_boundary(store_, cage, [&](CellId c) {
+    std::uint32_t cells;
+    if (!list_cage_boundary(AnyStore(store_), cage, &cells)) return Verdict::out_of_memory;
+    const CellId* const boundary = store_.list_top();
+    for (std::uint32_t k = 0; k < cells; ++k) {
+        const CellId c = boundary[-1 - static_cast<std::ptrdiff_t>(k)];
         const Cell<D>& cell = store_.cell(c);
         if (cell.radius2 < infinity) corner.offer(cell.centre, distance2<D>(cell.centre, p), c);
-    });
-    if (!fits) return Verdict::out_of_memory;
+    }
     if (!is_bad(corner.distance2, cage.nearest2)) return Verdict::good;
     const double wanted = this->wanted_distance(square_root(cage.nearest2), pull_back<D>);
     this->split_towards(VertexId(cage.centre), corner, wanted, split);

@@ -31,7 +31,7 @@ template <int D> struct Cloud {
     }
     FeatureIntegral integral(const double* centre, const double* radius, double tolerance, std::uint64_t boxes) {
         FeatureIntegral i;
-        REQUIRE(feature_integral<D>(store, tree, {centre, radius, 3, tolerance, boxes}, {block.arena, monitor}, &i) ==
+        REQUIRE(feature_integral(store, tree, {centre, radius, 3, tolerance, boxes}, {block.arena, monitor}, &i) ==
                 Status::ok);
         return i;
     }
@@ -107,8 +107,8 @@ TEST_CASE_TEMPLATE_DEFINE("a close pair shows in paces, a wide domain in the bal
     held.domain.radius = 10;  // more than seven enclosing radii
     held.domain.enclosing_radius = 1;
     SizeAnalysis a;
-    REQUIRE(analyse_size<D>(held.store, held.domain, held.inputs(), {3, {}, infinity, 0},
-                            {held.block.arena, held.monitor}, &a) == Status::ok);
+    REQUIRE(analyse_size(held.store, held.domain, held.inputs(), {3, {}, infinity, 0}, {held.block.arena, held.monitor},
+                         &a) == Status::ok);
     CHECK(a.radius[ball_wide] == a.radius[ball_vertices]);
     CHECK(a.theta == doctest::Approx(gaps).epsilon(0.01));
     CHECK(a.theta_limit == doctest::Approx(2 * a.theta / (1 - 3 * a.theta)));

@@ -37,9 +37,9 @@ inputs::Points clustered(int dim, int levels, std::size_t ways, std::uint64_t se
 
 template <int D> SizeAnalysis analyse(Held<D>& held, double tau, double tolerance = infinity) {
     SizeAnalysis a;
-    REQUIRE(analyse_size<D>(held.store, held.domain, held.inputs(),
-                            {tau, {}, tolerance, 1u << 20, held.cages, held.cage_count},
-                            {held.block.arena, held.monitor}, &a) == Status::ok);
+    REQUIRE(analyse_size(held.store, held.domain, held.inputs(),
+                         {tau, {}, tolerance, 1u << 20, held.cages, held.cage_count}, {held.block.arena, held.monitor},
+                         &a) == Status::ok);
     return a;
 }
 

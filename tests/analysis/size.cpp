@@ -45,8 +45,8 @@ template <int D> struct Ordered {
 template <int D>
 SizeAnalysis analyse(Held<D>& held, double tau, const SizeRule& rule = {}, double tolerance = infinity) {
     SizeAnalysis a;
-    REQUIRE(analyse_size<D>(held.store, held.domain, held.inputs(), {tau, rule, tolerance, 1u << 20},
-                            {held.block.arena, held.monitor}, &a) == Status::ok);
+    REQUIRE(analyse_size(held.store, held.domain, held.inputs(), {tau, rule, tolerance, 1u << 20},
+                         {held.block.arena, held.monitor}, &a) == Status::ok);
     return a;
 }
 
@@ -125,10 +125,10 @@ TEST_CASE("the feature size integral against a fine grid, and its bounds against
     Ordered<2> o(points);
     const double radius[] = {o.held.domain.radius, 1.3 * o.held.domain.radius, 4 * o.held.domain.radius};
     FeatureIntegral coarse, fine;
-    REQUIRE(feature_integral<2>(o.held.store, o.tree, {o.held.domain.centre, radius, 3, infinity, 0},
-                                {o.held.block.arena, o.held.monitor}, &coarse) == Status::ok);
-    REQUIRE(feature_integral<2>(o.held.store, o.tree, {o.held.domain.centre, radius, 3, 0.05, 1u << 22},
-                                {o.held.block.arena, o.held.monitor}, &fine) == Status::ok);
+    REQUIRE(feature_integral(o.held.store, o.tree, {o.held.domain.centre, radius, 3, infinity, 0},
+                             {o.held.block.arena, o.held.monitor}, &coarse) == Status::ok);
+    REQUIRE(feature_integral(o.held.store, o.tree, {o.held.domain.centre, radius, 3, 0.05, 1u << 22},
+                             {o.held.block.arena, o.held.monitor}, &fine) == Status::ok);
     CHECK(fine.boxes > coarse.boxes);
     double sum[3] = {};
     const int side = 1200;
@@ -156,8 +156,8 @@ TEST_CASE("two points: the integral of 3.8.3") {
     Ordered<3> o({0, 0, 0, 1, 0, 0});
     const double centre[3] = {0, 0, 0}, radius[] = {1, 4, 16};
     FeatureIntegral integral;
-    REQUIRE(feature_integral<3>(o.held.store, o.tree, {centre, radius, 3, 0.3, 1u << 20},
-                                {o.held.block.arena, o.held.monitor}, &integral) == Status::ok);
+    REQUIRE(feature_integral(o.held.store, o.tree, {centre, radius, 3, 0.3, 1u << 20},
+                             {o.held.block.arena, o.held.monitor}, &integral) == Status::ok);
     for (int k = 0; k < 3; ++k) {
         CHECK(integral.lower[k] < unit_ball_volume(3) * (1 + 3 * std::log(2 * radius[k])));
         // Far away f_P is about the distance: a factor of four in the radius adds 3 V ln 4.
@@ -173,8 +173,8 @@ TEST_CASE("integrals over balls of which few boxes have a part inside") {
         const double centre[2] = {0, 0};
         for (const double radius : {0.3, 0.5, 0.7, 0.708, 1.0}) {
             FeatureIntegral integral;
-            REQUIRE(feature_integral<2>(o.held.store, o.tree, {centre, &radius, 1, infinity, 0},
-                                        {o.held.block.arena, o.held.monitor}, &integral) == Status::ok);
+            REQUIRE(feature_integral(o.held.store, o.tree, {centre, &radius, 1, infinity, 0},
+                                     {o.held.block.arena, o.held.monitor}, &integral) == Status::ok);
             double sum = 0;
             const int side = 400;
             const double step = 2 * radius / side;
@@ -196,8 +196,8 @@ TEST_CASE("two points in a ball of a million of their distances") {
     Ordered<2> o({-0.5, 0, 0.5, 0});
     const double centre[2] = {0, 0}, radius = 0x1p20, pi = 3.14159265358979324;
     FeatureIntegral integral;
-    REQUIRE(feature_integral<2>(o.held.store, o.tree, {centre, &radius, 1, infinity, 0},
-                                {o.held.block.arena, o.held.monitor}, &integral) == Status::ok);
+    REQUIRE(feature_integral(o.held.store, o.tree, {centre, &radius, 1, infinity, 0},
+                             {o.held.block.arena, o.held.monitor}, &integral) == Status::ok);
     const double most = pi * std::log1p(4 * radius * radius);      // of 2 pi r / (r^2 + 1/4)
     const double least = 2 * pi * (std::log(2 * radius + 1) - 1);  // of 2 pi r / (r + 1/2)^2, up to 1 / radius
     CHECK(integral.lower[0] < most);

@@ -27,12 +27,12 @@ template <int D> struct Patient {
         InputReport input;
         REQUIRE(triangulate<D>(store, points.data(), points.size() / D, 1, monitor, &input) == Status::ok);
         REQUIRE(state.cell_slots > 2);
-        REQUIRE(check_combinatorial<D>(store).violation == nullptr);
-        REQUIRE(check_geometric<D>(store).violation == nullptr);
-        REQUIRE(check_delaunay<D>(store).violation == nullptr);
+        REQUIRE(check_combinatorial(store).violation == nullptr);
+        REQUIRE(check_geometric(store).violation == nullptr);
+        REQUIRE(check_delaunay(store).violation == nullptr);
     }
-    std::string combinatorial() const { return said(check_combinatorial<D>(store)); }
-    std::string geometric() const { return said(check_geometric<D>(store)); }
+    std::string combinatorial() const { return said(check_combinatorial(store)); }
+    std::string geometric() const { return said(check_geometric(store)); }
     static std::string said(const CheckResult& r) { return r.violation == nullptr ? "nothing" : r.violation; }
 
     // A cell and a position with a neighbour.
@@ -156,7 +156,7 @@ template <int D> void leave_out() {
         if (load_cells<D>(store, x.data(), p.state.vertex_count, cells.data(), p.state.cell_slots - 1, &why) !=
             Status::ok)
             continue;
-        not_convex += Patient<D>::said(check_geometric<D>(store)) == "the hull is not convex";
+        not_convex += Patient<D>::said(check_geometric(store)) == "the hull is not convex";
     }
     CHECK(not_convex > 0);
 }
@@ -180,7 +180,7 @@ template <int D> void overlap(double shift) {
         CHECK(status == Status::check_failed);
         return;
     }
-    const CheckResult r = check_geometric<D>(store);
+    const CheckResult r = check_geometric(store);
     REQUIRE(r.violation != nullptr);
     CHECK(std::string(r.violation) == "two cells overlap");
 }
@@ -220,9 +220,9 @@ template <int D> void two_cells() {
         inside[k] = 0.75;                          // within the cube whose corners the ball passes through
         dent[k] = k == 0 ? -0.25 : 1.5 / (D - 1);  // beyond the plane of the origin's cell's facet opposite to e_0
     }
-    CHECK(of_two_cells<D>(inside, check_delaunay<D>) == "a vertex lies inside the ball of a cell");
-    CHECK(of_two_cells<D>(inside, check_geometric<D>) == "nothing");
-    CHECK(of_two_cells<D>(dent, check_geometric<D>) == "the hull is not convex");
+    CHECK(of_two_cells<D>(inside, check_delaunay) == "a vertex lies inside the ball of a cell");
+    CHECK(of_two_cells<D>(inside, check_geometric) == "nothing");
+    CHECK(of_two_cells<D>(dent, check_geometric) == "the hull is not convex");
 }
 
 // Simplices apart from each other, two of which are the same.
@@ -241,7 +241,7 @@ template <int D> void covered_twice() {
         Store<D> store(block.arena, state);
         CheckResult why;
         REQUIRE(load_cells<D>(store, x, 4 * (D + 1), cells, 4, &why) == Status::ok);
-        const CheckResult r = check_geometric<D>(store);
+        const CheckResult r = check_geometric(store);
         REQUIRE(r.violation != nullptr);
         CHECK(std::string(r.violation) == "two cells overlap");
         CHECK(r.cell == second);

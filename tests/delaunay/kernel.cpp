@@ -57,9 +57,9 @@ template <int D> struct Triangulated {
 };
 
 template <int D> const char* violation(const Store<D>& store) {
-    CheckResult r = check_combinatorial<D>(store);
-    if (r.violation == nullptr) r = check_geometric<D>(store);
-    if (r.violation == nullptr) r = check_delaunay<D>(store);
+    CheckResult r = check_combinatorial(store);
+    if (r.violation == nullptr) r = check_geometric(store);
+    if (r.violation == nullptr) r = check_delaunay(store);
     return r.violation;
 }
 
@@ -162,7 +162,7 @@ TEST_CASE("each planted fault is found by a checker") {
     REQUIRE(violation<3>(t.store) == nullptr);
     SUBCASE("a neighbour that does not point back") {
         t.store.cell(5).neighbour[2] = t.store.cell(9).neighbour[1];
-        CHECK(check_combinatorial<3>(t.store).violation != nullptr);
+        CHECK(check_combinatorial(t.store).violation != nullptr);
     }
     SUBCASE("a vertex replaced") {
         t.store.cell(7).vertex[0] = VertexId((t.store.cell(7).vertex[0] + 1) % 100);
@@ -549,7 +549,7 @@ TEST_CASE_TEMPLATE_DEFINE("inputs that are none are refused before anything is t
     CHECK(block.arena.bytes_used() == 0);
     CHECK_FALSE(store.has_room(none, 0, 0));  // more slots than a neighbour word can name
     CHECK(block.arena.bytes_wanted() > SIZE_MAX / 8);
-    CHECK(check_geometric<D>(store).violation == nullptr);  // nothing is no cell in disorder
+    CHECK(check_geometric(store).violation == nullptr);  // nothing is no cell in disorder
     bool repeats = true;
     CHECK(spatial_order<D>(nullptr, 0, 0, 1, block.arena, nullptr, &repeats) == Status::ok);
     CHECK_FALSE(repeats);

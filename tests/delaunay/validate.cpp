@@ -47,7 +47,7 @@ template <int D> struct InUse {
 TEST_CASE_TEMPLATE_DEFINE("a fault is found by the next insertion, with its place", T, faults) {
     constexpr int D = T::value;
     InUse<D> t;
-    CHECK(violation_in_use<D>(t.store) == nullptr);
+    CHECK(violation_in_use(t.store) == nullptr);
     const VertexId last(InUse<D>::count - 1);
     SUBCASE("nothing wrong") {
         CHECK(last_words([&] { t.insert(last); }) == "lived");
@@ -67,7 +67,7 @@ TEST_CASE_TEMPLATE_DEFINE("a fault is found by the next insertion, with its plac
         const VertexId first = cell.vertex[0];
         cell.vertex[0] = cell.vertex[1];
         cell.vertex[1] = first;
-        CHECK(violation_in_use<D>(t.store) != nullptr);
+        CHECK(violation_in_use(t.store) != nullptr);
     }
 }
 TEST_CASE_TEMPLATE_APPLY(faults, Dimensions<>);

@@ -84,7 +84,7 @@ public:
         measure_cells<D>(store, out_radius.data(), reach.data());
         whole = out_radius;
         const std::size_t low = this->block.arena.low_mark(), high = this->block.arena.high_mark();
-        REQUIRE(clip_cell_bounds<D>(store, ball_, {}, out_radius.data(), reach.data()) == Status::ok);
+        REQUIRE(clip_cell_bounds(store, ball_, {}, out_radius.data(), reach.data()) == Status::ok);
         CHECK((this->block.arena.low_mark() == low && this->block.arena.high_mark() == high));
         for (const Sample<D>& s : samples_) {
             const VertexId v(s.vertex);
@@ -126,7 +126,7 @@ public:
         std::vector<double> value(count());
         std::vector<Interval> interval(count());
         Evaluation out = {value.data(), interval.data()};
-        REQUIRE(evaluate<D>(mesh, {NETMESH_FILTER_COMPLETE, FilterValues::certified}, work, &out) == Status::ok);
+        REQUIRE(evaluate(mesh, {NETMESH_FILTER_COMPLETE, FilterValues::certified}, work, &out) == Status::ok);
         CHECK(out.certificate.ratio <= goal_.ratio);
         check_samples(interval);
         const double ratio2 = goal_.ratio * goal_.ratio, focus2 = goal_.focus * goal_.focus;
@@ -142,7 +142,7 @@ public:
         }
         check_without_intervals(mesh);
         const std::vector<Interval> before = interval;
-        REQUIRE(tighten_cell_bounds<D>(mesh, work, interval.data()) == Status::ok);
+        REQUIRE(tighten_cell_bounds(mesh, work, interval.data()) == Status::ok);
         check_samples(interval);
         for (std::uint32_t v = 0; v < count(); ++v) {
             CHECK((interval[v].lo >= before[v].lo && interval[v].hi <= before[v].hi));
@@ -160,8 +160,8 @@ private:
                 std::vector<Interval> interval(count());
                 Evaluation all = {closely.data(), interval.data()}, some = {alone.data()};
                 const Work work = {this->block.arena, this->monitor};
-                REQUIRE(evaluate<D>(mesh, {filter, values}, work, &all) == Status::ok);
-                REQUIRE(evaluate<D>(mesh, {filter, values}, work, &some) == Status::ok);
+                REQUIRE(evaluate(mesh, {filter, values}, work, &all) == Status::ok);
+                REQUIRE(evaluate(mesh, {filter, values}, work, &some) == Status::ok);
                 CHECK(closely == alone);
                 CHECK(all.certificate.ratio == some.certificate.ratio);
                 CHECK(all.certificate.ratio_best == some.certificate.ratio_best);
@@ -330,8 +330,8 @@ TEST_CASE("absent vertices have a value and an interval and count nowhere") {
     std::vector<Interval> interval(count);
     Evaluation out = {value.data(), interval.data()};
     const auto run = [&] {
-        REQUIRE(evaluate<2>(filtered, {NETMESH_FILTER_COMPLETE, FilterValues::certified},
-                            {mesh.block.arena, mesh.monitor}, &out) == Status::ok);
+        REQUIRE(evaluate(filtered, {NETMESH_FILTER_COMPLETE, FilterValues::certified}, {mesh.block.arena, mesh.monitor},
+                         &out) == Status::ok);
         return out.certificate.ratio;
     };
     double before = run();

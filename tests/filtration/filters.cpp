@@ -81,7 +81,7 @@ TEST_CASE("every filter on meshes gives values within its ratio of its intervals
             std::vector<double> value(state.vertex_count);
             std::vector<Interval> interval(state.vertex_count);
             Evaluation out = {value.data(), interval.data()};
-            const Status status = evaluate<2>(mesh, {filter.id, values, 3, &function}, {block.arena, monitor}, &out);
+            const Status status = evaluate(mesh, {filter.id, values, 3, &function}, {block.arena, monitor}, &out);
             CHECK(status == (filter.source == FilterSource::mesh ? Status::ok : Status::invalid_argument));
             CHECK(block.arena.low_mark() == low);
             CHECK(block.arena.high_mark() == high);
@@ -103,6 +103,6 @@ TEST_CASE("every filter on meshes gives values within its ratio of its intervals
             }
         }
     Evaluation out = {nullptr};
-    CHECK(evaluate<2>(mesh, {NETMESH_FILTER_FUNCTION, FilterValues::thesis}, {block.arena, monitor}, &out) ==
+    CHECK(evaluate(mesh, {NETMESH_FILTER_FUNCTION, FilterValues::thesis}, {block.arena, monitor}, &out) ==
           Status::invalid_argument);
 }

@@ -76,8 +76,8 @@ template <int D> void sample_distances(const inputs::Points& points, double tau,
                 Monitor monitor;
                 Evaluation evaluation = {value.data()};
                 const std::size_t used = mesh.block.arena.bytes_used();
-                REQUIRE(evaluate<D>(mesh.filtered(), {filter_of(kind), values, k}, {mesh.block.arena, monitor},
-                                    &evaluation) == Status::ok);
+                REQUIRE(evaluate(mesh.filtered(), {filter_of(kind), values, k}, {mesh.block.arena, monitor},
+                                 &evaluation) == Status::ok);
                 CHECK(evaluation.zero_born == 0);
                 const Certificate certificate = evaluation.certificate;
                 CHECK(mesh.block.arena.bytes_used() == used);
@@ -163,8 +163,8 @@ TEST_CASE("intervals of d_k and the k-distance hold at the corners of cells") {
             std::vector<double> value(mesh.state.vertex_count);
             std::vector<Interval> interval(mesh.state.vertex_count);
             Evaluation out = {value.data(), interval.data()};
-            REQUIRE(evaluate<2>(mesh.filtered(), {filter_of(kind), FilterValues::certified, k},
-                                {mesh.block.arena, monitor}, &out) == Status::ok);
+            REQUIRE(evaluate(mesh.filtered(), {filter_of(kind), FilterValues::certified, k},
+                             {mesh.block.arena, monitor}, &out) == Status::ok);
             int below_cut = 0;
             for_each_corner<2>(mesh.store, [&](VertexId v, const double* corner, double) {
                 const double f = std::min(brute(points, 2, corner, k, kind), cut);
@@ -196,8 +196,8 @@ TEST_CASE("the interval of d_2 holds what is as far as it can be") {
     std::vector<double> value(state.vertex_count);
     std::vector<Interval> interval(state.vertex_count);
     Evaluation out = {value.data(), interval.data()};
-    REQUIRE(evaluate<2>({store, domain, 2}, {NETMESH_FILTER_KNN, FilterValues::thesis, 2}, {block.arena, monitor},
-                        &out) == Status::ok);
+    REQUIRE(evaluate(FilteredMesh<2>{store, domain, 2}, {NETMESH_FILTER_KNN, FilterValues::thesis, 2},
+                     {block.arena, monitor}, &out) == Status::ok);
     CHECK(value[2] == 2);
     CHECK(interval[2].hi >= 3);
     CHECK(interval[2].hi <= 3 * (1 + 1e-11));
@@ -239,8 +239,8 @@ TEST_CASE_TEMPLATE_DEFINE("intervals of a function hold at the farthest corner o
                 value[w] = std::max(0.0, at_corner + (rising ? lipschitz : -lipschitz) * along);
             }
             Evaluation out = {value.data(), interval.data()};
-            REQUIRE(clamp_function<D>(filtered, {lipschitz, factor, cut}, FilterValues::thesis, mesh.block.arena,
-                                      &out) == Status::ok);
+            REQUIRE(clamp_function(filtered, {lipschitz, factor, cut}, FilterValues::thesis, mesh.block.arena, &out) ==
+                    Status::ok);
             CHECK(interval[v].lo <= at_corner * (1 + 1e-9));
             CHECK(at_corner <= interval[v].hi * (1 + 1e-9));
         }
@@ -263,7 +263,7 @@ TEST_CASE_TEMPLATE_DEFINE("intervals hold where cells reach into the domain", T,
     for (VertexId v(0); v < mesh.state.vertex_count; ++v)
         value[v] = 1 + std::sqrt(domain.distance2(mesh.store.point(v)));
     Evaluation out = {value.data(), interval.data()};
-    REQUIRE(clamp_function<D>(filtered, {1, 0, cut}, FilterValues::certified, mesh.block.arena, &out) == Status::ok);
+    REQUIRE(clamp_function(filtered, {1, 0, cut}, FilterValues::certified, mesh.block.arena, &out) == Status::ok);
     int reach_in = 0;
     for_each_corner<D>(mesh.store, [&](VertexId v, const double* corner, double) {
         reach_in += domain.contains(corner) && !domain.contains(mesh.store.point(v));
@@ -283,11 +283,11 @@ TEST_CASE("eps-refined meshes keep the bound of 8.6.4") {
         for (const std::uint32_t k : {2u, 5u}) {
             Monitor monitor;
             Evaluation evaluation = {value.data()};
-            REQUIRE(evaluate<2>(mesh.filtered(), {NETMESH_FILTER_KNN, FilterValues::thesis, k},
-                                {mesh.block.arena, monitor}, &evaluation) == Status::ok);
+            REQUIRE(evaluate(mesh.filtered(), {NETMESH_FILTER_KNN, FilterValues::thesis, k},
+                             {mesh.block.arena, monitor}, &evaluation) == Status::ok);
             CHECK(evaluation.certificate.ratio <= 1 / (1 - eps) * (1 + 1e-9));
-            REQUIRE(evaluate<2>(mesh.filtered(), {NETMESH_FILTER_KDISTANCE, FilterValues::thesis, k},
-                                {mesh.block.arena, monitor}, &evaluation) == Status::ok);
+            REQUIRE(evaluate(mesh.filtered(), {NETMESH_FILTER_KDISTANCE, FilterValues::thesis, k},
+                             {mesh.block.arena, monitor}, &evaluation) == Status::ok);
             CHECK(evaluation.certificate.ratio <= 1 / (1 - std::sqrt(2.0) * eps) * (1 + 1e-9));
         }
     }
@@ -306,7 +306,7 @@ TEST_CASE("a Lipschitz function stays within its certificate where its assumptio
     for (const FilterValues values : {FilterValues::certified, FilterValues::thesis}) {
         for (std::uint32_t v = 0; v < mesh.state.vertex_count; ++v) value[v] = f(mesh.store.point(v));
         Evaluation evaluation = {value.data()};
-        REQUIRE(clamp_function<2>(mesh.filtered(), {5, 0.5, cut}, values, mesh.block.arena, &evaluation) == Status::ok);
+        REQUIRE(clamp_function(mesh.filtered(), {5, 0.5, cut}, values, mesh.block.arena, &evaluation) == Status::ok);
         const double c = evaluation.certificate.ratio;
         CHECK(c < 4);
         inputs::Random random(9);
@@ -322,8 +322,7 @@ TEST_CASE("a Lipschitz function stays within its certificate where its assumptio
     // A function that is 0 somewhere has no ratio.
     for (std::uint32_t v = 0; v < mesh.state.vertex_count; ++v) value[v] = 0;
     Evaluation zero = {value.data()};
-    REQUIRE(clamp_function<2>(mesh.filtered(), {1, 0, 1}, FilterValues::certified, mesh.block.arena, &zero) ==
-            Status::ok);
+    REQUIRE(clamp_function(mesh.filtered(), {1, 0, 1}, FilterValues::certified, mesh.block.arena, &zero) == Status::ok);
     CHECK(zero.certificate.ratio == infinity);
 }
 
@@ -344,8 +343,8 @@ TEST_CASE_TEMPLATE_DEFINE("a function on cells that leave the domain, or of whic
     const auto check = [&](double most) {
         for (std::uint32_t v = 0; v < mesh.state.vertex_count; ++v) value[v] = f(mesh.store.point(v));
         Evaluation evaluation = {value.data()};
-        REQUIRE(clamp_function<D>({mesh.store, inner, mesh.inputs}, {5, 0.5, cut}, FilterValues::certified,
-                                  mesh.block.arena, &evaluation) == Status::ok);
+        REQUIRE(clamp_function(FilteredMesh<D>{mesh.store, inner, mesh.inputs}, {5, 0.5, cut}, FilterValues::certified,
+                               mesh.block.arena, &evaluation) == Status::ok);
         const double c = evaluation.certificate.ratio, e = evaluation.certificate.error;
         CHECK(c < most);
         CHECK(e <= 5 * inner.radius * (1 + 1e-9));
@@ -376,7 +375,7 @@ TEST_CASE("too little memory is said") {
     Monitor monitor;
     const std::size_t high = mesh.block.arena.high_mark();
     REQUIRE(mesh.block.arena.take_low<unsigned char>(mesh.block.arena.bytes_free() - 512) != nullptr);
-    CHECK(evaluate<2>(mesh.filtered(), {NETMESH_FILTER_KNN, FilterValues::thesis, 3}, {mesh.block.arena, monitor},
-                      &evaluation) == Status::out_of_memory);
+    CHECK(evaluate(mesh.filtered(), {NETMESH_FILTER_KNN, FilterValues::thesis, 3}, {mesh.block.arena, monitor},
+                   &evaluation) == Status::out_of_memory);
     CHECK(mesh.block.arena.high_mark() == high);
 }

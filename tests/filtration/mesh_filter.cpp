@@ -24,8 +24,8 @@ template <int D> void sample_inclusions(const inputs::Points& points, double tau
     std::vector<double> value(store.state.vertex_count);
     for (const FilterValues kind : {FilterValues::certified, FilterValues::thesis}) {
         Evaluation complete = {value.data()};
-        REQUIRE(evaluate<D>({store, domain, inputs}, {NETMESH_FILTER_COMPLETE, kind}, {mesh.block.arena, mesh.monitor},
-                            &complete) == Status::ok);
+        REQUIRE(evaluate(FilteredMesh<D>{store, domain, inputs}, {NETMESH_FILTER_COMPLETE, kind},
+                         {mesh.block.arena, mesh.monitor}, &complete) == Status::ok);
         CHECK(complete.zero_born == inputs);
         const Certificate certificate = complete.certificate;
         const double c = certificate.ratio, rho = domain.enclosing_radius;
@@ -87,7 +87,7 @@ TEST_CASE_TEMPLATE_DEFINE("the thesis's own values by looking at all vertices, a
     std::vector<Interval> interval(count);
     Evaluation out = {value.data(), interval.data()};
     const auto run = [&](netmesh_filter filter) {
-        REQUIRE(evaluate<D>(filtered, {filter, FilterValues::thesis}, {mesh.block.arena, mesh.monitor}, &out) ==
+        REQUIRE(evaluate(filtered, {filter, FilterValues::thesis}, {mesh.block.arena, mesh.monitor}, &out) ==
                 Status::ok);
     };
     run(NETMESH_FILTER_COMPLETE);
@@ -132,8 +132,8 @@ TEST_CASE("the basic filter gives inputs zero and says from where its ratio hold
     const Domain<2>& domain = mesh.result.domain;
     std::vector<double> value(store.state.vertex_count);
     Evaluation basic = {value.data()};
-    REQUIRE(evaluate<2>({store, domain, 100}, {NETMESH_FILTER_BASIC, FilterValues::thesis},
-                        {mesh.block.arena, mesh.monitor}, &basic) == Status::ok);
+    REQUIRE(evaluate(FilteredMesh<2>{store, domain, 100}, {NETMESH_FILTER_BASIC, FilterValues::thesis},
+                     {mesh.block.arena, mesh.monitor}, &basic) == Status::ok);
     CHECK(basic.zero_born == 0);
     const Certificate certificate = basic.certificate;
     for (std::uint32_t v = 0; v < 100; ++v) CHECK(value[v] == 0);

@@ -45,8 +45,9 @@ template <int D> void sample_cover(const inputs::Points& points, const MeshReque
     std::vector<double> value(count);
     std::vector<Interval> interval(count);
     Evaluation tight = {value.data(), interval.data()};
-    REQUIRE(evaluate<D>({mesh.store, mesh.result.domain, inputs}, {NETMESH_FILTER_TIGHT, FilterValues::certified},
-                        {mesh.block.arena, mesh.monitor}, &tight) == Status::ok);
+    REQUIRE(evaluate(FilteredMesh<D>{mesh.store, mesh.result.domain, inputs},
+                     {NETMESH_FILTER_TIGHT, FilterValues::certified}, {mesh.block.arena, mesh.monitor},
+                     &tight) == Status::ok);
     // Clumps by their definition.
     std::vector<std::uint32_t> clump(count, none);
     for (std::uint32_t v = 0; v < count; ++v) {
@@ -58,8 +59,9 @@ template <int D> void sample_cover(const inputs::Points& points, const MeshReque
     // The thesis's own values: what is in a clump comes with it, at half of its input's distance to the others.
     std::vector<double> own(count);
     Evaluation thesis = {own.data()};
-    REQUIRE(evaluate<D>({mesh.store, mesh.result.domain, inputs}, {NETMESH_FILTER_TIGHT, FilterValues::thesis},
-                        {mesh.block.arena, mesh.monitor}, &thesis) == Status::ok);
+    REQUIRE(evaluate(FilteredMesh<D>{mesh.store, mesh.result.domain, inputs},
+                     {NETMESH_FILTER_TIGHT, FilterValues::thesis}, {mesh.block.arena, mesh.monitor},
+                     &thesis) == Status::ok);
     for (std::uint32_t v = 0; v < count; ++v) {
         const Nearest<D> n = nearest_of<D>(store, inputs, store.point(v));
         const double f = nearest_of<D>(store, inputs, store.point(n.vertex), n.vertex).distance;
@@ -130,8 +132,9 @@ TEST_CASE("no other input is nearer to the cells of a clump than its ball's radi
         std::vector<double> value(count);
         std::vector<Interval> interval(count);
         Evaluation tight = {value.data(), interval.data()};
-        REQUIRE(evaluate<2>({mesh.store, mesh.result.domain, inputs}, {NETMESH_FILTER_TIGHT, FilterValues::certified},
-                            {mesh.block.arena, mesh.monitor}, &tight) == Status::ok);
+        REQUIRE(evaluate(FilteredMesh<2>{mesh.store, mesh.result.domain, inputs},
+                         {NETMESH_FILTER_TIGHT, FilterValues::certified}, {mesh.block.arena, mesh.monitor},
+                         &tight) == Status::ok);
         for_each_side(store, [&](std::uint32_t v, const double* a, const double* b) {
             if (store.vertex(v).marker == Marker::exempt) return;
             const Nearest<2> n = nearest_of<2>(store, inputs, store.point(v));
@@ -153,9 +156,9 @@ TEST_CASE("the sizes of the tight filter reach the accuracy that is promised") {
         REQUIRE(mesh.status == Status::ok);
         std::vector<double> value(mesh.store.state.vertex_count);
         Evaluation out = {value.data()};
-        REQUIRE(evaluate<D>({mesh.store, mesh.result.domain, mesh.inputs()},
-                            {NETMESH_FILTER_TIGHT, FilterValues::thesis}, {mesh.block.arena, mesh.monitor},
-                            &out) == Status::ok);
+        REQUIRE(evaluate(FilteredMesh<D>{mesh.store, mesh.result.domain, mesh.inputs()},
+                         {NETMESH_FILTER_TIGHT, FilterValues::thesis}, {mesh.block.arena, mesh.monitor},
+                         &out) == Status::ok);
         return out.certificate.ratio;
     };
     using Plane = std::integral_constant<int, 2>;

@@ -31,11 +31,11 @@ void sample_cells(const inputs::Points& points, double tau, int samples, double 
     std::vector<double> value(count);
     std::vector<Interval> known(count), sharp;
     Evaluation complete = {value.data(), known.data()};
-    REQUIRE(evaluate<D>(mesh, {NETMESH_FILTER_COMPLETE, FilterValues::certified}, {arena, monitor}, &complete) ==
+    REQUIRE(evaluate(mesh, {NETMESH_FILTER_COMPLETE, FilterValues::certified}, {arena, monitor}, &complete) ==
             Status::ok);
     sharp = known;
     const std::size_t low = arena.low_mark(), high = arena.high_mark();
-    REQUIRE(tighten_cell_bounds<D>(mesh, {arena, monitor}, sharp.data()) == Status::ok);
+    REQUIRE(tighten_cell_bounds(mesh, {arena, monitor}, sharp.data()) == Status::ok);
     CHECK(arena.low_mark() == low);
     CHECK(arena.high_mark() == high);
     std::size_t narrower = 0;
@@ -101,17 +101,17 @@ template <int D> void little_memory(const inputs::Points& points, double tau) {
     std::vector<double> value(count);
     std::vector<Interval> known(count), whole, sharp;
     Evaluation complete = {value.data(), known.data()};
-    REQUIRE(evaluate<D>(mesh, {NETMESH_FILTER_COMPLETE, FilterValues::certified}, {arena, monitor}, &complete) ==
+    REQUIRE(evaluate(mesh, {NETMESH_FILTER_COMPLETE, FilterValues::certified}, {arena, monitor}, &complete) ==
             Status::ok);
     whole = known;
-    REQUIRE(tighten_cell_bounds<D>(mesh, {arena, monitor}, whole.data()) == Status::ok);
+    REQUIRE(tighten_cell_bounds(mesh, {arena, monitor}, whole.data()) == Status::ok);
     const std::size_t free_bytes = arena.bytes_free();
     int refused = 0;
     for (std::size_t left = 64; left <= std::size_t{1} << 20; left += left / 8) {
         const std::size_t high = arena.high_mark();
         REQUIRE(arena.template take_high<unsigned char>(free_bytes - left) != nullptr);
         sharp = known;
-        const Status status = tighten_cell_bounds<D>(mesh, {arena, monitor}, sharp.data());
+        const Status status = tighten_cell_bounds(mesh, {arena, monitor}, sharp.data());
         arena.release_high(high);
         CHECK(arena.bytes_free() == free_bytes);
         for (std::uint32_t v = 0; v < count; ++v) {  // each as it was or as it will be
@@ -142,7 +142,7 @@ template <int D> void little_memory(const inputs::Points& points, double tau) {
     std::vector<Interval> before = known;
     before[open] = {rho / 8, rho};
     sharp = before;
-    CHECK(tighten_cell_bounds<D>(mesh, {arena, monitor}, sharp.data()) == Status::ok);
+    CHECK(tighten_cell_bounds(mesh, {arena, monitor}, sharp.data()) == Status::ok);
     for (const std::uint32_t v : {open, vague}) {
         CHECK(sharp[v].lo == before[v].lo);
         CHECK(sharp[v].hi == before[v].hi);
@@ -158,7 +158,7 @@ template <int D> void little_memory(const inputs::Points& points, double tau) {
         },
         &polls);
     sharp = known;
-    const Status status = tighten_cell_bounds<D>(mesh, {arena, stopping}, sharp.data());
+    const Status status = tighten_cell_bounds(mesh, {arena, stopping}, sharp.data());
     CHECK(status == (polls > 0 ? Status::cancelled : Status::ok));
     CHECK((polls > 0 || store.state.vertex_count < 1000));
 }
@@ -239,9 +239,9 @@ TEST_CASE("no input is nearer to a cell of the plane than its lower bound, to th
         std::vector<double> value(count);
         std::vector<Interval> interval(count);
         Evaluation complete = {value.data(), interval.data()};
-        REQUIRE(evaluate<2>(mesh, {NETMESH_FILTER_COMPLETE, FilterValues::certified},
-                            {meshed.block.arena, meshed.monitor}, &complete) == Status::ok);
-        REQUIRE(tighten_cell_bounds<2>(mesh, {meshed.block.arena, meshed.monitor}, interval.data()) == Status::ok);
+        REQUIRE(evaluate(mesh, {NETMESH_FILTER_COMPLETE, FilterValues::certified}, {meshed.block.arena, meshed.monitor},
+                         &complete) == Status::ok);
+        REQUIRE(tighten_cell_bounds(mesh, {meshed.block.arena, meshed.monitor}, interval.data()) == Status::ok);
         std::vector<double> least(count, infinity);
         for_each_side(store, [&](std::uint32_t v, const double* a, const double* b) {
             for (std::uint32_t p = 0; p < inputs; ++p)

@@ -22,8 +22,9 @@ template <int D>
 std::vector<Bar> bars_of(Meshed<D>& mesh, netmesh_filter filter, std::uint32_t k, std::uint32_t degree, double* ratio) {
     std::vector<double> value(mesh.store.state.vertex_count);
     Evaluation evaluation = {value.data()};
-    REQUIRE(evaluate<D>({mesh.store, mesh.result.domain, mesh.inputs()}, {filter, FilterValues::certified, k},
-                        {mesh.block.arena, mesh.monitor}, &evaluation) == Status::ok);
+    REQUIRE(evaluate(FilteredMesh<D>{mesh.store, mesh.result.domain, mesh.inputs()},
+                     {filter, FilterValues::certified, k}, {mesh.block.arena, mesh.monitor},
+                     &evaluation) == Status::ok);
     *ratio = evaluation.certificate.ratio;
     Block block(std::size_t{1} << 22);
     CountedPairs found;

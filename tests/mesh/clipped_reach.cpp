@@ -38,7 +38,7 @@ template <int D> void sample(const inputs::Points& points, double share, int sam
     CHECK(worst == std::sqrt(worst2));
     CHECK(4 * measured[vertex] / mesh.store.vertex(vertex).nearest2 == worst2);
     const std::size_t high = mesh.block.arena.high_mark();
-    REQUIRE(bound_clipped_cells<D>(mesh.store, ball, out_radius.data(), mesh.block.arena, reach.data()) == Status::ok);
+    REQUIRE(bound_clipped_cells(mesh.store, ball, out_radius.data(), mesh.block.arena, reach.data()) == Status::ok);
     CHECK(mesh.block.arena.high_mark() == high);
     inputs::Random random(5);
     for (int s = 0; s < samples; ++s) {

@@ -13,9 +13,9 @@ inline std::string found(const netmesh::CheckResult& r) { return r.violation == 
 
 // What the store violates as a Delaunay triangulation.
 template <int D> std::string delaunay_violation(const netmesh::Store<D>& store) {
-    netmesh::CheckResult r = netmesh::check_combinatorial<D>(store);
-    if (r.violation == nullptr) r = netmesh::check_geometric<D>(store);
-    if (r.violation == nullptr) r = netmesh::check_delaunay<D>(store);
+    netmesh::CheckResult r = netmesh::check_combinatorial(store);
+    if (r.violation == nullptr) r = netmesh::check_geometric(store);
+    if (r.violation == nullptr) r = netmesh::check_delaunay(store);
     return found(r);
 }
 

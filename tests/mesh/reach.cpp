@@ -149,14 +149,14 @@ TEST_CASE_TEMPLATE_DEFINE("a point that reaches a distance is at it, in the ball
         for (VertexId v(0); v < n; ++v)
             for (const double part : {0.3, 0.6, 0.9, 0.99}) {
                 const double* const p = m.store.point(v);
-                const Cut<D> cut(m.domain, p, part * sampled2[v]);
-                CutCorners<D> corners;
+                const Cut cut(m.domain, p, part * sampled2[v]);
+                CutCorners corners(D);
                 for (CellId c(0); c < m.state.cell_slots; ++c)
                     if (std::count(m.store.cell(c).vertex, m.store.cell(c).vertex + D + 1, v) > 0)
-                        offer_cut_corners<D>(m.store, cut, v, c, &corners);
+                        offer_cut_corners(m.store, cut, v, c, &corners);
                 CHECK(corners.reach_beyond(cut.distance2()));
                 double x[D];
-                if (!find_reaching_point<D>(m.store, cut, v, corners, x)) continue;
+                if (!find_reaching_point(m.store, cut, v, corners, x)) continue;
                 ++found;
                 const double d2 = distance2<D>(x, p), slack = 1e-9 * m.domain.radius * m.domain.radius;
                 CHECK(d2 == doctest::Approx(part * sampled2[v]).epsilon(1e-9));

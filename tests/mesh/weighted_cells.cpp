@@ -96,7 +96,7 @@ template <int D> struct Hierarchical {
         HierarchyQuality quality;
         REQUIRE(measure_hierarchy(store, {cages, report.cages, domain, ratios.data(), domains.data()}, block.arena,
                                   &quality) == Status::ok);
-        recomputed_nearest2<D>(store, nearest2.data());
+        recomputed_nearest2(store, nearest2.data());
     }
     bool is_frame(std::uint32_t v) const { return domains[v] == none && store.vertex(v).marker == Marker::exempt; }
     // Distance from x to the nearest of M_Omega that is not x.

@@ -1,0 +1,14 @@
+#include "certificate/cells.hpp"
+
+#include "vocabulary/dimension.hpp"
+
+namespace netmesh {
+
+void measure_cells(const AnyStore& store, double* out_radius, double* reach) {
+    with_dimension(static_cast<std::uint32_t>(store.dim), [&](auto dimension) {
+        constexpr int D = decltype(dimension)::value;
+        measure_cells<D>(store.of_dimension<D>(), out_radius, reach);
+    });
+}
+
+}  // namespace netmesh
