@@ -105,7 +105,17 @@ private:
     Status mesh_and_persist(const netmesh_mesh_request& asked) const {
         netmesh_status status = netmesh_mesh(context_, &asked);
         if (status == NETMESH_OK) status = persist();
+        if (status == NETMESH_OK && !can_be_checked()) status = finish(context_, Status::out_of_memory);
         return static_cast<Status>(status);
+    }
+    // Whether there is room for netmesh_check, which takes more than a diagram does: values and intervals, limits of
+    // cells, and what is left of them in the ball.
+    bool can_be_checked() const {
+        const StoreState& mesh = context_->mesh.store;
+        const std::size_t needed = std::size_t{mesh.vertex_count} * 40 + std::size_t{mesh.cell_slots} * 2 + 4096;
+        if (context_->arena.bytes_free() >= needed) return true;
+        context_->arena.refuse(needed);
+        return false;
     }
     netmesh_mesh_request mesh_request() const {
         netmesh_mesh_request asked;

@@ -343,7 +343,7 @@ RUNS = """0 sample circle -n 40 --noise 0.05 -o circle.csv
 2 persist circle.csv --tau 1
 3 persist none.csv
 3 persist bad.csv
-4 persist circle.csv --filter complete --memory 20K
+4 persist circle.csv --filter complete --memory 12K
 7 check circle.pers --points torus.csv"""
 FILES = {"distances.txt": "0\n1 0\n1.4 1 0\n", "complex.txt": "0 0\n1 0\n2 .5\n0 1 1\n1 2 1\n0 2 2\n0 1 2 3\n",
          "values.txt": "0 0 0 1 1 1 2\n0 0 1 1 2 2 3\n", "bad.csv": "1,2\n3,x\n"}
