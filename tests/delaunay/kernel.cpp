@@ -211,6 +211,28 @@ TEST_CASE_TEMPLATE_DEFINE("triangulation from lists of cells is the one it was m
 }
 TEST_CASE_TEMPLATE_APPLY(from_lists, Dimensions<>);
 
+// A point within a circle of others sees all cells at once, so that the list of its cavity is what does not fit.
+TEST_CASE_TEMPLATE_DEFINE("any arena size, where one cavity is all there is in the plane", Dim, large_cavity) {
+    std::uint32_t partial = 0, whole = 0;
+    for (std::uint64_t turn = 0; turn < 12; ++turn) {
+        inputs::Points points = inputs::circle(80);
+        inputs::Random random(turn);
+        for (int k = 0; k < 2; ++k) points.push_back(0.1 * random.uniform());
+        for (std::size_t bytes = 3000; bytes < 14000; bytes += 48) {
+            Triangulated<2> t(points, bytes);
+            REQUIRE((t.status == Status::ok || t.status == Status::out_of_memory));
+            if (t.state.cell_slots == 0) continue;
+            recompute_balls(t.store);
+            const char* const wrong = violation<2>(t.store);
+            REQUIRE(wrong == nullptr);
+            ++(t.status == Status::ok ? whole : partial);
+        }
+    }
+    CHECK(partial > 500);
+    CHECK(whole > 10);
+}
+TEST_CASE_TEMPLATE_APPLY(large_cavity, Dimensions<2, 2>);
+
 TEST_CASE("any arena size ends in a status and, once there is a cell, in a triangulation") {
     const inputs::Points points = inputs::uniform(3, 60);
     std::uint32_t partial = 0, whole = 0;
