@@ -108,11 +108,12 @@ private:
         if (status == NETMESH_OK && !can_be_checked()) status = finish(context_, Status::out_of_memory);
         return static_cast<Status>(status);
     }
-    // Whether there is room for netmesh_check, which takes more than a diagram does: values and intervals, limits of
-    // cells, and what is left of them in the ball.
+    // Whether there is room for netmesh_check, which takes more than a diagram does. Of a vertex: value, interval,
+    // limit of its cell, and a list of cells; of a cell: whether it is in the ball, twice as much for faces.
     bool can_be_checked() const {
+        constexpr std::size_t vertex_bytes = 3 * sizeof(double) + sizeof(Interval), cell_bytes = 2, fixed = 4096;
         const StoreState& mesh = context_->mesh.store;
-        const std::size_t needed = std::size_t{mesh.vertex_count} * 40 + std::size_t{mesh.cell_slots} * 2 + 4096;
+        const std::size_t needed = mesh.vertex_count * vertex_bytes + mesh.cell_slots * cell_bytes + fixed;
         if (context_->arena.bytes_free() >= needed) return true;
         context_->arena.refuse(needed);
         return false;

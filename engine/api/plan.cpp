@@ -113,7 +113,12 @@ template <int D> double block_bytes(const Amounts& n, const Planned& planned) {
         bytes += bytes / 3;
     }
     const double simplices = n.cells * figures<D>.simplices_per_cell;
-    if (planned.filter) bytes += (sizeof(double) + mesh_filter_vertex_bytes) * n.vertices + gradient_bytes * simplices;
+    if (planned.filter) {
+        // Scratch first takes what the balls of cells leave (delaunay/packed_cells.hpp).
+        const double scratch = mesh_filter_vertex_bytes * n.vertices + gradient_bytes * simplices;
+        const double balls = (8 * D + 16) * n.cells;
+        bytes += sizeof(double) * n.vertices + (scratch > balls ? scratch - balls : 0);
+    }
     if (planned.bounds) {
         bytes += (sizeof(Interval) + bounds_vertex_bytes) * n.vertices + bounds_bar_bytes * D * n.points;
         bytes += sizeof(ScaleStep) * 2.0 * ScaleGrid::cells_max / plan_margin;  // the grid, and the steps made of it

@@ -28,10 +28,12 @@ template <int D> struct Packable {
         for (std::uint32_t c = 0; c < state.cell_slots; ++c) store.cell(c).mark = 0;
         behind = block.arena.low_mark();
     }
-    void add_table() {
+    // The cells as they are before.
+    std::vector<unsigned char> add_table() {
         table = block.arena.template take_low<double>(table_size);
         REQUIRE(table != nullptr);
         for (std::size_t i = 0; i < table_size; ++i) table[i] = 0.5 * static_cast<double>(i);
+        return cells();
     }
     std::vector<unsigned char> cells() const {
         const auto* const first = reinterpret_cast<const unsigned char*>(&store.cell(0));
@@ -64,8 +66,7 @@ TEST_CASE_TEMPLATE_DEFINE("packed cells: the gap grows by their balls, tables fo
                           packed_and_back) {
     constexpr int D = Dim::value;
     Packable<D> p;
-    p.add_table();
-    const std::vector<unsigned char> before = p.cells();
+    const std::vector<unsigned char> before = p.add_table();
     const std::size_t low = p.block.arena.low_mark(), high = p.block.arena.high_mark();
     PackedCells<D> packed(p.store, p.behind);
     const std::size_t given = low - p.block.arena.low_mark(), balls = p.state.cell_slots * (8 * D + 16);
@@ -95,8 +96,7 @@ TEST_CASE_TEMPLATE_DEFINE("packed cells: where what has been made meanwhile leav
                           packed_without_room) {
     constexpr int D = Dim::value;
     Packable<D> p;
-    p.add_table();
-    const std::vector<unsigned char> before = p.cells();
+    const std::vector<unsigned char> before = p.add_table();
     PackedCells<D> packed(p.store, p.behind);
     {
         const HighScope scope(p.block.arena);
@@ -115,8 +115,7 @@ TEST_CASE_TEMPLATE_DEFINE("packed cells: nothing is packed when something else s
     Packable<D> p;
     REQUIRE(p.block.arena.template take_low<double>(2) != nullptr);
     const std::size_t behind = p.block.arena.low_mark();
-    p.add_table();
-    const std::vector<unsigned char> before = p.cells();
+    const std::vector<unsigned char> before = p.add_table();
     const std::size_t low = p.block.arena.low_mark();
     PackedCells<D> packed(p.store, behind);
     CHECK(p.block.arena.low_mark() == low);

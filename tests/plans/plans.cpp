@@ -116,7 +116,7 @@ const std::vector<Job> jobs = {
          r.certificate.ratio = 2.25;
          r.whole_cells = 1;
      })},
-    {"hierarchy", {1730, 10000, 3000}, 2.1, {100000, 30000, 1000}, mesh([](auto& r) {
+    {"hierarchy", {1730, 10000, 3000}, 2, {100000, 30000, 1000}, mesh([](auto& r) {
          r.method = NETMESH_METHOD_HIERARCHY;
      })},
     {"hierarchy-finished", {never, never, never}, 2, {30000, 10000, 1000}, mesh([](auto& r) {
