@@ -80,7 +80,7 @@ template <> struct MeshFiguresOf<3> {
     static constexpr MeshFigures value = {
         {2.5, 3.5, 6}, {7.63, 1.93, 0.5}, {3.45, 1.39, 0.31}, 1, 14.3, 75,
         0.3334, 17, 0, 0.25, 2450, 0.6, 48, 4.9,
-        516, 578, 506, 513, 512, 85};
+        516, 574, 506, 513, 512, 85};
 };
 // Not of nets and sizes.
 template <> struct MeshFiguresOf<4> {
