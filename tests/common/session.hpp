@@ -44,7 +44,10 @@ public:
         return until_it_fits(netmesh_plan_mesh(&r), [&] {
             netmesh_status status = netmesh_mesh(context, &r);
             if (status == NETMESH_OK) status = persist(diagram);
-            return status == NETMESH_OK && bounds ? bound_bars() : status;
+            if (status == NETMESH_OK && bounds) status = bound_bars();
+            if (status != NETMESH_OK || !checks) return status;
+            checked = check();
+            return checked == NETMESH_OUT_OF_MEMORY ? checked : NETMESH_OK;
         });
     }
     netmesh_status mesh_and_persist(const inputs::Points& points, netmesh_filter filter = NETMESH_FILTER_COMPLETE) {
@@ -72,6 +75,8 @@ public:
     }
 
     bool bounds = false;  // mesh_and_persist goes on to netmesh_bound_bars
+    bool checks = false;  // and to netmesh_check, which may want a larger block than the diagram
+    netmesh_status checked = NETMESH_NO_RESULT;  // what that check said
 
 private:
     void* block_ = nullptr;
