@@ -1,5 +1,7 @@
 #include "delaunay/any_store.hpp"
 
+#include "delaunay/cell_list.hpp"
+
 namespace netmesh {
 
 AnyStore::AnyStore(int dim, Arena& arena, StoreState& state)
@@ -29,17 +31,21 @@ bool AnyCellList::add(CellId c) {
     return true;
 }
 
-std::uint32_t list_star(const AnyStore& store, VertexId v) {
-    AnyCellList star(store);
-    if (!star.add(store.vertex(v).cell)) return 0;
-    for (std::uint32_t k = 0; k < star.size(); ++k) {
-        const AnyCell cell = store.cell(star[k]);
-        for (int i = 0; i <= store.dim; ++i) {
-            const FacetId facet = cell.neighbour[i];
-            if (cell.vertex[i] != v && facet != none && !star.add(facet.cell())) return 0;
+std::uint32_t list_star(const AnyStore& any, VertexId v) {
+    return with_dimension(static_cast<std::uint32_t>(any.dim), [&](auto dimension) -> std::uint32_t {
+        constexpr int D = decltype(dimension)::value;
+        Store<D> store = any.of_dimension<D>();
+        CellList<D> star(store);
+        if (!star.add(store.vertex(v).cell)) return 0;
+        for (std::uint32_t k = 0; k < star.size(); ++k) {
+            const Cell<D>& cell = store.cell(star[k]);
+            for (int i = 0; i <= D; ++i) {
+                const FacetId facet = cell.neighbour[i];
+                if (cell.vertex[i] != v && facet != none && !star.add(facet.cell())) return 0;
+            }
         }
-    }
-    return star.size();
+        return star.size();
+    });
 }
 
 }  // namespace netmesh

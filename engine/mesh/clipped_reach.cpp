@@ -97,18 +97,24 @@ void find_bisectors(const AnyStore& store, const AnyDomain& ball, double* distan
 }  // namespace
 
 // Marked: 1, cells with a corner that may be outside; 2, unbounded ones.
-void CellClipper::mark() {
+template <int D> void CellClipper::mark_cells() {
+    Store<D> store = store_.of_dimension<D>();
+    const Domain<D> ball = ball_.of_dimension<D>();
     for (CellId c(0); c < store_.state.cell_slots;)
-        for (const std::uint64_t piece = store_.arena.piece(c, store_.state.cell_slots, 30 * dim); c < piece; ++c) {
-            const AnyCell cell = store_.cell(c);
+        for (const std::uint64_t piece = store_.arena.piece(c, store_.state.cell_slots, 30 * D); c < piece; ++c) {
+            const Cell<D>& cell = store.cell(c);
             const double doubt = static_cast<double>(cell.error) * square_root(cell.radius2);
-            const bool inside = (square_root(ball_.distance2(cell.centre)) + doubt) * up <= ball_.radius;
-            for (int i = 0; i <= dim; ++i) {
-                if (!inside) store_.vertex(cell.vertex[i]).queued |= 1;
-                for (int k = 0; k <= dim && cell.neighbour[i] == none; ++k)
-                    if (k != i) store_.vertex(cell.vertex[k]).queued |= 2;
+            const bool inside = (square_root(ball.distance2(cell.centre)) + doubt) * up <= ball.radius;
+            for (int i = 0; i <= D; ++i) {
+                if (!inside) store.vertex(cell.vertex[i]).queued |= 1;
+                for (int k = 0; k <= D && cell.neighbour[i] == none; ++k)
+                    if (k != i) store.vertex(cell.vertex[k]).queued |= 2;
             }
         }
+}
+
+void CellClipper::mark() {
+    with_dimension(static_cast<std::uint32_t>(dim), [&](auto d) { mark_cells<decltype(d)::value>(); });
     for (VertexId v(0); v < store_.state.vertex_count;)
         for (const std::uint64_t piece = store_.arena.piece(v, store_.state.vertex_count, 10); v < piece; ++v) {
             const AnyVertex vertex = store_.vertex(v);
@@ -139,31 +145,32 @@ void CellClipper::clip(double* out_radius, double* reach) const {
 
 // By corners in the ball and crossings of edges, up to the first that is as far as the root of enough2. Corners first:
 // few crossings are farther.
-void CellClipper::measure(const double* u, double enough2, AnyCorner* farthest) const {
-    store_.arena.pass(1 + count_ * dim / 4);
-    const double* const p = store_.point(v_);
-    if (ball_.contains(p)) farthest->offer(p, distance2(dim, p, u), store_.vertex(v_).cell);
+template <int D> void CellClipper::measure(const double* u, double enough2, Corner<D>* farthest) const {
+    const Store<D> store = store_.of_dimension<D>();
+    const Domain<D> ball = ball_.of_dimension<D>();
+    const double* const p = store.point(v_);
+    if (ball.contains(p)) farthest->offer(p, distance2<D>(p, u), store.vertex(v_).cell);
     for (std::uint32_t k = 0; k < count_ && farthest->distance2 < enough2; ++k) {
-        const AnyCell cell = store_.cell(star(k));
-        if (cell.radius2 < infinity && ball_.contains(cell.centre))
-            farthest->offer(cell.centre, distance2(dim, cell.centre, u), star(k));
+        const Cell<D>& cell = store.cell(star(k));
+        if (cell.radius2 < infinity && ball.contains(cell.centre))
+            farthest->offer(cell.centre, distance2<D>(cell.centre, u), star(k));
     }
     for (std::uint32_t k = 0; k < count_ && farthest->distance2 < enough2; ++k) {
         const CellId c = star(k);
-        const AnyCell cell = store_.cell(c);
-        if (!(cell.radius2 < infinity) || ball_.contains(cell.centre)) continue;
-        const double here2 = distance2(dim, cell.centre, u);
-        for (int i = 0; i <= dim; ++i) {
+        const Cell<D>& cell = store.cell(c);
+        if (!(cell.radius2 < infinity) || ball.contains(cell.centre)) continue;
+        const double here2 = distance2<D>(cell.centre, u);
+        for (int i = 0; i <= D; ++i) {
             if (cell.vertex[i] == v_) continue;
             const CellId n = cell.neighbour[i].cell();
-            const AnyCell other = store_.cell(n);
+            const Cell<D>& other = store.cell(n);
             // A crossing is no farther than the farther end.
             const double least2 = farthest->distance2 * (1 - 0x1p-20);
-            if (!(other.radius2 < infinity) || (here2 < least2 && distance2(dim, other.centre, u) < least2)) continue;
-            if (n < c && !ball_.contains(other.centre)) continue;  // seen from there
-            double z[2][dimension_max];
-            const int crossings = sphere_crossings(ball_, cell.centre, other.centre, z);
-            for (int j = 0; j < crossings; ++j) farthest->offer(z[j], distance2(dim, z[j], u), c);
+            if (!(other.radius2 < infinity) || (here2 < least2 && distance2<D>(other.centre, u) < least2)) continue;
+            if (n < c && !ball.contains(other.centre)) continue;  // seen from there
+            double z[2][D];
+            const int crossings = sphere_crossings<D>(ball, cell.centre, other.centre, z);
+            for (int j = 0; j < crossings; ++j) farthest->offer(z[j], distance2<D>(z[j], u), c);
         }
     }
 }
@@ -188,43 +195,48 @@ template <class Show> [[gnu::cold]] void CellClipper::cut(const double* u, doubl
 
 // Edges are left out that surely end within s, or surely outside of the half-space: with the errors of corner_error_max
 // and all roundings that takes less than 2^-21 of the squares that it is made from.
-bool CellClipper::is_bound(const double* u, double s) const {
+template <int D> bool CellClipper::is_bound(const double* u, double s) const {
+    const Store<D> store = store_.of_dimension<D>();
     const double s2 = s * s, near2 = s2 * (1 - 0x1p-19), r2 = ball_.radius * ball_.radius;
-    double a[dimension_max];
-    for (int j = 0; j < dim; ++j) a[j] = u[j] - ball_.centre[j];
-    const double away2 = dot(dim, a, a), level = away2 - r2 + s2;
+    double a[D];
+    for (int j = 0; j < D; ++j) a[j] = u[j] - ball_.centre[j];
+    const double away2 = dot<D>(a, a), level = away2 - r2 + s2;
     struct End {
         double height, size2;
         bool is_near;
     };
-    const auto look_at = [&](const AnyCell& cell) {
-        double y[dimension_max];
-        for (int j = 0; j < dim; ++j) y[j] = cell.centre[j] - u[j];
-        const double y2 = dot(dim, y, y);
+    const auto look_at = [&](const Cell<D>& cell) {
+        double y[D];
+        for (int j = 0; j < D; ++j) y[j] = cell.centre[j] - u[j];
+        const double y2 = dot<D>(y, y);
         if (!(static_cast<double>(cell.error) <= corner_error_max)) return End{-infinity, infinity, false};
-        return End{2 * dot(dim, y, a) + level, y2 + cell.radius2, y2 <= near2 && cell.radius2 <= near2};
+        return End{2 * dot<D>(y, a) + level, y2 + cell.radius2, y2 <= near2 && cell.radius2 <= near2};
     };
     bool is_within = true;
-    store_.arena.pass(1 + count_ * dim / 4);
     for (std::uint32_t k = 0; k < count_ && is_within; ++k) {
         const CellId c = star(k);
-        const AnyCell cell = store_.cell(c);
+        const Cell<D>& cell = store.cell(c);
         const End here = look_at(cell);
         if (here.is_near) continue;
-        for (int i = 0; i <= dim && is_within; ++i) {
+        for (int i = 0; i <= D && is_within; ++i) {
             if (cell.vertex[i] == v_) continue;
             const CellId n = cell.neighbour[i].cell();
-            const AnyCell other = store_.cell(n);
-            const End there = look_at(other);
+            const End there = look_at(store.cell(n));
             if (n < c && !there.is_near) continue;
             const double slack = 0x1p-20 * (here.size2 + there.size2 + away2 + r2 + s2);
             if (here.height > slack && there.height > slack) continue;
             // From the end that cut() takes it from, so that both say the same to the last bit.
-            show_edge(u, s, n < c ? other : cell, n < c ? cell : other,
+            show_edge(u, s, store_.cell(n < c ? n : c), store_.cell(n < c ? c : n),
                       [&](const double*, double most, double) { is_within = is_within && most <= s; });
         }
     }
     return is_within;
+}
+
+bool CellClipper::is_bound(const double* u, double s) const {
+    const auto dimension = static_cast<std::uint32_t>(dim);
+    store_.arena.pass(1 + count_ * dimension / 4);
+    return with_dimension(dimension, [&](auto d) { return is_bound<decltype(d)::value>(u, s); });
 }
 
 [[gnu::cold]] CellClipper::Beyond CellClipper::look_beyond(const double* u, double s) const {
@@ -294,8 +306,14 @@ double CellClipper::bound(const double* u, double whole, double enough) const {
     constexpr int growths_count = sizeof growths / sizeof growths[0];
     const double away = square_root(ball_.distance2(u));
     double best = smaller(whole, (away + ball_.radius) * up);
+    const auto dimension = static_cast<std::uint32_t>(dim);
+    store_.arena.pass(1 + count_ * dimension / 4);
     AnyCorner farthest(dim);
-    measure(u, enough * enough, &farthest);
+    with_dimension(dimension, [&](auto d) {
+        Corner<decltype(d)::value> found;
+        measure(u, enough * enough, &found);
+        farthest = AnyCorner(found);
+    });
     if (farthest.distance2 >= enough * enough) return whole;
     bool has_poles = farthest.distance2 < 0;
     if (has_poles) offer_poles(store_, ball_, u, v_, store_.list_top(), count_, &farthest);

@@ -102,7 +102,10 @@ private:
     };
 
     CellId star(std::uint32_t k) const { return store_.list_top()[-1 - static_cast<std::ptrdiff_t>(k)]; }
-    void measure(const double* u, double enough2, AnyCorner* farthest) const;
+    // What goes over whole stars, for a dimension that the compiler knows: most of the time is theirs.
+    template <int D> void mark_cells();
+    template <int D> void measure(const double* u, double enough2, Corner<D>* farthest) const;
+    template <int D> bool is_bound(const double* u, double s) const;
     template <class Show>
     void show_edge(const double* u, double s, const AnyCell& cell, const AnyCell& other, Show&& show) const;
     template <class Show> void cut(const double* u, double s, Show&& show) const;
