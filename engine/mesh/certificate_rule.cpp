@@ -38,6 +38,8 @@ struct Bound {
     }
 };
 
+double smaller(double a, double b) { return a < b ? a : b; }
+
 template <int D> class CertificateRule : public Refinement<D, CertificateRule<D>> {
     using Base = Refinement<D, CertificateRule<D>>;
     using Base::domain_;
@@ -52,7 +54,8 @@ public:
 
     CertificateRule(Store<D>& store, const MeshRequest& request, const Work& work, MeshResult<D>& result)
         : Base(store, request, work, result), goal_(request.goal), bound_(goal_.ratio),
-          focus_(goal_.focus > 0 && goal_.focus < goal_.ratio ? goal_.focus : goal_.ratio) {}
+          focus_(goal_.focus > 0 && goal_.focus < goal_.ratio ? goal_.focus : goal_.ratio),
+          least_reach2_(smaller(smaller(bound_.reach2, bound_.input_reach2), smaller(focus_.reach2, focus_.input_reach2))) {}
 
     // A Steiner point comes as near to others as `step` times its distance to the inputs.
     double finest() const { return bound_.step < 1 ? resolution / bound_.step : resolution; }
@@ -121,6 +124,7 @@ private:
 
     const RatioGoal goal_;
     const Bound bound_, focus_;
+    const double least_reach2_;  // least_bad2 over local_distance2 is no less
     double cut2_ = 0;  // squared enclosing radius
 };
 
@@ -185,6 +189,7 @@ template <int D> void CertificateRule<D>::queue_bad(CellId c) {
     const double reach2 = farthest2(cell, cell.radius2);
     for (const VertexId w : cell.vertex) {
         const Vertex<D>& vertex = store_.vertex(w);
+        if (!(reach2 > least_reach2_ * local_distance2(vertex))) continue;  // most cells
         if (!vertex.queued && vertex.marker != Marker::exempt && reach2 > least_bad2(vertex)) queue_.push(w);
     }
 }
