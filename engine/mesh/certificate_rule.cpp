@@ -55,7 +55,8 @@ public:
     CertificateRule(Store<D>& store, const MeshRequest& request, const Work& work, MeshResult<D>& result)
         : Base(store, request, work, result), goal_(request.goal), bound_(goal_.ratio),
           focus_(goal_.focus > 0 && goal_.focus < goal_.ratio ? goal_.focus : goal_.ratio),
-          least_reach2_(smaller(smaller(bound_.reach2, bound_.input_reach2), smaller(focus_.reach2, focus_.input_reach2))) {}
+          least_reach2_(
+              smaller(smaller(bound_.reach2, bound_.input_reach2), smaller(focus_.reach2, focus_.input_reach2))) {}
 
     // A Steiner point comes as near to others as `step` times its distance to the inputs.
     double finest() const { return bound_.step < 1 ? resolution / bound_.step : resolution; }
@@ -125,7 +126,7 @@ private:
     const RatioGoal goal_;
     const Bound bound_, focus_;
     const double least_reach2_;  // least_bad2 over local_distance2 is no less
-    double cut2_ = 0;  // squared enclosing radius
+    double cut2_ = 0;            // squared enclosing radius
 };
 
 template <int D> Status CertificateRule<D>::check_goal() {

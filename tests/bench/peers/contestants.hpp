@@ -9,6 +9,8 @@ void ours_delaunay(Trial& trial, int dim, const inputs::Points& points);
 void cgal_delaunay_2(Trial& trial, const inputs::Points& points);
 void cgal_delaunay_3(Trial& trial, const inputs::Points& points);
 void cgal_delaunay_d(Trial& trial, int dim, const inputs::Points& points);  // 4..6
+void hxt_delaunay_3(Trial& trial, const inputs::Points& points);
+void qhull_delaunay(Trial& trial, int dim, const inputs::Points& points);
 const char* cgal_version();
 
 // Quality mesh of 3D points; figures: vertices, cells, aspect_worst, aspect_mean.
