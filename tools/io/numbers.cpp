@@ -38,16 +38,22 @@ bool is_count(double value) {
     return value >= 0 && value < 9007199254740992.0 && value == static_cast<double>(static_cast<std::uint64_t>(value));
 }
 
+char* write_number(char* to, double value) { return std::to_chars(to, to + number_bytes, value + 0.0).ptr; }
+
+char* write_number(char* to, std::uint64_t value) {
+    const auto small = static_cast<std::uint32_t>(value);
+    return small == value ? std::to_chars(to, to + number_bytes, small).ptr
+                          : std::to_chars(to, to + number_bytes, value).ptr;
+}
+
 void append_number(std::string& text, double value) {
-    char digits[40];
-    const std::to_chars_result result = std::to_chars(digits, digits + sizeof digits, value + 0.0);
-    text.append(digits, result.ptr);
+    char digits[number_bytes];
+    text.append(digits, write_number(digits, value));
 }
 
 void append_number(std::string& text, std::uint64_t value) {
-    char digits[24];
-    const std::to_chars_result result = std::to_chars(digits, digits + sizeof digits, value);
-    text.append(digits, result.ptr);
+    char digits[number_bytes];
+    text.append(digits, write_number(digits, value));
 }
 
 std::string number_text(double value) {

@@ -21,7 +21,12 @@ bool parse_finite(const std::string& text, double* value);
 // True for a whole number from 0 to 2^53 - 1: what a count or an index in a file has to be.
 bool is_count(double value);
 
-// The shortest digits that read back to the same double; "inf" for infinity. -0.0 is written as 0.
+// Writes a number at `to`, where there is room for number_bytes, and returns the end. Of doubles the shortest digits
+// that read back to the same; "inf" for infinity. -0.0 is written as 0.
+constexpr std::size_t number_bytes = 32;
+char* write_number(char* to, double value);
+char* write_number(char* to, std::uint64_t value);
+// The same behind a text.
 void append_number(std::string& text, double value);
 void append_number(std::string& text, std::uint64_t value);
 std::string number_text(double value);

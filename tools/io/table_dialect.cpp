@@ -39,8 +39,37 @@ bool looks_like_thousands(std::string_view text) {
            std::all_of(rest.begin(), rest.end(), is_digit) && std::all_of(whole.begin(), whole.end(), is_digit);
 }
 
+// Digits with a sign, a point and an exponent or without, as nearly all fields are: a number, however large. *point:
+// whether it has one.
+bool is_plain_number(std::string_view text, bool* point) {
+    const char* at = text.data();
+    const char* const end = at + text.size();
+    const auto skip_sign = [&] { at += at != end && (*at == '-' || *at == '+') ? 1 : 0; };
+    const auto skip_digits = [&] {
+        const char* const start = at;
+        while (at != end && is_digit(*at)) at++;
+        return at - start;
+    };
+    skip_sign();
+    std::ptrdiff_t digits = skip_digits();
+    *point = at != end && *at == '.';
+    if (*point) at++, digits += skip_digits();
+    if (digits == 0) return false;
+    if (at != end && (*at == 'e' || *at == 'E')) {
+        at++;
+        skip_sign();
+        if (skip_digits() == 0) return false;
+    }
+    return at == end;
+}
+
 void look_at_field(const Field& field, std::uint64_t line, bool decimal_comma, Look* look) {
     double ignored;
+    bool point;
+    if (is_plain_number(field.text, &point)) {
+        look->points = look->points || point;
+        return;
+    }
     if (field.text.empty()) return;
     if (read_field(field, decimal_comma, &ignored) != FieldKind::word) {
         look->points = look->points || field.text.find('.') != std::string_view::npos;
@@ -105,29 +134,42 @@ struct Marks {
     bool leading_tab = true;          // every line begins with one: indentation
 };
 
+// What a byte is to count_marks, as bits.
+struct MarkTable {
+    static constexpr unsigned quote = 1, semicolon = 2, tab = 4, bar = 8, comma = 16, blank = 32;
+    std::uint8_t of[256] = {};
+
+    constexpr MarkTable() {
+        of[static_cast<unsigned>('"')] = quote;
+        of[static_cast<unsigned>(';')] = semicolon;
+        of[static_cast<unsigned>('\t')] = tab;
+        of[static_cast<unsigned>('|')] = bar;
+        of[static_cast<unsigned>(',')] = comma;
+        of[static_cast<unsigned>(' ')] = blank;
+    }
+};
+constexpr MarkTable mark_table;
+
 // A mark that separates two things, not one at an end of the line.
 void count_marks(std::string_view line, Marks* marks) {
-    bool quoted = false, semicolon = false, tab = false, bar = false, comma = false, blank = false;
-    bool spaced = false, bare = false;
+    unsigned seen = 0;
+    bool quoted = false, spaced = false, bare = false;
     const std::string_view content = without_blanks(line);
     for (std::size_t i = 0; i < content.size(); i++) {
-        const char c = content[i];
-        if (c == '"') quoted = !quoted;
+        const unsigned mark = mark_table.of[static_cast<unsigned char>(content[i])];
+        if (mark == 0) continue;
+        if (mark == MarkTable::quote) quoted = !quoted;
         if (quoted) continue;
-        semicolon = semicolon || c == ';';
-        tab = tab || c == '\t';
-        bar = bar || c == '|';
-        comma = comma || c == ',';
-        blank = blank || c == ' ';
-        if (c != ',' || i + 1 >= content.size()) continue;
+        seen |= mark;
+        if (mark != MarkTable::comma || i + 1 >= content.size()) continue;
         spaced = spaced || is_blank(content[i + 1]);
         bare = bare || (i > 0 && is_digit(content[i - 1]) && is_digit(content[i + 1]));
     }
-    marks->semicolon += semicolon;
-    marks->tab += tab;
-    marks->bar += bar;
-    marks->comma += comma;
-    marks->blank += blank;
+    marks->semicolon += (seen & MarkTable::semicolon) != 0;
+    marks->tab += (seen & MarkTable::tab) != 0;
+    marks->bar += (seen & MarkTable::bar) != 0;
+    marks->comma += (seen & MarkTable::comma) != 0;
+    marks->blank += (seen & MarkTable::blank) != 0;
     marks->comma_and_blank += spaced;
     marks->bare_comma += bare;
     marks->leading_tab = marks->leading_tab && !line.empty() && line[0] == '\t';

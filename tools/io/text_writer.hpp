@@ -1,6 +1,8 @@
 // Text on its way to a file, in large pieces.
 #pragma once
+#include <cstddef>
 #include <cstdint>
+#include <cstring>
 #include <string>
 #include <string_view>
 
@@ -18,39 +20,47 @@ public:
     TextWriter& operator=(const TextWriter&) = delete;
 
     TextWriter& operator<<(std::string_view text) {
-        text_ += text;
-        return spill();
+        std::memcpy(room(text.size()), text.data(), text.size());
+        used_ += text.size();
+        return *this;
     }
     TextWriter& operator<<(char c) {
-        text_ += c;
+        *room(1) = c;
+        ++used_;
         return *this;
     }
     // Shortest digits that read back to the same double.
-    TextWriter& operator<<(double value) {
-        append_number(text_, value);
-        return spill();
-    }
-    TextWriter& operator<<(std::uint64_t value) {
-        append_number(text_, value);
-        return spill();
-    }
-    TextWriter& operator<<(std::uint32_t value) { return *this << static_cast<std::uint64_t>(value); }
+    TextWriter& operator<<(double value) { return write(value); }
+    TextWriter& operator<<(std::uint64_t value) { return write(value); }
+    TextWriter& operator<<(std::uint32_t value) { return write(std::uint64_t{value}); }
 
     void flush() {
-        if (file_ == nullptr) return;
-        file_->write(text_.data(), text_.size());
-        text_.clear();
+        if (file_ == nullptr || used_ == 0) return;
+        file_->write(text_.data(), used_);
+        used_ = 0;
     }
-    const std::string& text() const { return text_; }
+    std::string text() const { return text_.substr(0, used_); }
 
 private:
-    TextWriter& spill() {
-        if (file_ != nullptr && text_.size() > piece_bytes) flush();
+    template <class Number> TextWriter& write(Number value) {
+        char* const to = room(number_bytes);
+        used_ += static_cast<std::size_t>(write_number(to, value) - to);
         return *this;
     }
+    // Where the next so many bytes go.
+    char* room(std::size_t bytes) {
+        if (used_ + bytes > text_.size()) make_room(bytes);
+        return text_.data() + used_;
+    }
+    void make_room(std::size_t bytes) {
+        if (text_.size() >= piece_bytes) flush();
+        if (used_ + bytes > text_.size()) text_.resize(2 * text_.size() + bytes + 1024);
+    }
+
     static constexpr std::size_t piece_bytes = std::size_t{1} << 20;
     platform::OutputFile* file_;
-    std::string text_;
+    std::string text_;  // of which the first used_ bytes are text
+    std::size_t used_ = 0;
 };
 
 }  // namespace netmesh::tool
