@@ -26,20 +26,27 @@ Status check_separation(const Store<D>& store, const InputTree<D>& tree, double 
                     return Status::out_of_range;
                 }
         }
-    if (inputs == 1) return Status::ok;
-    for (std::uint32_t v = 0; v < inputs;)
-        for (const std::uint64_t piece = store.arena.piece(v, inputs, 500 * D); v < piece; ++v) {
+    // In the order of the tree, where the last one's nearest is near; the first pair by index is what is reported.
+    VertexId first = none, near_first = none, last = none;
+    bool is_tiny = false;
+    for (std::uint32_t i = 0; i < inputs && inputs > 1;)
+        for (const std::uint64_t piece = store.arena.piece(i, inputs, 500 * D); i < piece; ++i) {
+            const VertexId v(tree.item(i));
             double d2;
-            const std::uint32_t near = tree.nearest(store.point(v), v > 0 ? v - 1 : 1, v, &d2);
+            const VertexId near(tree.nearest(store.point(v), last, v, &d2));
+            last = v;
             const bool tiny = d2 < separation_min * separation_min;
             const double least = finest * magnitude_of<D>(store.point(v));
-            if (!tiny && d2 >= least * least) continue;
-            const std::uint64_t a = store.vertex(v).origin, b = store.vertex(near).origin;
-            input->row_a = a < b ? a : b;
-            input->row_b = a < b ? b : a;
-            return tiny && d2 > least * least ? Status::out_of_range : Status::too_close;
+            if ((!tiny && d2 >= least * least) || !(v < first)) continue;
+            first = v;
+            near_first = near;
+            is_tiny = tiny && d2 > least * least;
         }
-    return Status::ok;
+    if (first == none) return Status::ok;
+    const std::uint64_t a = store.vertex(first).origin, b = store.vertex(near_first).origin;
+    input->row_a = a < b ? a : b;
+    input->row_b = a < b ? b : a;
+    return is_tiny ? Status::out_of_range : Status::too_close;
 }
 
 #define NETMESH_INSTANTIATE(D)                                                                                         \
