@@ -110,6 +110,10 @@ void AnyInputTree::visit(const double* x, Consider&& consider, Bound&& bound2) c
             const std::uint32_t middle = range.middle();
             const int axis = axis_[middle];
             const double offset = x[axis] - point(items_[middle])[axis];
+            if (offset * offset > bound2()) {  // nor is the item nearer, or any beyond
+                range = offset < 0 ? range.below() : range.above();
+                continue;
+            }
             const double d2 = consider(items_[middle]);
             if (reach_ != nullptr) {
                 // Clusters far smaller than their distance lie on both sides of planes that say nothing about it.
