@@ -111,6 +111,7 @@ void AnyInputTree::visit(const double* x, Consider&& consider, Bound&& bound2) c
             const int axis = axis_[middle];
             const double offset = x[axis] - point(items_[middle])[axis];
             if (offset * offset > bound2()) {  // nor is the item nearer, or any beyond
+                ++touches_;
                 range = offset < 0 ? range.below() : range.above();
                 continue;
             }
