@@ -72,5 +72,6 @@ extern "C" netmesh_status netmesh_persist(netmesh_context* context, const netmes
     clear_diagram(context);
     if (status == Status::not_finite)
         return finish(context, status, "the function is not finite at a vertex", diagram.culprit);
+    if (status == Status::check_failed) return finish(context, status, "a cell that was loaded is flat: no radius");
     return finish(context, status);
 }

@@ -63,13 +63,14 @@ private:
         return status;
     }
     // Any simplex; not in the loop, and not often.
-    [[gnu::noinline]] bool evaluate_exactly(const double* const* point, int k, Circumsphere* out) {
+    [[gnu::noinline]] Status evaluate_exactly(const double* const* point, int k, Circumsphere* out) {
         work_.arena.pass(40 * D);
         const ExactSphere sphere(point, k, D);
-        if (!sphere.in_range()) return false;
+        if (!sphere.in_range()) return Status::out_of_range;
         *out = sphere.evaluate(scratch_);
+        if (!(out->radius < infinity)) return Status::check_failed;
         errors_.note(out->radius, exact_radius_error(out->radius));
-        return true;
+        return Status::ok;
     }
     bool stop(std::uint32_t f, int k) {
         if (f % faces_between_polls != faces_between_polls - 1) return false;
@@ -99,8 +100,9 @@ template <int D> template <int K> Status AlphaValues<D>::find_radii() {
             Circumsphere sphere;
             if (circumsphere_fast<K, D>(point, &sphere)) {
                 if (sphere.volume < volume) volume = sphere.volume;
-            } else if (!evaluate_exactly(point, K, &sphere)) {
-                return Status::out_of_range;
+            } else {
+                const Status status = evaluate_exactly(point, K, &sphere);
+                if (status != Status::ok) return status;
             }
             if (!(value < 0)) value = sphere.radius;
             for (int i = 0; i <= K; ++i)
@@ -113,7 +115,8 @@ template <int D> template <int K> Status AlphaValues<D>::find_radii() {
                 value = edge.value;
             } else {
                 Circumsphere sphere;
-                if (!evaluate_exactly(point, K, &sphere)) return Status::out_of_range;
+                const Status status = evaluate_exactly(point, K, &sphere);
+                if (status != Status::ok) return status;
                 value = sphere.radius;
             }
         }

@@ -36,7 +36,7 @@ template <int D> struct AlphaFiltration {
 // Requires all faces (faces.dimension_max == D), fewer than 2^32; last_vertex[D] is not read. One small linear solve a
 // face, see circumsphere.hpp, and what order_radii takes. Scratch at the high end: that of ExactSphere, then of
 // order_radii.
-// out_of_memory, out_of_range, cancelled.
+// out_of_memory, out_of_range, cancelled; check_failed: a simplex is flat, as those of loaded cells may be.
 template <int D>
 Status alpha_values(const Faces<D>& faces, const double* coordinates, std::ptrdiff_t stride_bytes, const Work& work,
                     double* const* value, double* error);

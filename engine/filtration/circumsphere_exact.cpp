@@ -42,8 +42,9 @@ std::uint64_t power_of_two_modulo(int e, const ResiduePrime& prime) {
     return r;
 }
 
-// sqrt, in the range of doubles.
+// sqrt, in the range of doubles; infinite if that is.
 double root_of(const Floating& square) {
+    if (!(square.mantissa.high < infinity)) return infinity;
     const bool odd = (square.exponent & 1) != 0;
     double root = square_root(scaled(square.mantissa, odd ? 2 : 1));
     int e = (square.exponent - odd) / 2;
@@ -98,7 +99,11 @@ ExactSphere::Residues ExactSphere::modulo(const ResiduePrime& prime) const {
 
 namespace {
 
-Floating quotient(const Floating& a, const Floating& b) { return {a.mantissa / b.mantissa, a.exponent - b.exponent}; }
+// a / b for b >= 0; infinite where b is 0.
+Floating quotient(const Floating& a, const Floating& b) {
+    if (!(b.mantissa.high > 0)) return {{infinity, 0}, 0};
+    return {a.mantissa / b.mantissa, a.exponent - b.exponent};
+}
 
 Floating floating_of(std::uint64_t* residues, int n) {
     sign_of_residues(residues, n);

@@ -4,7 +4,8 @@
 // centre is vertex 0 + sum of beta_i e_i with G beta = b / 2. So by Cramer, with G_i for G with b as column i,
 //     beta_i = det G_i / (2 det G),   beta_0 = (2 det G - sum of det G_i) / (2 det G),
 //     squared radius = (b . G^-1 b) / 4 = (sum of b_i det G_i) / (4 det G)   squared quanta.
-// All of these determinants are residues (residues.hpp). det G is positive as no cell of a triangulation is flat.
+// All of these determinants are residues (residues.hpp). det G is positive, as no cell of a triangulation is flat; 0 for
+// simplices that are, as those of a triangulation from elsewhere may be.
 #pragma once
 #include <cstddef>
 #include <cstdint>
@@ -34,13 +35,14 @@ public:
     // Words of scratch that a question takes in dimension `dim`.
     static constexpr std::size_t room(int dim) { return std::size_t(dim + 3) * residue_prime_count; }
 
-    // point: k+1 addresses of dim finite coordinates, affinely independent; not read later. 1 <= k <= dim <= 6.
+    // point: k+1 addresses of dim finite coordinates; not read later. 1 <= k <= dim <= 6. The points have to be affinely
+    // independent for all questions but evaluate.
     ExactSphere(const double* const* point, int k, int dim);
 
     // Whether the table of primes is long enough: differences of coordinates below 2^(16,700 / (2k+2)) quanta. The
     // questions below ask for it.
     bool in_range() const { return primes_for_bits(square_bits()) <= residue_prime_count; }
-    // `within` is exact; the radius is off by exact_radius_error at most.
+    // `within` is exact; the radius is off by exact_radius_error at most. A flat simplex has an infinite radius.
     Circumsphere evaluate(std::uint64_t* scratch) const;
     // The squared radius to 2^-89 relative. 2^-62 < mantissa < 2^62.
     Floating radius_squared(std::uint64_t* scratch) const;

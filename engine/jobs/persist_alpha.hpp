@@ -16,7 +16,7 @@ namespace netmesh {
 // Memory: 20, 23, 26, 29, 32 bytes a simplex of the triangulation in D = 2..6 while radii are found; then 16, 19, 22,
 // 25, 28 and what persist_ball takes. Peaks seen: 30, 27, 27, 29, 32. Grids, where most radii are equal to others,
 // take 8 more in space.
-// out_of_memory, out_of_range, cancelled.
+// out_of_memory, out_of_range, cancelled; check_failed: a cell is flat.
 template <int D>
 Status persist_alpha(const AlphaFiltration<D>& filtration, DiagramRequest request, const Work& work, CountedPairs* out,
                      double* error);

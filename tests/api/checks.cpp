@@ -113,6 +113,41 @@ TEST_CASE("vertices in no cell, and triangulations, are loaded and checked") {
     }
 }
 
+// Of a flat cell no radius is known, and with any number for it faces could enter after their cofaces.
+TEST_CASE("alpha refuses cells that were loaded flat") {
+    for (const int dim : dimensions()) {
+        CAPTURE(dim);
+        const std::size_t d = static_cast<std::size_t>(dim);
+        inputs::Points points = inputs::uniform(dim, 14, 5);
+        for (double& x : points) x = std::floor(512 * x);
+        Session s(dim);
+        REQUIRE(s.delaunay(points) == NETMESH_OK);
+        Arrays whole(s);
+        whole.domain.clear();
+        s.reserve(std::size_t{1} << 24);
+        Arrays flat = whole, one = whole, point = whole;
+        for (std::size_t v = 0; v < flat.markers.size(); ++v) flat.vertices[d * v + d - 1] = 3;
+        // One vertex of a cell in the middle between two others, or where another one is.
+        const auto at = [](Arrays& cells, std::size_t corner, std::size_t k) -> double& {
+            return cells.vertices[cells.dim * cells.cells[corner] + k];
+        };
+        for (std::size_t k = 0; k < d; ++k) {
+            at(one, 0, k) = 0.5 * (at(whole, 1, k) + at(whole, 2, k));
+            at(point, 0, k) = at(whole, 1, k);
+        }
+        for (const Arrays* const cells : {&flat, &one, &point}) {
+            REQUIRE(cells->load(s) == NETMESH_OK);
+            CHECK(s.persist(NETMESH_FILTER_ALPHA) == NETMESH_CHECK_FAILED);
+            CHECK(said(s).find("flat") != std::string::npos);
+            CHECK(s.report().diagram.present == 0);
+            CHECK(s.check(NETMESH_CHECK_COMBINATORIAL) == NETMESH_OK);
+            CHECK(s.check(NETMESH_CHECK_GEOMETRIC) == NETMESH_CHECK_FAILED);
+        }
+        REQUIRE(whole.load(s) == NETMESH_OK);
+        CHECK(s.persist(NETMESH_FILTER_ALPHA) == NETMESH_OK);
+    }
+}
+
 TEST_CASE("a domain about its only input") {
     for (const int dim : dimensions()) {
         CAPTURE(dim);

@@ -46,7 +46,7 @@ typedef enum netmesh_status {
                                   * the more that a tau near 2 or a ratio below 2 needs (see netmesh_mesh) */
     NETMESH_NO_RESULT = 8,       /* the call needs an earlier step that has not been done */
     NETMESH_CHECK_FAILED = 9,    /* a checker found a violation; detail.message says which. Also from any job on a mesh
-                                    taken over by netmesh_load whose cells are not a triangulated ball */
+                                    taken over by netmesh_load whose cells are no triangulated ball or, ALPHA, flat */
     NETMESH_FLOATING_POINT = 10, /* the floating-point mode is not IEEE double, round to nearest, no flush to zero */
     NETMESH_INTERNAL = 11,       /* an invariant of the library does not hold: a defect, please report it */
     NETMESH_NOT_A_COMPLEX = 12,  /* simplex index_a has no place in a filtered complex; detail.fault says why */

@@ -130,11 +130,11 @@ void netmesh_persist_request_init(netmesh_persist_request* request, size_t reque
  * it finite. certified_error is finite, at most lipschitz times the domain's radius; infinite where what is said of the
  * function cannot be: at a vertex it is less than cut and lipschitz allow so far from the domain's sphere.
  * INVALID_ARGUMENT (K: more than the number of different points), NOT_FINITE (index_a: the vertex at which the function
- * is not finite), OUT_OF_RANGE (ALPHA: differences of coordinates above 2^1670 units in the plane, 2^1190
- * in space, 2^640 in R^6, of which all coordinates are multiples), NO_RESULT, OUT_OF_MEMORY, CANCELLED. The mesh stays
- * whole on failure. ALPHA: a bar of positive length for each that there is in exact arithmetic, and no other. Births
- * and deaths have exactly the order of the true ones: where many different ones share one double, each is the next
- * double to the one before, within value_error of the report. */
+ * is not finite), OUT_OF_RANGE (ALPHA: differences of coordinates above 2^1670 units in the plane, 2^1190 in space,
+ * 2^640 in R^6, of which all coordinates are multiples), CHECK_FAILED (ALPHA: a cell that was loaded is flat),
+ * NO_RESULT, OUT_OF_MEMORY, CANCELLED. The mesh stays whole on failure. ALPHA: a bar of positive length for each that
+ * there is in exact arithmetic, and no other. Births and deaths have exactly the order of the true ones: where many
+ * different ones share one double, each is the next double to the one before, within value_error of the report. */
 netmesh_status netmesh_persist(netmesh_context* context, const netmesh_persist_request* request);
 
 /* The diagram of the offsets of points by whichever filter costs less. */
