@@ -54,7 +54,7 @@ public:
         if (status != Status::ok) return status;
         climbed->certified = climbed->reached = context_->diagram.certified_error;
         context_->diagram.fitted_error = error;
-        return request_.bounds != 0 ? static_cast<Status>(bound()) : Status::ok;
+        return ended(request_.bounds != 0 ? static_cast<Status>(bound()) : Status::ok);
     }
     Status make(const RatioGoal& goal, Climbed* climbed) const {
         const bool focused = request_.focus_to > 0;
@@ -74,13 +74,13 @@ public:
         const bool is_laddered =
             find_filter(filter_.filter)->has(filter_trait::has_goal) && filter_.values == FilterValues::certified;
         climbed->reached = is_laddered ? climbed->certified : infinity;
-        return request_.bounds != 0 ? static_cast<Status>(bound()) : Status::ok;
+        return ended(request_.bounds != 0 ? static_cast<Status>(bound()) : Status::ok);
     }
 
     // The same with bounds, and what they decide of bars longer than the request says.
     Status make_bounded(const RatioGoal& goal, Decided* decided) const {
         Status status = mesh_and_persist(mesh_request(goal));
-        if (status == Status::ok) status = static_cast<Status>(bound());
+        if (status == Status::ok) status = ended(static_cast<Status>(bound()));
         if (status != Status::ok) return status;
         context_->bounds.longer_than = request_.longer_than;
         const DecisionView view = decision_of(context_);
@@ -105,18 +105,42 @@ private:
     Status mesh_and_persist(const netmesh_mesh_request& asked) const {
         netmesh_status status = netmesh_mesh(context_, &asked);
         if (status == NETMESH_OK) status = persist();
-        if (status == NETMESH_OK && !can_be_checked()) status = finish(context_, Status::out_of_memory);
         return static_cast<Status>(status);
     }
-    // Whether there is room for netmesh_check, which takes more than a diagram does. Of a vertex: value, interval,
-    // limit of its cell, and a list of cells; of a cell: whether it is in the ball, twice as much for faces.
-    bool can_be_checked() const {
-        constexpr std::size_t vertex_bytes = 3 * sizeof(double) + sizeof(Interval), cell_bytes = 2, fixed = 4096;
+    // Ends what has been made: it stays only if netmesh_check, which takes more than a diagram does, has room in the
+    // block. Of a vertex: value, interval, limit of its cell; of a cell: whether it is in the ball, and its faces; of
+    // an input of a mesh that promises a tau: its place in the well-paced order; and the largest star, corner by
+    // corner, as analysis/fat_cell.cpp and the fatness of clipped cells take it (at most so much was seen). What is
+    // left out are the boxes of analysis/feature_integral.cpp, 2,200 of 8 D + 1 bytes, which meshes by an error alone
+    // are checked with: small blocks would fit no function.
+    Status ended(Status status) const {
+        if (status != Status::ok) return status;
+        constexpr std::size_t vertex_bytes = 3 * sizeof(double) + sizeof(Interval), cell_bytes = 2, input_bytes = 72,
+                              fixed = 4096;
         const StoreState& mesh = context_->mesh.store;
-        const std::size_t needed = mesh.vertex_count * vertex_bytes + mesh.cell_slots * cell_bytes + fixed;
-        if (context_->arena.bytes_free() >= needed) return true;
+        const std::size_t d = request_.dim, corner_bytes = 2 * d * (13 + 24 * d);
+        const std::size_t inputs = context_->mesh.tau > 0 ? context_->input.distinct : 0;
+        const std::size_t needed = mesh.vertex_count * vertex_bytes + mesh.cell_slots * cell_bytes +
+                                   inputs * input_bytes + largest_star() * corner_bytes + fixed;
+        if (context_->arena.bytes_free() >= needed) return status;
         context_->arena.refuse(needed);
-        return false;
+        return static_cast<Status>(finish(context_, Status::out_of_memory));
+    }
+    // Most cells at a vertex; 0 where there is no room to count them, or for a check.
+    std::size_t largest_star() const {
+        Arena& arena = context_->arena;
+        const ArenaScope scope(arena);
+        const std::uint32_t vertices = context_->mesh.store.vertex_count;
+        std::uint32_t* const cells_at = arena.take_low<std::uint32_t>(vertices);
+        if (cells_at == nullptr) return 0;
+        arena.each(vertices, 2, [&](std::uint64_t v) { cells_at[v] = 0; });
+        std::uint32_t most = 0;
+        const AnyStore store(static_cast<int>(request_.dim), arena, context_->mesh.store);
+        arena.each(store.state.cell_slots, 10 * request_.dim, [&](std::uint64_t c) {
+            for (const VertexId v : store.cell(static_cast<std::uint32_t>(c)).vertex)
+                if (++cells_at[v] > most) most = cells_at[v];
+        });
+        return most;
     }
     netmesh_mesh_request mesh_request() const {
         netmesh_mesh_request asked;

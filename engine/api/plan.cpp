@@ -146,14 +146,15 @@ struct MeshKind {
 
 template <int D> double planned_vertices(const MeshKind& kind, double points) {
     constexpr MeshFigures f = MeshFiguresOf<D>::value;
-    constexpr double taus[3] = {f.tau[0] - 2, f.tau[1] - 2, f.tau[2] - 2},
-                     ratios[3] = {0.5857864376, 0.8357864376, 1.5857864376};
-    const double n = points > 100 ? points : 100, root = square_root(n);
-    double growth = kind.ratio > 0 ? interpolated(kind.ratio - 1.4142135624, ratios, f.by_ratio)
+    constexpr double root2 = 1.4142135624, taus[3] = {f.tau[0] - 2, f.tau[1] - 2, f.tau[2] - 2};
+    double places[ratio_places];
+    for (int i = 0; i < ratio_places; ++i) places[i] = ratios[i] - root2;
+    const double n = points > 100 ? points : 100, spread = points > f.spread_from ? points : f.spread_from;
+    double growth = kind.ratio > 0 ? interpolated(kind.ratio - root2, places, f.by_ratio)
                                    : interpolated(kind.tau - 2, taus, f.by_tau);
     const double shell = kind.shell ? f.shell * square_root(growth) * to_power(n, f.shell_power) : 0;
     if (kind.cages) growth *= f.cages_growth;
-    double vertices = points * (1 + growth * (1 + f.spread_root / root + f.spread / n)) + shell;
+    double vertices = points * (1 + growth * (1 + f.spread_root / square_root(spread) + f.spread / spread)) + shell;
     if (points < 100) vertices += (D == 3 ? 2.5 : 1) * (100 - points);
     if (kind.net) vertices += f.net_fixed + f.net * to_power(n, f.net_power) + f.net_each * points;
     if constexpr (D <= thesis_dim_max)

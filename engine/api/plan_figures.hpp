@@ -45,7 +45,7 @@ template <> struct DelaunayFiguresOf<4> {
     static constexpr DelaunayFigures value = {{2100, 3209, 3885}, {2100, 9764, 15112}, {2100, 6446, 9796}};
 };
 template <> struct DelaunayFiguresOf<5> {
-    static constexpr DelaunayFigures value = {{2100, 23745, 39497}, {3000, 89150, 162518}, {2100, 64660, 117413}};
+    static constexpr DelaunayFigures value = {{14000, 23745, 39497}, {3000, 89150, 162518}, {2100, 64660, 117413}};
 };
 template <> struct DelaunayFiguresOf<6> {
     static constexpr DelaunayFigures value = {{2100, 160400, 275800}, {2100, 525400, 872065}, {2100, 424200, 708000}};
@@ -53,14 +53,18 @@ template <> struct DelaunayFiguresOf<6> {
 
 // Vertices of meshes of uniform points in R^2, R^3, R^4: 1 + growth spread a point. The spread from set to set
 // is large where points are few: the largest of 60 sets of 100 points has 2.5 (D = 2) and 3 (3) times as many as the
-// least one. Each at three places, between them as powers: of tau - 2 at `tau` - 2 and of ratio - sqrt 2 at ratios of
-// 2, 2.25, 3.
+// least one. Each at some places, between them as powers: of tau - 2 at `tau` - 2 and of ratio - sqrt 2 at `ratios`.
+// Below 2 cells at the boundary of the points are a large part of a mesh of few: growth is then what 100 to 10,000
+// points in the plane and 300 to 3,000 in space lead to for more; in R^4 it is that of 100 and 200 points and whole
+// cells, below 1.8 a guess.
+constexpr int ratio_places = 8;
+constexpr double ratios[ratio_places] = {1.5, 1.6, 1.7, 1.8, 1.9, 2, 2.25, 3};
 struct MeshFigures {
     double tau[3];
-    double by_tau[3], by_ratio[3];
-    double cages_growth;         // with compact cages, times that without
-    double spread_root, spread;  // 1 + spread_root / sqrt n + spread / n
-    double shell_power, shell;   // refined around the domain for persistence: shell sqrt(growth) n^power
+    double by_tau[3], by_ratio[ratio_places];
+    double cages_growth;                      // with compact cages, times that without
+    double spread_root, spread, spread_from;  // 1 + spread_root / sqrt n + spread / n, n at least spread_from
+    double shell_power, shell;                // refined around the domain for persistence: shell sqrt(growth) n^power
     double net_fixed, net_power, net,
         net_each;              // VoronoiRefine, at the default tau: net_fixed + net n^power + net_each n
     double sizes_each, sizes;  // over-refined: sizes_each + sizes / eps^D a point
@@ -72,28 +76,29 @@ template <int D> struct MeshFiguresOf;
 // clang-format off
 template <> struct MeshFiguresOf<2> {
     static constexpr MeshFigures value = {
-        {2.5, 3.5, 6}, {3.43, 1.31, 0.485}, {2, 0.985, 0.302}, 0.9, 7.5, 40,
+        {2.5, 3.5, 6}, {3.43, 1.31, 0.485}, {54.5, 25.3, 13.5, 6.1, 3.15, 2, 0.985, 0.302}, 0.9, 7.5, 40, 100,
         0, 62, 700, 0.5, 12, 0.62, 10, 2.47,
         161, 190, 171.5, 170, 176, 29};
 };
 template <> struct MeshFiguresOf<3> {
     static constexpr MeshFigures value = {
-        {2.5, 3.5, 6}, {7.63, 1.93, 0.5}, {3.45, 1.39, 0.31}, 1, 14.3, 75,
+        {2.5, 3.5, 6}, {7.63, 1.93, 0.5}, {345, 167, 71, 21, 6.9, 3.45, 1.39, 0.31}, 1, 14.3, 75, 100,
         0.3334, 17, 0, 0.25, 2450, 0.6, 48, 4.9,
         516, 574, 506, 513, 512, 85};
 };
 // Not of nets and sizes.
 template <> struct MeshFiguresOf<4> {
     static constexpr MeshFigures value = {
-        {3.08, 3.5, 6}, {5.05, 3.05, 0.63}, {5.9, 2.1, 0.385}, 1, 5, 0,
+        {3.08, 3.5, 6}, {5.05, 3.05, 0.63}, {950, 430, 165, 55, 17.4, 6.1, 2.1, 0.385}, 1, 5.5, 36, 250,
         0.5, 16, 0, 0, 0, 0, 0, 0,
         2490, 2500, 2490, 2490, 0, 180};
 };
 // clang-format on
 
-// Takes powers for granted between the places, and beyond them as next to the ends.
-inline double interpolated(double x, const double (&place)[3], const double (&value)[3]) {
-    const int i = x < place[1] ? 0 : 1;
+// Takes powers for granted between the places, which ascend, and beyond them as next to the ends.
+template <int n> double interpolated(double x, const double (&place)[n], const double (&value)[n]) {
+    int i = 0;
+    while (i + 2 < n && x >= place[i + 1]) ++i;
     const double far = place[i + 1] / place[i], low = value[i] / value[i + 1];
     return value[i] * to_power(x / place[i], -logarithm(low) / logarithm(far));
 }

@@ -109,6 +109,12 @@ const std::vector<Job> jobs = {
     {"persist", meshes, 1.7, {100000, 30000, 1000}, persist([](auto&) {})},
     {"persist-tau3.5", meshes, 1.7, {100000, 30000, 1000}, persist([](auto& r) { r.tau = 3.5; })},
     {"persist-tau6", meshes, 1.7, {100000, 30000, 1000}, persist([](auto& r) { r.tau = 6; })},
+    {"ratio1.6", {never, never}, 3.5, {3000, 300}, persist([](auto& r) { r.certificate.ratio = 1.6; })},
+    {"ratio1.8", {10000, never, never}, 3, {10000, 3000, 100}, persist([](auto& r) { r.certificate.ratio = 1.8; })},
+    {"ratio1.9-whole", {3000, never, never}, 2.4, {10000, 1000, 173}, persist([](auto& r) {
+         r.certificate.ratio = 1.9;
+         r.whole_cells = 1;
+     })},
     {"ratio2", meshes, 1.9, {30000, 10000, 300}, persist([](auto& r) { r.certificate.ratio = 2; })},
     {"ratio2.25", meshes, 1.7, {100000, 30000, 1000}, by_ratio},
     {"ratio3", meshes, 1.7, {100000, 30000, 1000}, persist([](auto& r) { r.certificate.ratio = 3; })},
