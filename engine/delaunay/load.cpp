@@ -140,7 +140,10 @@ Status load_cells(Store<D>& store, const double* coordinates, std::uint32_t vert
     if (store.open_vertices(vertex_count) != Status::ok || store.open_cells() != Status::ok ||
         !store.has_room(cell_count, 0, 0))
         return Status::out_of_memory;
-    for (std::uint32_t c = 0; c < cell_count; ++c) store.new_cell();
+    for (std::uint32_t c = 0; c < cell_count;)
+        for (const std::uint64_t piece = store.arena.piece(c, cell_count, 8); c < piece; ++c) {
+            store.new_cell();
+        }
     const Status status = fill_store(store, coordinates, cells, why);
     if (status != Status::ok) return status;
     measure_edges<D>(store);
