@@ -90,7 +90,8 @@ set(fastest complex/faces delaunay/kernel delaunay/sphere delaunay/store filtrat
   homology/lower_star/lower_star mesh/input_tree numerics/radix_sort numerics/value_order)
 list(TRANSFORM fastest REPLACE ".+" "${PROJECT_SOURCE_DIR}/engine/\\0.cpp")
 set_source_files_properties(${fastest} PROPERTIES COMPILE_OPTIONS "$<$<CONFIG:Release>:-O3${unaligned}>")
-# Beyond D = 4 the same templates are small: their sources are compiled once more, for those dimensions alone.
+# Beyond D = 4 the same templates are small, but for triangulations: their sources are compiled once more, for those
+# dimensions alone.
 set(low ${NETMESH_SERVED})
 list(FILTER low INCLUDE REGEX "^[2-4]$")
 set(high ${NETMESH_SERVED})
@@ -103,7 +104,7 @@ if(CMAKE_BUILD_TYPE STREQUAL "Release" AND low AND high)
   endforeach()
   foreach(source ${fast} ${fastest})
     file(STRINGS ${source} instances REGEX "^NETMESH_EACH_INSTANCE")
-    if(instances)
+    if(instances AND NOT source MATCHES "/delaunay/")
       file(RELATIVE_PATH again ${PROJECT_SOURCE_DIR} ${source})
       string(REGEX REPLACE "([^/]+)$" "high/\\1" again ${PROJECT_BINARY_DIR}/${again})
       configure_file(${PROJECT_SOURCE_DIR}/engine/again.cpp.in ${again} @ONLY)
