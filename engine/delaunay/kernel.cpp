@@ -7,6 +7,12 @@
 #include "delaunay/spatial.hpp"
 #include "vocabulary/dimension.hpp"
 
+#ifdef __OPTIMIZE_SIZE__
+#define NETMESH_APART
+#else
+#define NETMESH_APART [[gnu::noinline]]  // inlined it would spill registers of its caller and deepen its stack
+#endif
+
 namespace netmesh {
 namespace {
 
@@ -42,17 +48,16 @@ template <int D> [[gnu::noinline]] void link(Cell<D>* cells, std::uint32_t stamp
     }
 }
 
-template <int D> [[gnu::noinline]] void link_all(const Store<D>& store, const Cavity& cavity, const CavityLine* end) {
+template <int D> void link_all(const Store<D>& store, const Cavity& cavity, const CavityLine* end) {
     for (std::ptrdiff_t k = 0; k < std::ptrdiff_t{cavity.facets}; ++k) {
         if (k % 256 == 255) store.arena.pass(256 * (D - 1));
         link<D>(&store.cell(0), cavity.stamp, end[-k].made, end[-k].facet);
     }
 }
 
-// This and link() are most of what filling costs where it is done cell by cell; inlined they would spill its registers.
 template <int D>
-[[gnu::noinline]] void make_sphere(const Store<D>& store, const Cell<D>& inside, const Cell<D>& outside,
-                                   const double* q, double error_max, Cell<D>& cell) {
+NETMESH_APART void make_sphere(const Store<D>& store, const Cell<D>& inside, const Cell<D>& outside, const double* q,
+                               double error_max, Cell<D>& cell) {
     if (!pencil_sphere<D>(inside, outside, q, error_max, cell)) solve_cell<D>(store, error_max, cell);
 }
 
@@ -60,8 +65,8 @@ template <int D>
 // replaced, which keeps the orientation. That cell's neighbour across the facet becomes the new cell. end: line 0 of
 // the cavity's list.
 template <int D>
-[[gnu::noinline]] void make_one_by_one(Store<D>& store, const Cavity& cavity, VertexId id, double error_max,
-                                       CavityLine* end, CellSupply<D>& supply) {
+NETMESH_APART void make_one_by_one(Store<D>& store, const Cavity& cavity, VertexId id, double error_max,
+                                   CavityLine* end, CellSupply<D>& supply) {
     Cell<D>* const cells = &store.cell(0);
     const double* const q = store.point(id);
     const std::ptrdiff_t facets = cavity.facets;
@@ -419,5 +424,6 @@ template <int D> void Kernel<D>::fill(const Cavity& cavity, VertexId id) {
 #define NETMESH_INSTANTIATE(D) template class Kernel<D>;
 NETMESH_EACH_INSTANCE(NETMESH_INSTANTIATE)
 #undef NETMESH_INSTANTIATE
+#undef NETMESH_APART
 
 }  // namespace netmesh
