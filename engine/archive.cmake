@@ -68,6 +68,8 @@ target_compile_features(netmesh_engine PUBLIC cxx_std_17)
 set_target_properties(netmesh_engine PROPERTIES CXX_EXTENSIONS OFF INTERPROCEDURAL_OPTIMIZATION OFF
   ARCHIVE_OUTPUT_DIRECTORY ${PROJECT_BINARY_DIR}/plain)
 target_compile_options(netmesh_engine PRIVATE ${NETMESH_ENGINE_FLAGS})
+# For tests that compile an engine of their own.
+set_property(TARGET netmesh_engine PROPERTY NETMESH_SOURCES ${NETMESH_ENGINE_SOURCES})
 # A Release build is small, but for what the large jobs spend their time in: archive.size counts the bytes of all that
 # is built. What headers leave out at -Os (__OPTIMIZE_SIZE__) stays in: they have to mean the same in all files.
 target_compile_options(netmesh_engine PRIVATE "$<$<CONFIG:Release>:-Os;-U__OPTIMIZE_SIZE__>")
@@ -88,6 +90,29 @@ set(fastest complex/faces delaunay/kernel delaunay/sphere delaunay/store filtrat
   homology/lower_star/lower_star mesh/input_tree numerics/radix_sort numerics/value_order)
 list(TRANSFORM fastest REPLACE ".+" "${PROJECT_SOURCE_DIR}/engine/\\0.cpp")
 set_source_files_properties(${fastest} PROPERTIES COMPILE_OPTIONS "$<$<CONFIG:Release>:-O3${unaligned}>")
+# Beyond D = 4 the same templates are small: their sources are compiled once more, for those dimensions alone.
+set(low ${NETMESH_SERVED})
+list(FILTER low INCLUDE REGEX "^[2-4]$")
+set(high ${NETMESH_SERVED})
+list(FILTER high EXCLUDE REGEX "^[2-4]$")
+if(CMAKE_BUILD_TYPE STREQUAL "Release" AND low AND high)
+  foreach(part low high)
+    list(TRANSFORM ${part} REPLACE "(.+)" "DO(\\1)")
+    list(JOIN ${part} " " each)
+    set(${part} "-DNETMESH_EACH_INSTANCE(DO)=${each}")
+  endforeach()
+  foreach(source ${fast} ${fastest})
+    file(STRINGS ${source} instances REGEX "^NETMESH_EACH_INSTANCE")
+    if(instances)
+      file(RELATIVE_PATH again ${PROJECT_SOURCE_DIR} ${source})
+      string(REGEX REPLACE "([^/]+)$" "high/\\1" again ${PROJECT_BINARY_DIR}/${again})
+      configure_file(${PROJECT_SOURCE_DIR}/engine/again.cpp.in ${again} @ONLY)
+      target_sources(netmesh_engine PRIVATE ${again})
+      set_property(SOURCE ${source} APPEND PROPERTY COMPILE_OPTIONS "${low}")
+      set_property(SOURCE ${again} APPEND PROPERTY COMPILE_OPTIONS "${high}")
+    endif()
+  endforeach()
+endif()
 target_include_directories(netmesh_engine
   PUBLIC $<BUILD_INTERFACE:${PROJECT_SOURCE_DIR}/engine/include> PRIVATE ${PROJECT_SOURCE_DIR}/engine)
 if(CMAKE_CXX_COMPILER_ID STREQUAL "GNU")
@@ -124,6 +149,9 @@ if(NETMESH_ONE_SOURCE)
     target_compile_options(netmesh PRIVATE
       -fno-tree-loop-im -fno-move-loop-invariants -fno-ipa-sra -fno-tree-dominator-opts -fno-guess-branch-probability
       -fno-tree-vrp -fno-caller-saves)
+    if(CMAKE_CXX_COMPILER_VERSION VERSION_GREATER_EQUAL 12)
+      target_compile_options(netmesh PRIVATE -Oz)
+    endif()
   endif()
   set_target_properties(netmesh_engine PROPERTIES EXCLUDE_FROM_ALL ON) # for tests of inner folders
 elseif(NETMESH_FINISHED)

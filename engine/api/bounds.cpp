@@ -20,11 +20,7 @@ Status bound_diagram(netmesh_context* context, const netmesh_function* function,
                                     diagram.filter == NETMESH_FILTER_FUNCTION ? diagram.certified_error : -1,
                                     filter == nullptr || filter->source != FilterSource::points},
                                    request.bars, work, bars);
-    return with_dimension(context->input.dim, [&](auto dimension) {
-        constexpr int D = decltype(dimension)::value;
-        Store<D> store(context->arena, context->mesh.store);
-        return bound_bars<D>(filtered_mesh_of<D>(*context, store), request, work, bars);
-    });
+    return bound_bars(filtered_mesh_of(*context), request, work, bars);
 }
 
 }  // namespace

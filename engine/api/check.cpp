@@ -4,8 +4,9 @@
 #include "analysis/size.hpp"
 #include "api/measure.hpp"
 #include "api/requests.hpp"
+#include "delaunay/any_kernel.hpp"
 #include "filtration/filters.hpp"
-#include "mesh/cage_template.hpp"
+#include "mesh/any_cage.hpp"
 #include "mesh/check_domain.hpp"
 #include "mesh/check_reach.hpp"
 #include "mesh/check_weighted_cells.hpp"
@@ -52,24 +53,23 @@ Status find_limits(const AnyStore& store, std::uint32_t inputs, const SizeRule& 
 // Cells with cages of the thesis are not clipped: the ball is one that no cell within its limit, `most` nearest
 // distances, can leave. All vertices but exempt ones are in the outermost cage, of radius r: their nearest neighbours
 // are less than 2 r away. What a shell has yielded to has no limit.
-template <int D>
-[[gnu::cold]] ReachRequest<D> whole_cells(const Store<D>& store, const ReachRequest<D>& reach, double most,
-                                          double* limit2) {
+ReachRequest whole_cells(const AnyStore& store, const ReachRequest& reach, double most, double* limit2) {
     for (std::uint32_t v = 0; v < store.state.vertex_count;)
-        for (const std::uint64_t piece = store.arena.piece(v, store.state.vertex_count, 500 * D); v < piece; ++v) {
-            if (has_yielded_to<D>(store, reach.cages, reach.domains[v], v)) limit2[v] = infinity;
+        for (const std::uint64_t piece = store.arena.piece(v, store.state.vertex_count, 500 * store.dim); v < piece;
+             ++v) {
+            if (has_yielded_to(store, reach.cages, reach.domains[v], v)) limit2[v] = infinity;
         }
     const Cage* outermost = reach.cages;
     while (outermost->parent != none) outermost = reach.cages + outermost->parent;
-    Domain<D> ball = reach.outermost;
-    for (int k = 0; k < D; ++k) ball.centre[k] = store.point(outermost->centre)[k];
+    AnyDomain ball = reach.outermost;
+    copy(store.dim, store.point(outermost->centre), ball.centre);
     ball.radius = 4 * (1 + most) * outermost->radius;
     return {ball, limit2};
 }
 
 // Quality by definition 4.5 where there are cages, of each clipped cell and its size where there are none.
-template <int D> Status check_quality(Context& context, Store<D>& store, const Promises& promises, CheckResult* why) {
-    const Domain<D> domain = domain_of<D>(context.mesh);
+Status check_quality(Context& context, const AnyStore& store, const Promises& promises, CheckResult* why) {
+    const AnyDomain domain = domain_of(context);
     const std::uint32_t cages = cage_count_of(context), vertices = store.state.vertex_count;
     Arena& arena = context.arena;
     const ArenaScope scope(arena);
@@ -79,7 +79,7 @@ template <int D> Status check_quality(Context& context, Store<D>& store, const P
     if (limit2 == nullptr || ratios == nullptr || domains == nullptr) return Status::out_of_memory;
     if (cages > 0) {
         HierarchyQuality quality;
-        HierarchyRequest request = hierarchy_of<D>(context);
+        HierarchyRequest request = hierarchy_of(context, domain);
         request.ratios = ratios;
         request.domains = domains;
         const Status status = measure_hierarchy(store, request, arena, &quality);
@@ -90,7 +90,7 @@ template <int D> Status check_quality(Context& context, Store<D>& store, const P
         CageFigures* const figures = arena.take_low<CageFigures>(cages);
         if (figures == nullptr) return Status::out_of_memory;
         if (why->violation == nullptr)
-            *why = check_weighted_cells(hierarchy_view<D>(store, cages_of(context), cages, domains), figures);
+            *why = check_weighted_cells(hierarchy_view(store, cages_of(context), cages, domains), figures);
     }
     if (why->violation == nullptr)
         *why = check_domain(store, domain, cages == 0 ? nullptr : domains, context.complete, promises.net);
@@ -103,33 +103,31 @@ template <int D> Status check_quality(Context& context, Store<D>& store, const P
                             ? infinity
                             : most * most * limit2[v];
         }
-    ReachRequest<D> reach = {domain, limit2, cages_of(context), cages == 0 ? nullptr : domains};
-    if (cages > 0 && context.mesh.cage_kind == CageKind::thesis) reach = whole_cells<D>(store, reach, most, limit2);
+    ReachRequest reach = {domain, limit2, cages_of(context), cages == 0 ? nullptr : domains};
+    if (cages > 0 && context.mesh.cage_kind == CageKind::thesis) reach = whole_cells(store, reach, most, limit2);
     std::uint32_t beyond;
-    Status status = check_reach<D>(store, reach, &beyond);
+    Status status = check_reach(store, reach, &beyond);
     if (status == Status::ok && beyond != none) *why = {aspect_violation_of(context), beyond};
     if (status == Status::ok && why->violation == nullptr && cages == 0 && promises.sizes.asks()) {
         status = find_limits(store, context.input.distinct, promises.sizes, arena, limit2);
-        if (status == Status::ok) status = check_reach<D>(store, {domain, limit2}, &beyond);
+        if (status == Status::ok) status = check_reach(store, {domain, limit2}, &beyond);
         if (beyond != none) *why = {"a clipped Voronoi cell is larger than the size asked for", beyond};
     }
     return status == Status::ok && why->violation != nullptr ? Status::check_failed : status;
 }
 
 // What refinement by the certificate promises, from the bounds of every cell.
-template <int D>
-Status check_ratio(Context& context, Store<D>& store, const RatioGoal& goal, Monitor& monitor, CheckResult* why) {
+Status check_ratio(Context& context, const AnyStore& store, const RatioGoal& goal, Monitor& monitor, CheckResult* why) {
     const ArenaScope scope(context.arena);
     double* const value = context.arena.take_high<double>(store.state.vertex_count);
     Interval* const interval = context.arena.take_high<Interval>(store.state.vertex_count);
     if (value == nullptr || interval == nullptr) return Status::out_of_memory;
     Evaluation evaluation = {value, interval};
     const FilterRequest filter = {NETMESH_FILTER_COMPLETE, FilterValues::certified};
-    const FilteredMesh<D> mesh = filtered_mesh_of<D>(context, store);
     const Work work = {context.arena, monitor};
-    ClippedCells<D> cells;
-    Status status = clip_cells<D>({store, mesh.domain, mesh.inputs, goal.clipped}, filter, work, &cells);
-    if (status == Status::ok) status = evaluate(cells.of(mesh), filter, work, &evaluation);
+    AnyMesh mesh(store, domain_of(context), context.input.distinct, goal.clipped);
+    Status status = clip_cells(filter, work, &mesh);
+    if (status == Status::ok) status = evaluate(mesh, filter, work, &evaluation);
     if (status != Status::ok) return status;
     for (std::uint32_t v = 0; v < store.state.vertex_count && why->violation == nullptr;)
         for (const std::uint64_t piece = store.arena.piece(v, store.state.vertex_count, 25);
@@ -144,24 +142,23 @@ Status check_ratio(Context& context, Store<D>& store, const RatioGoal& goal, Mon
     return why->violation == nullptr ? Status::ok : Status::check_failed;
 }
 
-template <int D>
-Status check_promises(Context& context, Store<D>& store, const Promises& promises, Monitor& monitor, CheckResult* why) {
+Status check_promises(Context& context, const AnyStore& store, const Promises& promises, Monitor& monitor,
+                      CheckResult* why) {
     const bool by_certificate = promises.goal.ratio > 0 && cage_count_of(context) == 0;
-    if (!by_certificate) return check_quality<D>(context, store, promises, why);
-    *why = check_domain(store, domain_of<D>(context.mesh), nullptr, context.complete, promises.net);
-    return why->violation != nullptr ? Status::check_failed
-                                     : check_ratio<D>(context, store, promises.goal, monitor, why);
+    if (!by_certificate) return check_quality(context, store, promises, why);
+    *why = check_domain(store, domain_of(context), nullptr, context.complete, promises.net);
+    return why->violation != nullptr ? Status::check_failed : check_ratio(context, store, promises.goal, monitor, why);
 }
 
 // What chapters 3, 4.9 and 5 say about sizes and degrees.
-template <int D>
-Status check_bounds(Context& context, Store<D>& store, const Promises& promises, Monitor& monitor, CheckResult* why) {
+Status check_bounds(Context& context, const AnyStore& store, const Promises& promises, Monitor& monitor,
+                    CheckResult* why) {
     const Work work = {context.arena, monitor};
     monitor.begin(NETMESH_STAGE_ANALYSE, 0);
     Status status = Status::ok;
     if (context.mesh.is_mesh && context.mesh.tau > 0) {
         SizeAnalysis size;
-        status = analyse_size(store, domain_of<D>(context.mesh), context.input.distinct,
+        status = analyse_size(store, domain_of(context), context.input.distinct,
                               {promises.tau, promises.sizes, infinity, 0, cages_of(context), cage_count_of(context),
                                context.mesh.cage_kind},
                               work, &size);
@@ -169,7 +166,8 @@ Status check_bounds(Context& context, Store<D>& store, const Promises& promises,
     }
     if (status != Status::ok || why->violation != nullptr) return status;
     FatnessAnalysis fatness;
-    status = analyse_fatness<D>(store, domain_of<D>(context.mesh), work, &fatness);
+    recompute_balls(store);
+    status = analyse_fatness(store, domain_of(context), work, &fatness);
     if (status != Status::ok) return status;
     why->violation = violated_fatness_bound(fatness.bounded);
     if (why->violation == nullptr) why->violation = violated_fatness_bound(fatness.inside);
@@ -177,9 +175,8 @@ Status check_bounds(Context& context, Store<D>& store, const Promises& promises,
     return Status::ok;
 }
 
-template <int D>
 Status check(Context& context, std::uint32_t what, const Promises& promises, Monitor& monitor, CheckResult* why) {
-    Store<D> store(context.arena, context.mesh.store);
+    const AnyStore store = store_of(context);
     Status status = Status::ok;
     const auto goes_on = [&] { return status == Status::ok && why->violation == nullptr && !monitor.has_stopped(); };
     monitor.begin(NETMESH_STAGE_CHECK, store.state.cell_slots);
@@ -187,9 +184,8 @@ Status check(Context& context, std::uint32_t what, const Promises& promises, Mon
     if (goes_on() && (what & (NETMESH_CHECK_GEOMETRIC | NETMESH_CHECK_DELAUNAY)) != 0) *why = check_geometric(store);
     if (goes_on() && (what & NETMESH_CHECK_DELAUNAY) != 0) *why = check_delaunay(store);
     if (goes_on() && (what & NETMESH_CHECK_QUALITY) != 0 && context.mesh.is_mesh)
-        status = check_promises<D>(context, store, promises, monitor, why);
-    if (goes_on() && (what & NETMESH_CHECK_BOUNDS) != 0)
-        status = check_bounds<D>(context, store, promises, monitor, why);
+        status = check_promises(context, store, promises, monitor, why);
+    if (goes_on() && (what & NETMESH_CHECK_BOUNDS) != 0) status = check_bounds(context, store, promises, monitor, why);
     return why->violation != nullptr ? Status::check_failed : status;
 }
 
@@ -211,8 +207,6 @@ extern "C" netmesh_status netmesh_check(netmesh_context* context, const netmesh_
     Monitor monitor = monitor_of(request.monitor);
     const Watch watch(context->arena, monitor);
     CheckResult why = {nullptr, 0};
-    const Status found = with_dimension(context->input.dim, [&](auto dimension) {
-        return check<decltype(dimension)::value>(*context, request.what, promises, monitor, &why);
-    });
+    const Status found = check(*context, request.what, promises, monitor, &why);
     return finish(context, watch.heed(found), why.violation, why.violation != nullptr ? why.cell : 0);
 }

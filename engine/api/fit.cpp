@@ -13,25 +13,23 @@ namespace {
 constexpr double coarsest_ratio = 4;
 
 // The largest sqrt(hi / lo) of Steiner cells that matter to the scales of interest: hi > from and lo < to.
-template <int D>
 Status measure_focus(Context& context, const netmesh_fit_request& request, const FilterRequest& filter, double* ratio) {
     const ArenaScope scope(context.arena);
-    Store<D> store(context.arena, context.mesh.store);
-    const std::uint32_t count = store.state.vertex_count;
+    AnyMesh mesh = filtered_mesh_of(context);
+    const std::uint32_t count = mesh.vertices();
     Evaluation cells = {context.arena.take_high<double>(count), context.arena.take_high<Interval>(count)};
     if (cells.value == nullptr || cells.interval == nullptr) return Status::out_of_memory;
     Monitor monitor = monitor_of(request.monitor);
     const Watch watch(context.arena, monitor);
-    const FilteredMesh<D> mesh = filtered_mesh_of<D>(context, store);
     const Work work = {context.arena, monitor};
-    ClippedCells<D> clipped;
-    Status status = clip_cells<D>(mesh, filter, work, &clipped);
-    if (status == Status::ok) status = evaluate(clipped.of(mesh), filter, work, &cells);
+    Status status = clip_cells(filter, work, &mesh);
+    if (status == Status::ok) status = evaluate(mesh, filter, work, &cells);
     double widest = 1;
     for (VertexId v(0); v < count && status == Status::ok;)
         for (const std::uint64_t piece = context.arena.piece(v, count, 15); v < piece && status == Status::ok; ++v) {
             const Interval i = cells.interval[v];
-            if (store.vertex(v).marker != Marker::steiner || !(i.hi > request.focus_from && i.lo < request.focus_to))
+            if (mesh.store.vertex(v).marker != Marker::steiner ||
+                !(i.hi > request.focus_from && i.lo < request.focus_to))
                 continue;
             if (!(i.hi / i.lo <= widest)) widest = i.hi / i.lo;
         }
@@ -63,10 +61,7 @@ public:
         KeptDiagram& diagram = context_->diagram;
         climbed->certified = diagram.certified_ratio;
         if (focused) {
-            const Status measured = with_dimension(request_.dim, [&](auto dimension) {
-                constexpr int D = decltype(dimension)::value;
-                return measure_focus<D>(*context_, request_, filter_, &climbed->certified);
-            });
+            const Status measured = measure_focus(*context_, request_, filter_, &climbed->certified);
             if (measured != Status::ok) return static_cast<Status>(finish(context_, measured));
             diagram.certified_focus = climbed->certified;
         }

@@ -92,9 +92,9 @@ Status measure_domain(netmesh_context* context, Store<D>& store, const double* g
     KeptMesh& mesh = context->mesh;
     keep_domain<D>(domain_about(store, context->input.distinct, given).template of_dimension<D>(), &mesh);
     HierarchyQuality quality;
-    Status status = measure_quality<D>(*context, store, &quality);
+    Status status = measure_quality(*context, store, &quality);
     mesh.aspect_ratio_max = quality.worst;
-    return status == Status::ok ? measure_sizes<D>(context, store, sizes) : status;
+    return status == Status::ok ? measure_sizes(context, store, sizes) : status;
 }
 
 Complaint complaint_about_loaded_cages(const netmesh_cages_request& request) {

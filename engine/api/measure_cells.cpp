@@ -2,7 +2,7 @@
 #include "analysis/fat_cell.hpp"
 #include "analysis/structure.hpp"
 #include "api/measure.hpp"
-#include "delaunay/load.hpp"
+#include "delaunay/any_kernel.hpp"
 #include "mesh/weighted_cells.hpp"
 
 namespace netmesh {
@@ -13,16 +13,16 @@ template <class Item> void give_element(const Item& from, std::uint64_t index, s
     start_struct(&from, sizeof from, reinterpret_cast<unsigned char*>(array) + index * bytes, bytes);
 }
 
-template <int D> void copy_ball(const double* centre, double radius, double* ball) {
-    copy<D>(centre, ball);
-    ball[D] = radius;
+void copy_ball(int dim, const double* centre, double radius, double* ball) {
+    copy(dim, centre, ball);
+    ball[dim] = radius;
 }
 
 // Calls give(vertex, cell, piece) for each vertex that is inserted.
-template <int D, class Give> [[gnu::cold]] Status measure_each(Context& context, Give&& give) {
-    Store<D> store(context.arena, context.mesh.store);
-    recompute_balls<D>(store);
-    Domain<D> domain = domain_of<D>(context.mesh);
+template <class Give> Status measure_each(Context& context, Give&& give) {
+    const AnyStore store = store_of(context);
+    recompute_balls(store);
+    AnyDomain domain = domain_of(context);
     if (!context.mesh.is_mesh) domain.radius = 0;
     FattestCells cells(store, domain, context.arena);
     Status status = Status::ok;
@@ -37,19 +37,20 @@ template <int D, class Give> [[gnu::cold]] Status measure_each(Context& context,
 }
 
 // Of a triangulation.
-template <int D> [[gnu::cold]] Status measure_whole_cells(Context& context, double* ratios, std::uint32_t* domains) {
+Status measure_whole_cells(Context& context, double* ratios, std::uint32_t* domains) {
     for (std::uint32_t v = 0; v < context.mesh.store.vertex_count; ++v) {
         ratios[v] = 0;
         domains[v] = none;
     }
-    return measure_each<D>(context, [&](VertexId v, const FatCell& cell, std::uint32_t) {
+    return measure_each(context, [&](VertexId v, const FatCell& cell, std::uint32_t) {
         ratios[v] = cell.known && cell.bounded ? 2 * cell.reach / cell.nearest : infinity;
     });
 }
 
-template <int D> [[gnu::cold]] Status measure_voronoi(Context& context, std::uint32_t bytes, netmesh_voronoi* array) {
+Status measure_voronoi(Context& context, std::uint32_t bytes, netmesh_voronoi* array) {
+    const int dim = static_cast<int>(context.input.dim);
     for (std::uint32_t v = 0; v < context.mesh.store.vertex_count; ++v) give_element({}, v, bytes, array);
-    return measure_each<D>(context, [&](VertexId v, const FatCell& cell, std::uint32_t piece) {
+    return measure_each(context, [&](VertexId v, const FatCell& cell, std::uint32_t piece) {
         netmesh_voronoi found = {};
         if (!cell.known) return;
         found.piece = piece;
@@ -58,26 +59,26 @@ template <int D> [[gnu::cold]] Status measure_voronoi(Context& context, std::uin
         found.degree = cell.degree;
         found.nearest = cell.nearest;
         found.reach = cell.reach;
-        copy_ball<D>(cell.in_centre, cell.in_radius, found.in_ball);
-        copy_ball<D>(cell.out_centre, cell.out_radius, found.out_ball);
+        copy_ball(dim, cell.in_centre, cell.in_radius, found.in_ball);
+        copy_ball(dim, cell.out_centre, cell.out_radius, found.out_ball);
         if (cell.in_radius > 0) found.beta = cell.out_radius / cell.in_radius * (1 + 0x1p-40);
         give_element(found, v, bytes, array);
     });
 }
 
-template <int D> [[gnu::cold]] Status measure_balls(Context& context, std::uint32_t bytes, netmesh_ball* array) {
-    Store<D> store(context.arena, context.mesh.store);
-    recompute_balls<D>(store);
+Status measure_balls(Context& context, std::uint32_t bytes, netmesh_ball* array) {
+    const AnyStore store = store_of(context);
+    recompute_balls(store);
     for (CellId c(0); c < store.state.cell_slots; ++c) {
         BallFigures figures;
         const Status status = measure_ball(store, c, &figures);
         if (status != Status::ok) return status;
-        const Cell<D>& cell = store.cell(c);
+        const AnyCell cell = store.cell(c);
         netmesh_ball found = {};
         found.ply = figures.ply;
         found.meets = figures.meets;
-        copy_ball<D>(cell.centre, square_root(cell.radius2), found.ball);
-        found.error = static_cast<double>(cell.error) * found.ball[D];
+        copy_ball(store.dim, cell.centre, square_root(cell.radius2), found.ball);
+        found.error = static_cast<double>(cell.error) * found.ball[store.dim];
         give_element(found, c, bytes, array);
     }
     return Status::ok;
@@ -86,11 +87,10 @@ template <int D> [[gnu::cold]] Status measure_balls(Context& context, std::uint3
 // The domain of a vertex that is in none.
 constexpr std::uint32_t not_inserted = none - 1;
 
-template <int D>
-[[gnu::cold]] Status measure_weighted(Context& context, std::uint32_t bytes, netmesh_weighted_cell* array) {
+Status measure_weighted(Context& context, std::uint32_t bytes, netmesh_weighted_cell* array) {
     Arena& arena = context.arena;
     const ArenaScope scope(arena);
-    Store<D> store(arena, context.mesh.store);
+    const AnyStore store = store_of(context);
     const std::uint32_t cages = cage_count_of(context), vertices = store.state.vertex_count;
     if (cages == 0) return Status::ok;
     double* const ratios = arena.take_low<double>(vertices);
@@ -99,7 +99,7 @@ template <int D>
     WeightedCell* const cells = arena.take_low<WeightedCell>(cages);
     if (ratios == nullptr || domains == nullptr || radii == nullptr || cells == nullptr) return Status::out_of_memory;
     HierarchyQuality quality;
-    HierarchyRequest request = hierarchy_of<D>(context);
+    HierarchyRequest request = hierarchy_of(context, domain_of(context));
     request.ratios = ratios;
     request.domains = domains;
     request.cage_radii = radii;
@@ -107,7 +107,7 @@ template <int D>
     if (status != Status::ok || !quality.is_hierarchy) return status == Status::ok ? Status::no_result : status;
     for (std::uint32_t v = 0; v < vertices; ++v)
         if (store.vertex(v).cell == none) domains[v] = not_inserted;
-    measure_weighted_cells(hierarchy_view<D>(store, cages_of(context), cages, domains), cells);
+    measure_weighted_cells(hierarchy_view(store, cages_of(context), cages, domains), cells);
     for (std::uint32_t d = 0; d < cages; ++d) {
         const WeightedCell& cell = cells[d];
         const netmesh_weighted_cell found = {
@@ -117,7 +117,7 @@ template <int D>
     return Status::ok;
 }
 
-// Calls measure(D, bytes an element has) when there is room for a result and something to measure.
+// Calls measure(bytes an element has) when there is room for a result and something to measure.
 template <class Item, class Measure>
 netmesh_status fill(netmesh_context* context, const Item* array, Measure&& measure) {
     if (!usable(context)) return NETMESH_INVALID_ARGUMENT;
@@ -126,8 +126,7 @@ netmesh_status fill(netmesh_context* context, const Item* array, Measure&& measu
     if (bytes == 0)
         return refuse(context, NETMESH_FIELD_RESULT, "the array is null or the first one's size is not set");
     if (!context->mesh.present) return finish(context, Status::no_result, "there is no triangulation or mesh");
-    return with_dimension(context->input.dim,
-                          [&](auto dimension) { return finish(context, measure(dimension, bytes)); });
+    return finish(context, measure(bytes));
 }
 
 }  // namespace
@@ -141,34 +140,24 @@ netmesh_status netmesh_measure_cells(netmesh_context* context, double* ratios, u
     if (!usable(context)) return NETMESH_INVALID_ARGUMENT;
     if (ratios == nullptr || domains == nullptr) return refuse(context, NETMESH_FIELD_RESULT, "an array is null");
     if (!context->mesh.present) return finish(context, Status::no_result, "there is no triangulation or mesh");
-    return with_dimension(context->input.dim, [&](auto dimension) {
-        constexpr int D = decltype(dimension)::value;
-        if (!context->mesh.is_mesh) return finish(context, measure_whole_cells<D>(*context, ratios, domains));
-        Store<D> store(context->arena, context->mesh.store);
-        HierarchyQuality quality;
-        HierarchyRequest asked = hierarchy_of<D>(*context);
-        asked.ratios = ratios;
-        asked.domains = domains;
-        return finish(context, measure_hierarchy(store, asked, context->arena, &quality));
-    });
+    if (!context->mesh.is_mesh) return finish(context, measure_whole_cells(*context, ratios, domains));
+    HierarchyQuality quality;
+    HierarchyRequest asked = hierarchy_of(*context, domain_of(*context));
+    asked.ratios = ratios;
+    asked.domains = domains;
+    return finish(context, measure_hierarchy(store_of(*context), asked, context->arena, &quality));
 }
 
 netmesh_status netmesh_measure_voronoi(netmesh_context* context, netmesh_voronoi* cells) {
-    return fill(context, cells, [=](auto dimension, std::uint32_t bytes) {
-        return measure_voronoi<decltype(dimension)::value>(*context, bytes, cells);
-    });
+    return fill(context, cells, [=](std::uint32_t bytes) { return measure_voronoi(*context, bytes, cells); });
 }
 
 netmesh_status netmesh_weighted_cells(netmesh_context* context, netmesh_weighted_cell* cells) {
-    return fill(context, cells, [=](auto dimension, std::uint32_t bytes) {
-        return measure_weighted<decltype(dimension)::value>(*context, bytes, cells);
-    });
+    return fill(context, cells, [=](std::uint32_t bytes) { return measure_weighted(*context, bytes, cells); });
 }
 
 netmesh_status netmesh_measure_balls(netmesh_context* context, netmesh_ball* balls) {
-    return fill(context, balls, [=](auto dimension, std::uint32_t bytes) {
-        return measure_balls<decltype(dimension)::value>(*context, bytes, balls);
-    });
+    return fill(context, balls, [=](std::uint32_t bytes) { return measure_balls(*context, bytes, balls); });
 }
 
 }  // extern "C"

@@ -30,15 +30,15 @@ netmesh_status finish_points(netmesh_context* context, Status status, const Inpu
 }
 
 // Aspect ratio and sizes of a mesh that was just made, as far as it goes.
-template <int D> Status measure_made(netmesh_context* context, Store<D>& store, const SizeRule& sizes, Status status) {
+Status measure_made(netmesh_context* context, const AnyStore& store, const SizeRule& sizes, Status status) {
     KeptMesh& mesh = context->mesh;
     if (!mesh.present) return status;
     HierarchyQuality quality;
-    const Status measured = measure_quality<D>(*context, store, &quality);
+    const Status measured = measure_quality(*context, store, &quality);
     mesh.aspect_ratio_max = quality.worst;
     if (status == Status::ok) status = measured;
     if (status == Status::ok && quality.encroached.violation != nullptr) status = Status::internal;
-    return status == Status::ok ? measure_sizes<D>(context, store, sizes) : status;
+    return status == Status::ok ? measure_sizes(context, store, sizes) : status;
 }
 
 template <int D> void keep_mesh(netmesh_context* context, const MeshRequest& request, const MeshResult<D>& result) {
@@ -67,7 +67,7 @@ netmesh_status mesh_points_of(netmesh_context* context, const netmesh_mesh_reque
     context->mesh.audited = request.audit;
     keep_input(context, D, result.input, status);
     keep_mesh<D>(context, asked, result);
-    status = watch.heed(measure_made<D>(context, store, asked.size, status));
+    status = watch.heed(measure_made(context, store, asked.size, status));
     context->complete = status == Status::ok;
     if (status != Status::invalid_argument) return finish_points(context, status, result.input);
     clear(context);

@@ -59,11 +59,7 @@ extern "C" netmesh_status netmesh_persist(netmesh_context* context, const netmes
     Monitor monitor = monitor_of(request.monitor);
     const Watch watch(context->arena, monitor);
     FilterDiagram diagram;
-    const Status found = with_dimension(context->input.dim, [&](auto dimension) {
-        constexpr int D = decltype(dimension)::value;
-        Store<D> store(context->arena, context->mesh.store);
-        return persist_filter<D>(filtered_mesh_of<D>(*context, store), wanted, {context->arena, monitor}, &diagram);
-    });
+    const Status found = persist_filter(filtered_mesh_of(*context), wanted, {context->arena, monitor}, &diagram);
     const Status status = watch.heed(found);
     if (status == Status::ok) {
         keep_mesh_diagram(context, wanted, request.values, diagram);

@@ -97,18 +97,17 @@ template <int D> constexpr Boundary clipped_boundary = D < 4 ? whole_boundary : 
 
 template <int D> double block_bytes(const Amounts& n, const Planned& planned) {
     using Tree = InputTree<D>;
-    using Lists = BallLists<D>;
     const double order_bytes = sizeof(std::uint32_t);  // a point's place in the order of insertion
     double bytes = n.vertices * sizeof(Vertex<D>) + n.cells * sizeof(Cell<D>);
     bytes += (order_bytes + Tree::input_bytes) * n.points;
     if (planned.hierarchy || planned.location) bytes += (Hierarchy<D>::input_bytes + Tree::ring_bytes) * n.points;
     if (planned.quality) bytes += AuditScratch::vertex_bytes * n.vertices + AuditScratch::cell_bytes * n.cells;
-    if (planned.quality && planned.hierarchy) bytes += Observers<D>::note_bytes * n.points;
+    if (planned.quality && planned.hierarchy) bytes += Observers::note_bytes * n.points;
     if (planned.location) {
-        bytes += Lists::cell_bytes * n.cells + Lists::input_bytes * n.points;
+        bytes += BallLists::cell_bytes * n.cells + BallLists::input_bytes * n.points;
         bytes += order_bytes * n.points;  // turns of the inputs, drawn by the lists
         // Lists take their share of what is left of the block.
-        const double lists = sizeof(typename Lists::Entry) * figures<D>.audit_balls_per_point * n.points;
+        const double lists = sizeof(BallLists::Entry) * figures<D>.audit_balls_per_point * n.points;
         if (bytes < 3 * lists) bytes = 3 * lists;
         bytes += bytes / 3;
     }
@@ -124,7 +123,7 @@ template <int D> double block_bytes(const Amounts& n, const Planned& planned) {
         bytes += sizeof(ScaleStep) * 2.0 * ScaleGrid::cells_max / plan_margin;  // the grid, and the steps made of it
     }
     if (planned.representatives) bytes += sizeof(std::uint32_t) * (n.cells + n.vertices) + chain_bytes * D * n.points;
-    if (planned.scales) bytes += n.points * (sizeof(Vertex<D>) + ScalePartition<D>::point_bytes + order_bytes);
+    if (planned.scales) bytes += n.points * (sizeof(Vertex<D>) + ScalePartition::point_bytes + order_bytes);
     return plan_margin * bytes + sizeof(netmesh_context) + block_overhead +
            n.boundary_cells * sizeof(Cell<D>) * figures<D>.mesh_cells_per_vertex;
 }
@@ -170,7 +169,7 @@ constexpr double mesh_overhead = 6500;
 
 // What scales take besides the largest mesh: the points with their partition; bounds and cycles.
 template <int D> double scales_block(double vertices, double points, const Planned& planned) {
-    double bytes = points * (sizeof(Vertex<D>) + ScalePartition<D>::point_bytes + sizeof(std::uint32_t));
+    double bytes = points * (sizeof(Vertex<D>) + ScalePartition::point_bytes + sizeof(std::uint32_t));
     constexpr double bars = D < 4 ? 215 : bounds_bar_bytes * D, steps = 16384;
     if (planned.bounds) bytes += (sizeof(Interval) + bounds_vertex_bytes) * vertices + bars * points + steps;
     // Cycles take the place of bounds.

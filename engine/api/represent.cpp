@@ -13,11 +13,7 @@ Status find_cycles(netmesh_context* context, Monitor& monitor, Representation* m
                                       diagram.vertex_values.in(context),
                                       {diagram.max_degree, diagram.keeps_zero},
                                       {diagram.pairs.in(context), diagram.pairs.count}};
-    return with_dimension(context->input.dim, [&](auto dimension) {
-        constexpr int D = decltype(dimension)::value;
-        Store<D> store(context->arena, context->mesh.store);
-        return represent<D>(filtered_mesh_of<D>(*context, store), request, {context->arena, monitor}, made);
-    });
+    return represent(filtered_mesh_of(*context), request, {context->arena, monitor}, made);
 }
 
 }  // namespace

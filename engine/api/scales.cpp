@@ -61,17 +61,22 @@ void keep_scales(netmesh_context* context, const netmesh_scales_request& request
 }
 
 // The points live in a store of their own, which is empty again when the pairs are there.
-template <int D>
 Status persist(netmesh_context* context, const netmesh_scales_request& request, const ScalesRequest& wanted,
                Monitor& monitor, InputReport* input, ScalesResult* result) {
     StoreState state = {};
-    Store<D> store(context->arena, state);
     std::uint32_t* order;
-    Status status = take_input<D>(store, rows_of(request), request.point_count, request.seed, monitor, input, &order);
+    Status status = with_dimension(request.dim, [&](auto dimension) {
+        Store<decltype(dimension)::value> store(context->arena, state);
+        return take_input(store, rows_of(request), request.point_count, request.seed, monitor, input, &order);
+    });
     context->arena.release_low(context->start);  // the order
-    if (status == Status::ok)
-        status = persist_scales<D>(store, state.vertex_count, wanted, {context->arena, monitor}, result);
-    if (status == Status::ok) store.truncate_vertices(0);
+    if (status != Status::ok) return status;
+    const AnyStore points(static_cast<int>(request.dim), context->arena, state);
+    status = persist_scales(points, state.vertex_count, wanted, {context->arena, monitor}, result);
+    if (status != Status::ok) return status;
+    with_dimension(request.dim, [&](auto dimension) {
+        Store<decltype(dimension)::value>(context->arena, state).truncate_vertices(0);
+    });
     return status;
 }
 
@@ -101,9 +106,7 @@ extern "C" netmesh_status netmesh_persist_scales(netmesh_context* context, const
     const Watch watch(context->arena, monitor);
     InputReport input = {};
     ScalesResult result = {};
-    const Status found = with_dimension(request.dim, [&](auto dimension) {
-        return persist<decltype(dimension)::value>(context, request, wanted, monitor, &input, &result);
-    });
+    const Status found = persist(context, request, wanted, monitor, &input, &result);
     const Status status = watch.heed(found);
     if (status == Status::ok) {
         keep_scales(context, request, input, result);

@@ -83,11 +83,7 @@ netmesh_status netmesh_vineyard(netmesh_context* context, const netmesh_vineyard
     VineList vines = {};
     const VineRequest wanted = {request.filter, request.k_first, request.k_last, values_of(request.values),
                                 degree_of(request.max_degree, context->input.dim)};
-    const Status found = with_dimension(context->input.dim, [&](auto dimension) {
-        constexpr int D = decltype(dimension)::value;
-        Store<D> store(context->arena, context->mesh.store);
-        return k_vineyard<D>(filtered_mesh_of<D>(*context, store), wanted, {context->arena, monitor}, &vines);
-    });
+    const Status found = k_vineyard(filtered_mesh_of(*context), wanted, {context->arena, monitor}, &vines);
     const Status status = watch.heed(found);
     KeptVineyard kept;
     kept.filter = request.filter;

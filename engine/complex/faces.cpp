@@ -27,13 +27,12 @@ template <int D> struct Incidence {
 template <int D> bool build_incidence(const TriangulationView<D>& complex, Arena& arena, Incidence<D>* out) {
     const std::size_t n = complex.vertex_count;
     std::uint32_t* first = arena.take_high<std::uint32_t>(n + 1);
-    CellId* cell =
-        arena.take_high<CellId>(static_cast<std::size_t>(complex.cell_count) * static_cast<std::size_t>(D + 1));
+    CellId* cell = arena.take_high<CellId>(std::size_t{complex.cell_count} * (complex.dim + 1));
     if (first == nullptr || cell == nullptr) return false;
     arena.each(n + 1, 2, [first](std::uint64_t v) { first[v] = 0; });
     for (CellId c(0); c < complex.cell_count;)
-        for (const std::uint64_t piece = arena.piece(c, complex.cell_count, 5 * (D + 1)); c < piece; ++c) {
-            for (int i = 0; i <= D; ++i) ++first[complex.vertices(c)[i]];
+        for (const std::uint64_t piece = arena.piece(c, complex.cell_count, 5 * (complex.dim + 1)); c < piece; ++c) {
+            for (std::uint32_t i = 0; i <= complex.dim; ++i) ++first[complex.vertices(c)[i]];
         }
     std::uint32_t sum = 0, degree_max = 0;
     for (std::size_t v = 0; v < n;)
@@ -43,9 +42,9 @@ template <int D> bool build_incidence(const TriangulationView<D>& complex, Arena
             first[v] = sum;
         }
     first[n] = sum;
-    arena.each(complex.cell_count, 8 * (D + 1), [&](std::uint64_t k) {
+    arena.each(complex.cell_count, 8 * (complex.dim + 1), [&](std::uint64_t k) {
         const CellId c(complex.cell_count - 1 - static_cast<std::uint32_t>(k));
-        for (int i = 0; i <= D; ++i) cell[--first[complex.vertices(c)[i]]] = c;
+        for (std::uint32_t i = 0; i <= complex.dim; ++i) cell[--first[complex.vertices(c)[i]]] = c;
     });
     *out = {first, cell, degree_max};
     return true;
@@ -89,16 +88,16 @@ Status walk_stars(const TriangulationView<D>& complex, int dimension_max, const 
 }
 
 // Where the children of each face start in the table one dimension up; one more entry at the end.
-template <int D> struct Trie { std::uint32_t* first_child[D + 1]; };
+template <int D> struct Trie { std::uint32_t* first_child[DimensionOf<D>::most + 1]; };
 
 // Reads the stream once. With `faces` null it only counts, else it fills last_vertex and first_child.
 template <int D>
-[[gnu::noinline]] bool unfold(const std::uint32_t* word, int dimension_max, std::uint32_t* count, const Faces<D>* faces,
-                              const Trie<D>* trie, const Arena& arena) {
-    std::uint32_t at[D + 2], end[D + 2];
-    for (int k = 0; k <= D; ++k) count[k] = 0;
+[[gnu::noinline]] bool unfold(DimensionOf<D> dim, const std::uint32_t* word, int dimension_max, std::uint32_t* count,
+                              const Faces<D>* faces, const Trie<D>* trie, const Arena& arena) {
+    std::uint32_t at[DimensionOf<D>::most + 2], end[DimensionOf<D>::most + 2];
+    for (std::uint32_t k = 0; k <= dim; ++k) count[k] = 0;
     while (*word != none) {
-        arena.pass(4 << D);
+        arena.pass(std::uint64_t{4} << dim);
         end[0] = count[0] + 1;
         at[0] = count[0]++;
         if (faces) faces->last_vertex[0][at[0]] = *word;
@@ -166,13 +165,13 @@ __attribute__((always_inline)) inline void fetch_children(const Faces<D>& faces,
 
 // Boundaries of the k-faces from those of the (k-1)-faces. place: the 0-face of each vertex; null where 0-faces ascend.
 template <int D>
-void link_facets(const Faces<D>& faces, const Trie<D>& trie, int k, std::uint32_t vertex_count,
+void link_facets(DimensionOf<D> dim, const Faces<D>& faces, const Trie<D>& trie, int k, std::uint32_t vertex_count,
                  const std::uint32_t* place, const Arena& arena) {
     const bool all_used = place == nullptr && faces.count[0] == vertex_count;
     const std::uint32_t* last = faces.last_vertex[k];
     std::uint32_t* facets = faces.facets[k];
     for (std::uint32_t p = 0; p < faces.count[k - 1];)
-        for (const std::uint64_t piece = arena.piece(p, faces.count[k - 1], 60 * D); p < piece; ++p) {
+        for (const std::uint64_t piece = arena.piece(p, faces.count[k - 1], 60 * dim); p < piece; ++p) {
             const std::uint32_t begin = trie.first_child[k - 1][p], end = trie.first_child[k - 1][p + 1];
             fetch_children(faces, trie, k, p);
             std::uint32_t* const row = facets + static_cast<std::size_t>(begin) * static_cast<std::size_t>(k + 1);
@@ -209,7 +208,7 @@ Status enumerate(const TriangulationView<D>& complex, int dimension_max, std::ui
     Faces<D> faces = {};
     Trie<D> trie = {};
     faces.dimension_max = dimension_max;
-    if (!unfold<D>(stream.words(), dimension_max, faces.count, nullptr, nullptr, work.arena))
+    if (!unfold<D>(complex.dim, stream.words(), dimension_max, faces.count, nullptr, nullptr, work.arena))
         return Status::out_of_memory;
     for (int k = 0; k <= dimension_max; ++k) {
         faces.last_vertex[k] = k == 0 && order != nullptr ? order : work.arena.take_high<std::uint32_t>(faces.count[k]);
@@ -225,8 +224,8 @@ Status enumerate(const TriangulationView<D>& complex, int dimension_max, std::ui
         place = work.arena.take_high<std::uint32_t>(complex.vertex_count);
         if (place == nullptr) return Status::out_of_memory;
     }
-    std::uint32_t count[D + 1];
-    unfold<D>(stream.words(), dimension_max, count, &faces, &trie, work.arena);
+    std::uint32_t count[DimensionOf<D>::most + 1];
+    unfold<D>(complex.dim, stream.words(), dimension_max, count, &faces, &trie, work.arena);
     work.arena.release_low(low);
     for (int k = 1; k <= dimension_max; ++k) {
         faces.facets[k] = work.arena.take_low<std::uint32_t>(static_cast<std::size_t>(faces.count[k]) *
@@ -237,7 +236,7 @@ Status enumerate(const TriangulationView<D>& complex, int dimension_max, std::ui
         work.arena.each(faces.count[0], 5,
                         [&](std::uint64_t i) { place[faces.last_vertex[0][i]] = static_cast<std::uint32_t>(i); });
     for (int k = 1; k <= dimension_max; ++k) {
-        link_facets(faces, trie, k, complex.vertex_count, place, work.arena);
+        link_facets(complex.dim, faces, trie, k, complex.vertex_count, place, work.arena);
         if (work.monitor.advance(complex.vertex_count, 1)) return Status::cancelled;
     }
     work.arena.release_high(high_kept);
@@ -275,13 +274,29 @@ Status enumerate_along(const TriangulationView<D>& complex, std::uint32_t* order
     return Status::ok;
 }
 
+// The same, for D or for all dimensions.
+template <int D>
+Status enumerate_shared(const TriangulationView<D>& complex, int dimension_max, std::uint32_t* order, const Work& work,
+                        std::size_t low, Faces<D>* out) {
+    if constexpr (shared_dimension<D> == D) {
+        return enumerate(complex, dimension_max, order, work, low, out);
+    } else {
+        Faces<any_dimension> faces;
+        const Status status =
+            enumerate(complex.template of_dimension<any_dimension>(D), dimension_max, order, work, low, &faces);
+        if (status != Status::ok) return status;
+        *out = faces.template of_dimension<D>();
+        return status;
+    }
+}
+
 }  // namespace
 
 template <int D>
 Status enumerate_faces(const TriangulationView<D>& complex, int dimension_max, const Work& work, Faces<D>* out) {
     if (dimension_max < 0 || dimension_max > D) return Status::invalid_argument;
     const std::size_t high = work.arena.high_mark(), low = work.arena.low_mark();
-    const Status status = enumerate(complex, dimension_max, nullptr, work, low, out);
+    const Status status = enumerate_shared(complex, dimension_max, nullptr, work, low, out);
     if (status != Status::ok) {
         work.arena.release_low(low);
         work.arena.release_high(high);
@@ -298,7 +313,7 @@ Status enumerate_faces_along(const TriangulationView<D>& complex, std::uint32_t*
     if constexpr (lists_follow_order<D>) {
         status = enumerate_along(complex, order, work, low, out);
     } else {
-        status = enumerate(complex, D, jumps_matter ? order : nullptr, work, low, out);
+        status = enumerate_shared(complex, D, jumps_matter ? order : nullptr, work, low, out);
     }
     if (status != Status::ok) {
         work.arena.release_low(low);
@@ -310,7 +325,7 @@ Status enumerate_faces_along(const TriangulationView<D>& complex, std::uint32_t*
 #define NETMESH_INSTANTIATE(D)                                                                                         \
     template Status enumerate_faces<D>(const TriangulationView<D>&, int, const Work&, Faces<D>*);                      \
     template Status enumerate_faces_along<D>(const TriangulationView<D>&, std::uint32_t*, bool, const Work&, Faces<D>*);
-NETMESH_EACH_DIMENSION(NETMESH_INSTANTIATE)
+NETMESH_EACH_INSTANCE(NETMESH_INSTANTIATE)
 #undef NETMESH_INSTANTIATE
 
 }  // namespace netmesh

@@ -17,9 +17,10 @@ template <int D> constexpr bool lists_follow_order = jumps_matter&& D <= 3;
 // order in which vertex lists ascend.
 template <int D> struct Faces {
     int dimension_max;
-    std::uint32_t count[D + 1];         // by dimension; 0 above dimension_max
-    std::uint32_t* last_vertex[D + 1];  // [count[k]], the greatest vertex of each k-face
-    std::uint32_t* facets[D + 1];       // k >= 1: [count[k]][k+1], entry i is the (k-1)-face opposite the i-th vertex
+    std::uint32_t count[DimensionOf<D>::most + 1];         // by dimension; 0 above dimension_max
+    std::uint32_t* last_vertex[DimensionOf<D>::most + 1];  // [count[k]], the greatest vertex of each k-face
+    std::uint32_t* facets[DimensionOf<D>::most +
+                          1];  // k >= 1: [count[k]][k+1], entry i is the (k-1)-face opposite the i-th vertex
 
     const std::uint32_t* facets_of(int k, std::uint32_t face) const {
         return facets[k] + static_cast<std::size_t>(face) * static_cast<std::size_t>(k + 1);
@@ -32,7 +33,20 @@ template <int D> struct Faces {
         }
         out[0] = last_vertex[0][face];
     }
+    // The same of E dimensions or of any number; dimension_max stays.
+    template <int E> Faces<E> of_dimension() const {
+        Faces<E> faces = {};
+        faces.dimension_max = dimension_max;
+        for (int k = 0; k <= dimension_max; ++k) {
+            faces.count[k] = count[k];
+            faces.last_vertex[k] = last_vertex[k];
+            faces.facets[k] = facets[k];
+        }
+        return faces;
+    }
 };
+
+using AnyFaces = Faces<any_dimension>;
 
 // Lists the faces of dimension 0..dimension_max (0 <= dimension_max <= D) of a triangulation whose neighbour words are
 // not read. Vertices that are in no cell are no faces. `facets` is left at the low end of the arena, ascending in k;

@@ -9,10 +9,10 @@
 namespace netmesh {
 namespace {
 
-template <int D> class FaceMarks {
+class FaceMarks {
 public:
-    FaceMarks(const Subcomplex<D>& part, const std::uint32_t* vertex_of, const Faces<D>& faces)
-        : part_(part), vertex_of_(vertex_of), faces_(faces) {}
+    FaceMarks(const AnyPart& part, int dim, const std::uint32_t* vertex_of, const AnyFaces& faces)
+        : part_(part), dim_(dim), vertex_of_(vertex_of), faces_(faces) {}
 
     // At the arena's high end. False: out of memory.
     bool reserve(std::uint32_t vertex_count, Arena& arena) {
@@ -44,12 +44,13 @@ public:
     }
     // The faces of a cell that is in.
     void mark_cell(const VertexId* cell) {
-        std::uint32_t name[D + 1], n = 0, found[2u << D];  // found: the face of each set of them
-        for (int i = 0; i <= D; ++i) {
+        std::uint32_t name[dimension_most() + 1], n = 0,
+                                                  found[2u << dimension_most()];  // found: the face of each set of them
+        for (int i = 0; i <= dim_; ++i) {
             if (part_.vertex[cell[i]] == VertexPart::cut) name[n++] = name_of_[cell[i]];
         }
         insertion_sort(name, n, Ascending{});
-        std::uint8_t size[2u << D] = {0};
+        std::uint8_t size[2u << dimension_most()] = {0};
         for (std::uint32_t j = 0; j < n; ++j) {
             for (std::uint32_t rest = 0, bit = 1u << j; rest < bit; ++rest) {
                 size[rest | bit] = static_cast<std::uint8_t>(size[rest] + 1);
@@ -65,8 +66,8 @@ private:
     enum : std::uint8_t { in = 1, all_cut = 2 };  // all_cut: so are its vertices
 
     bool is_listed(int k, std::uint32_t face) const {
-        if (k == D) return false;
-        std::uint32_t vertices[D + 1];
+        if (k == dim_) return false;
+        std::uint32_t vertices[dimension_most() + 1];
         faces_.vertices(k, face, vertices);
         for (int i = 0; i <= k; ++i) vertices[i] = vertex_of_[vertices[i]];
         insertion_sort(vertices, static_cast<std::uint32_t>(k + 1), Ascending{});
@@ -84,17 +85,17 @@ private:
         return low;
     }
 
-    const Subcomplex<D>& part_;
+    const AnyPart& part_;
+    const int dim_;
     const std::uint32_t* vertex_of_;
-    const Faces<D>& faces_;
-    std::uint32_t* name_of_ = nullptr;  // [vertex_count], of each vertex of the triangulation
-    std::uint8_t* mark_[D + 1] = {};    // [count[k]]
+    const AnyFaces& faces_;
+    std::uint32_t* name_of_ = nullptr;               // [vertex_count], of each vertex of the triangulation
+    std::uint8_t* mark_[dimension_most() + 1] = {};  // [count[k]]
 };
 
 // Moves the faces that are in to the front, all dimensions end to end. number: room for two dimensions. False: out of
 // memory.
-template <int D>
-bool move_faces(const FaceMarks<D>& marks, std::uint32_t* const* number, Arena& arena, Faces<D>* faces) {
+bool move_faces(const FaceMarks& marks, std::uint32_t* const* number, Arena& arena, AnyFaces* faces) {
     if (faces->dimension_max > 0) arena.release_low(arena.offset_of(faces->facets[1]));
     for (int k = 0; k <= faces->dimension_max; ++k) {
         const std::uint32_t *const below = number[(k + 1) & 1], *const from = faces->facets[k];
@@ -121,9 +122,8 @@ bool move_faces(const FaceMarks<D>& marks, std::uint32_t* const* number, Arena& 
 
 }  // namespace
 
-template <int D>
-Status keep_faces_in_part(const Subcomplex<D>& part, const TriangulationView<D>& triangulation,
-                          const std::uint32_t* vertex_of, const Work& work, Faces<D>* faces) {
+Status keep_faces_in_part(const AnyPart& part, const TriangulationView<any_dimension>& triangulation,
+                          const std::uint32_t* vertex_of, const Work& work, AnyFaces* faces) {
     const HighScope scope(work.arena);
     std::uint32_t most = 0;
     for (int k = 0; k <= faces->dimension_max; ++k) most = faces->count[k] > most ? faces->count[k] : most;
@@ -132,7 +132,7 @@ Status keep_faces_in_part(const Subcomplex<D>& part, const TriangulationView<D>&
         n = work.arena.take_high<std::uint32_t>(most);
         if (n == nullptr) return Status::out_of_memory;
     }
-    FaceMarks<D> marks(part, vertex_of, *faces);
+    FaceMarks marks(part, static_cast<int>(std::uint32_t{triangulation.dim}), vertex_of, *faces);
     if (!marks.reserve(triangulation.vertex_count, work.arena)) return Status::out_of_memory;
     marks.mark_faces(work.arena);
     for (CellId c(0); c < triangulation.cell_count; ++c) {
@@ -141,11 +141,5 @@ Status keep_faces_in_part(const Subcomplex<D>& part, const TriangulationView<D>&
     }
     return move_faces(marks, number, work.arena, faces) ? Status::ok : Status::out_of_memory;
 }
-
-#define NETMESH_INSTANTIATE(D)                                                                                         \
-    template Status keep_faces_in_part<D>(const Subcomplex<D>&, const TriangulationView<D>&, const std::uint32_t*,     \
-                                          const Work&, Faces<D>*);
-NETMESH_EACH_DIMENSION(NETMESH_INSTANTIATE)
-#undef NETMESH_INSTANTIATE
 
 }  // namespace netmesh

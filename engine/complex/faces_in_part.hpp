@@ -13,8 +13,7 @@ namespace netmesh {
 // Requires: faces as enumerate_faces left them, `facets` last at the arena's low end, where the fewer ones lie after.
 // Scratch: a byte for each face, two words for each of the most frequent dimension, a word for each vertex.
 // O(faces), and O(2^D log faces) for each cell of the part that has vertices which are cut. out_of_memory, cancelled.
-template <int D>
-Status keep_faces_in_part(const Subcomplex<D>& part, const TriangulationView<D>& triangulation,
-                          const std::uint32_t* vertex_of, const Work& work, Faces<D>* faces);
+Status keep_faces_in_part(const AnyPart& part, const TriangulationView<any_dimension>& triangulation,
+                          const std::uint32_t* vertex_of, const Work& work, Faces<any_dimension>* faces);
 
 }  // namespace netmesh

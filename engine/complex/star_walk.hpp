@@ -41,11 +41,12 @@ private:
 template <int D> class StarWalk {
 public:
     bool reserve(const TriangulationView<D>& complex, std::uint32_t degree_max, int dimension_max, Arena& arena) {
+        dim_ = complex.dim;
         const std::size_t degree = degree_max, n = complex.vertex_count;
-        const std::size_t link_max = degree * D < n ? degree * D : n;
+        const std::size_t link_max = degree * dim_ < n ? degree * dim_ : n;
         dimension_max_ = dimension_max;
         rank_ = arena.take_high<std::uint32_t>(n);
-        upper_ = arena.take_high<std::uint32_t>(degree * D);
+        upper_ = arena.take_high<std::uint32_t>(degree * dim_);
         size_ = arena.take_high<std::uint8_t>(degree);
         link_ = arena.take_high<std::uint32_t>(link_max);
         seen_ = arena.take_high<std::uint32_t>(link_max);
@@ -69,7 +70,7 @@ public:
     bool walk(const TriangulationView<D>& complex, std::uint32_t v, const CellId* cells, std::uint32_t degree,
               WordStream& stream) {
         load(complex, v, cells, degree);
-        std::uint32_t at[D + 1], end[D + 1];
+        std::uint32_t at[DimensionOf<D>::most + 1], end[DimensionOf<D>::most + 1];
         end[1] = 0;
         if (!expand(entries_[0], star_size_, 0, stream, &end[1])) return false;
         at[1] = 0;
@@ -109,8 +110,8 @@ private:
 #endif
         sort_alike(seen_, children, Ascending{});
     }
-    static std::size_t entries_a_cell(int level) { return level == 0 ? 1 : static_cast<std::size_t>(D + 1 - level); }
-    std::uint32_t rank_of(Entry entry) const { return upper_[entry.cell() * D + entry.next() - 1]; }
+    std::size_t entries_a_cell(int level) const { return level == 0 ? 1 : dim_ + 1 - static_cast<std::size_t>(level); }
+    std::uint32_t rank_of(Entry entry) const { return upper_[entry.cell() * dim_ + entry.next() - 1]; }
 
     // Sorts what is above v in each cell of its star and replaces it by ranks in the link.
     void load(const TriangulationView<D>& complex, std::uint32_t v, const CellId* cells, std::uint32_t degree) {
@@ -118,9 +119,9 @@ private:
         star_size_ = 0;
         for (std::uint32_t i = 0; i < degree; ++i) {
             const VertexId* w = complex.vertices(cells[i]);
-            std::uint32_t* u = upper_ + static_cast<std::size_t>(star_size_) * D;
+            std::uint32_t* u = upper_ + static_cast<std::size_t>(star_size_) * dim_;
             int n = 0;
-            for (int j = 0; j <= D; ++j) {
+            for (std::uint32_t j = 0; j <= dim_; ++j) {
                 if (w[j] <= v) continue;
                 int at = n++;
                 for (; at > 0 && u[at - 1] > w[j]; --at) u[at] = u[at - 1];
@@ -137,7 +138,7 @@ private:
         sort_alike(link_, link_size, Ascending{});
         for (std::uint32_t r = 0; r < link_size; ++r) rank_[link_[r]] = r;
         for (std::uint32_t c = 0; c < star_size_; ++c)
-            for (int j = 0; j < size_[c]; ++j) upper_[c * D + j] = rank_[upper_[c * D + j]];
+            for (std::uint32_t j = 0; j < size_[c]; ++j) upper_[c * dim_ + j] = rank_[upper_[c * dim_ + j]];
         for (std::uint32_t r = 0; r < link_size; ++r) rank_[link_[r]] = none;
     }
 
@@ -148,7 +149,7 @@ private:
         for (std::uint32_t i = 0; i < n; ++i) {
             const std::uint32_t c = face[i].cell();
             for (std::uint32_t j = face[i].next(); j < size_[c]; ++j) {
-                const std::uint32_t w = upper_[c * D + j];
+                const std::uint32_t w = upper_[c * dim_ + j];
                 if (tally_[w]++ == 0) seen_[children++] = w;
             }
         }
@@ -168,22 +169,23 @@ private:
             for (std::uint32_t i = 0; i < n; ++i) {
                 const std::uint32_t c = face[i].cell();
                 for (std::uint32_t j = face[i].next(); j < size_[c]; ++j)
-                    to[tally_[upper_[c * D + j]]++] = Entry(c, j + 1);
+                    to[tally_[upper_[c * dim_ + j]]++] = Entry(c, j + 1);
             }
         }
         for (std::uint32_t i = 0; i < children; ++i) tally_[seen_[i]] = 0;
         return true;
     }
 
+    DimensionOf<D> dim_;
     int dimension_max_;
     std::uint32_t star_size_;
-    std::uint32_t* rank_;   // [vertex_count], `none` between calls
-    std::uint32_t* upper_;  // [degree][D], ascending ranks
-    std::uint8_t* size_;    // [degree], how many there are
-    std::uint32_t* link_;   // [link], vertex of each rank
-    std::uint32_t* seen_;   // [link], scratch of expand
-    std::uint32_t* tally_;  // [link], 0 between calls
-    Entry* entries_[D];     // [level][degree * entries_a_cell(level)]
+    std::uint32_t* rank_;                   // [vertex_count], `none` between calls
+    std::uint32_t* upper_;                  // [degree][dim_], ascending ranks
+    std::uint8_t* size_;                    // [degree], how many there are
+    std::uint32_t* link_;                   // [link], vertex of each rank
+    std::uint32_t* seen_;                   // [link], scratch of expand
+    std::uint32_t* tally_;                  // [link], 0 between calls
+    Entry* entries_[DimensionOf<D>::most];  // [level][degree * entries_a_cell(level)]
 };
 
 }  // namespace netmesh

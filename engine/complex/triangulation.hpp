@@ -3,6 +3,7 @@
 #include <cstddef>
 #include <cstdint>
 
+#include "vocabulary/dimension.hpp"
 #include "vocabulary/ids.hpp"
 
 namespace netmesh {
@@ -15,13 +16,18 @@ template <int D> struct TriangulationView {
     std::size_t stride_bytes;
     std::uint32_t cell_count;
     std::uint32_t vertex_count;
+    DimensionOf<D> dim = {};
 
+    // The same, its dimension a number or not.
+    template <int E> TriangulationView<E> of_dimension(DimensionOf<E> other) const {
+        return {cells, stride_bytes, cell_count, vertex_count, other};
+    }
     const VertexId* vertices(CellId cell) const {
         return reinterpret_cast<const VertexId*>(cells + cell * stride_bytes);
     }
     // The facet opposite vertex i, as the cell beyond names it.
     FacetId facet_beyond(CellId cell, std::uint32_t i) const {
-        return reinterpret_cast<const FacetId*>(vertices(cell) + (D + 1))[i];
+        return reinterpret_cast<const FacetId*>(vertices(cell) + (dim + 1))[i];
     }
     // The cell beyond that facet, `none` on the hull.
     CellId neighbour(CellId cell, std::uint32_t i) const {

@@ -75,11 +75,18 @@ public:
                 *reinterpret_cast<std::uint16_t*>(rest + 22)};
     }
     AnyVertex vertex(CellId) const = delete;
+    void copy_vertex(std::uint32_t from, std::uint32_t to) const {
+        __builtin_memcpy(vertices_ - to * vertex_bytes(dim), vertices_ - from * vertex_bytes(dim), vertex_bytes(dim));
+    }
     const double* point(std::uint32_t v) const {
         return reinterpret_cast<const double*>(vertices_ - v * vertex_bytes(dim));
     }
     const double* point(CellId) const = delete;
+    TriangulationView<any_dimension> view() const {
+        return {cells_, cell_bytes(dim), state.cell_slots, state.vertex_count, static_cast<std::uint32_t>(dim)};
+    }
     const unsigned char* first_point() const { return vertices_; }
+    const unsigned char* first_cell() const { return cells_; }
     std::ptrdiff_t point_stride() const { return -static_cast<std::ptrdiff_t>(vertex_bytes(dim)); }
     bool is_live(std::uint32_t c) const { return cell(c).vertex[0] != none - 1; }
     bool is_ghost(std::uint32_t c) const {
@@ -95,10 +102,11 @@ public:
     Arena& arena;
     StoreState& state;
 
+    static constexpr std::size_t cell_bytes(int d) { return radius_offset(d) + 16; }
+
 private:
     static constexpr std::size_t centre_offset(int d) { return 8 * static_cast<std::size_t>(d + 1); }
     static constexpr std::size_t radius_offset(int d) { return centre_offset(d) + 8 * static_cast<std::size_t>(d); }
-    static constexpr std::size_t cell_bytes(int d) { return radius_offset(d) + 16; }
     static constexpr std::size_t vertex_bytes(int d) { return 8 * static_cast<std::size_t>(d) + 24; }
 
     unsigned char *const cells_, *const vertices_;

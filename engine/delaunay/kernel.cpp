@@ -299,7 +299,7 @@ template <int D> void Kernel<D>::fill(const Cavity& cavity, VertexId id) {
 }
 
 #define NETMESH_INSTANTIATE(D) template class Kernel<D>;
-NETMESH_EACH_DIMENSION(NETMESH_INSTANTIATE)
+NETMESH_EACH_INSTANCE(NETMESH_INSTANTIATE)
 #undef NETMESH_INSTANTIATE
 
 }  // namespace netmesh

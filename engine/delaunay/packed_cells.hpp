@@ -4,8 +4,7 @@
 #include <cstddef>
 
 #include "complex/triangulation.hpp"
-#include "delaunay/sphere.hpp"
-#include "delaunay/store.hpp"
+#include "delaunay/any_kernel.hpp"
 
 namespace netmesh {
 
@@ -16,25 +15,26 @@ namespace netmesh {
 //
 // Tables move by a multiple of Arena::alignment. Nothing is packed when something else stands between cells and tables.
 // O(cells).
-template <int D> class PackedCells {
+class PackedCells {
 public:
-    PackedCells(Store<D>& store, std::size_t behind) : store_(store), behind_(behind) {
+    PackedCells(const AnyStore& store, std::size_t behind)
+        : store_(store), cell_bytes_(AnyStore::cell_bytes(store.dim)),
+          packed_bytes_((static_cast<std::size_t>(store.dim) + 1) * (sizeof(VertexId) + sizeof(FacetId))),
+          behind_(behind) {
         const std::size_t count = store.state.cell_slots;
         Arena& arena = store.arena;
-        if (arena.offset_of(&store.cell(0)) + count * sizeof(Cell<D>) != behind) return;
-        arena.each(count, 20, [this](std::uint64_t c) {
-            __builtin_memmove(packed(c), &store_.cell(static_cast<std::uint32_t>(c)), packed_bytes);
-        });
-        given_ = (sizeof(Cell<D>) - packed_bytes) * count / Arena::alignment * Arena::alignment;
+        if (arena.offset_of(store.first_cell()) + count * cell_bytes_ != behind) return;
+        arena.each(count, 20, [this](std::uint64_t c) { __builtin_memmove(packed(c), whole(c), packed_bytes_); });
+        given_ = (cell_bytes_ - packed_bytes_) * count / Arena::alignment * Arena::alignment;
         move_bytes(arena.at(behind - given_), arena.at(behind), arena.low_mark() - behind, arena);
         arena.release_low(arena.low_mark() - given_);
     }
     PackedCells(const PackedCells&) = delete;
     PackedCells& operator=(const PackedCells&) = delete;
 
-    TriangulationView<D> view() const {
-        TriangulationView<D> view = store_.view();
-        if (given_ > 0) view.stride_bytes = packed_bytes;
+    TriangulationView<any_dimension> view() const {
+        TriangulationView<any_dimension> view = store_.view();
+        if (given_ > 0) view.stride_bytes = packed_bytes_;
         return view;
     }
     // Where an item of a table stands while cells are packed, and after that.
@@ -58,19 +58,19 @@ public:
             arena.release_low(behind_);
         const std::uint64_t count = store_.state.cell_slots;
         arena.each(count, 20, [this, count](std::uint64_t k) {
-            Cell<D>& cell = store_.cell(static_cast<std::uint32_t>(count - 1 - k));
-            __builtin_memmove(&cell, packed(count - 1 - k), packed_bytes);
-            cell.mark = 0;
+            __builtin_memmove(whole(count - 1 - k), packed(count - 1 - k), packed_bytes_);
+            store_.cell(static_cast<std::uint32_t>(count - 1 - k)).mark = 0;
         });
-        recompute_balls<D>(store_);
+        recompute_balls(store_);
         return fits;
     }
 
 private:
-    static constexpr std::size_t packed_bytes = (D + 1) * (sizeof(VertexId) + sizeof(FacetId));
-    void* packed(std::uint64_t c) const { return reinterpret_cast<unsigned char*>(&store_.cell(0)) + c * packed_bytes; }
+    void* whole(std::uint64_t c) const { return store_.arena.at(store_.state.cells_offset) + c * cell_bytes_; }
+    void* packed(std::uint64_t c) const { return store_.arena.at(store_.state.cells_offset) + c * packed_bytes_; }
 
-    Store<D>& store_;
+    const AnyStore store_;
+    const std::size_t cell_bytes_, packed_bytes_;
     std::size_t behind_, given_ = 0;  // given_: to the gap
 };
 

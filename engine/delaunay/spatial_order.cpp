@@ -55,44 +55,46 @@ inline std::uint64_t spread(std::uint64_t x) {
 #endif
 
 template <int D> struct Curve {
-    static constexpr int bits_max = 60 / D < 30 ? 60 / D : 30;
+    const DimensionOf<D> dim;
+
+    int bits_max() const { return dim > 2 ? static_cast<int>(60 / dim) : 30; }
 
     // Bits a coordinate for `count` points: a few more than would tell evenly spread points apart.
-    static int bits_for(std::size_t count) {
+    int bits_for(std::size_t count) const {
         int bits = 3;
-        for (std::size_t left = count; left > 1; left >>= D) ++bits;
-        if (D == 2) bits -= bits % 3;
-        return bits < bits_max ? bits : bits_max;
+        for (std::size_t left = count; left > 1; left >>= dim) ++bits;
+        if (dim == 2) bits -= bits % 3;
+        return bits < bits_max() ? bits : bits_max();
     }
 
     // Position along the Hilbert curve of the grid point x, each x[i] < 2^bits.
-    static std::uint64_t position(std::uint32_t* x, int bits) {
-        if constexpr (D == 2)
-            return planar_position(x, bits);
-        else
-            return general_position(x, bits);
+    std::uint64_t position(std::uint32_t* x, int bits) const {
+        if constexpr (D == 2 || D == any_dimension) {
+            if (dim == 2) return planar_position(x, bits);
+        }
+        return general_position(x, bits);
     }
 
 private:
     // In any dimension (J. Skilling, Programming the Hilbert curve, 2004): undo the rotations bit plane by bit plane,
     // then Gray decode and interleave.
-    static std::uint64_t general_position(std::uint32_t* x, int bits) {
+    std::uint64_t general_position(std::uint32_t* x, int bits) const {
         for (std::uint32_t q = std::uint32_t{1} << (bits - 1); q > 1; q >>= 1) {
             const std::uint32_t p = q - 1;
-            for (int i = 0; i < D; ++i) {
+            for (std::uint32_t i = 0; i < dim; ++i) {
                 const std::uint32_t on = (x[i] & q) ? ~std::uint32_t{0} : 0;
                 const std::uint32_t t = (x[0] ^ x[i]) & p & ~on;
                 x[0] ^= t | (p & on);
                 x[i] ^= t;
             }
         }
-        for (int i = 1; i < D; ++i) x[i] ^= x[i - 1];
-        std::uint32_t t = x[D - 1] >> 1;  // bit by bit the parity of the bits above
-        for (int shift = 1; shift < bits_max; shift *= 2) t ^= t >> shift;
+        for (std::uint32_t i = 1; i < dim; ++i) x[i] ^= x[i - 1];
+        std::uint32_t t = x[dim - 1] >> 1;  // bit by bit the parity of the bits above
+        for (int shift = 1; shift < bits_max(); shift *= 2) t ^= t >> shift;
         std::uint64_t key = 0;
-        for (int i = 0; i < D; ++i) x[i] ^= t;
+        for (std::uint32_t i = 0; i < dim; ++i) x[i] ^= t;
         for (int b = bits - 1; b >= 0; --b)
-            for (int i = 0; i < D; ++i) key = (key << 1) | ((x[i] >> b) & 1u);
+            for (std::uint32_t i = 0; i < dim; ++i) key = (key << 1) | ((x[i] >> b) & 1u);
         return key;
     }
     static std::uint64_t planar_position(const std::uint32_t* x, int bits) {
@@ -115,6 +117,7 @@ private:
 };
 
 template <int D> struct Sorter {
+    const DimensionOf<D> dim;
     const Arena& arena;
     const unsigned char* coordinates;
     std::ptrdiff_t stride;
@@ -135,21 +138,21 @@ template <int D> struct Sorter {
         return reinterpret_cast<const double*>(coordinates + static_cast<std::ptrdiff_t>(i) * stride);
     }
     bool same(std::uint32_t a, std::uint32_t b) const {
-        for (int i = 0; i < D; ++i)
+        for (std::uint32_t i = 0; i < dim; ++i)
             if (point(a)[i] != point(b)[i]) return false;
         return true;
     }
     std::uint64_t hash(std::uint32_t i) const {
         std::uint64_t h = 0;
-        for (int k = 0; k < D; ++k) h = mix64(h ^ bits_of(point(i)[k]));
+        for (std::uint32_t k = 0; k < dim; ++k) h = mix64(h ^ bits_of(point(i)[k]));
         return h;
     }
 
     // Keys of order[begin, end) on a grid that covers just these points; differences are taken in halves, as the range
     // of finite doubles does not fit a double.
     void key_range(std::size_t begin, std::size_t end) {
-        double low[D], scale[D];
-        for (int k = 0; k < D; ++k) {
+        double low[DimensionOf<D>::most], scale[DimensionOf<D>::most];
+        for (std::uint32_t k = 0; k < dim; ++k) {
             double lo = point(order[begin])[k], hi = lo;
             for (std::size_t i = begin; i < end;)
                 for (const std::uint64_t piece = arena.piece(i, end, 9); i < piece; ++i) {
@@ -161,17 +164,18 @@ template <int D> struct Sorter {
             scale[k] = hi * 0.5 - lo * 0.5;
         }
         double widest = 0;
-        for (int k = 0; k < D; ++k)
+        for (std::uint32_t k = 0; k < dim; ++k)
             if (scale[k] > widest) widest = scale[k];
-        const int bits = Curve<D>::bits_for(end - begin);
+        const Curve<D> curve = {dim};
+        const int bits = curve.bits_for(end - begin);
         const double cells = static_cast<double>((std::uint32_t{1} << bits) - 1);
         for (std::size_t i = begin; i < end;)
-            for (const std::uint64_t piece = arena.piece(i, end, 120 * D); i < piece; ++i) {
+            for (const std::uint64_t piece = arena.piece(i, end, 120 * dim); i < piece; ++i) {
                 const double* x = point(order[i]);
-                std::uint32_t g[D];
-                for (int k = 0; k < D; ++k)
+                std::uint32_t g[DimensionOf<D>::most];
+                for (std::uint32_t k = 0; k < dim; ++k)
                     g[k] = widest > 0 ? static_cast<std::uint32_t>((x[k] * 0.5 - low[k]) / widest * cells) : 0;
-                keys[i] = Curve<D>::position(g, bits);
+                keys[i] = curve.position(g, bits);
             }
     }
     void sort_range(std::size_t begin, std::size_t end) {
@@ -220,8 +224,8 @@ template <int D> bool Sorter<D>::split_equal_keys(std::size_t count) {
             for (; j > begin; --j) {
                 arena.step(j, 15);
                 const double* y = point(order[j - 1]);
-                int k = 0;
-                while (k < D - 1 && x[k] == y[k]) ++k;
+                std::uint32_t k = 0;
+                while (k < dim - 1 && x[k] == y[k]) ++k;
                 if (!(x[k] < y[k])) break;
                 order[j] = order[j - 1];
             }
@@ -233,15 +237,14 @@ template <int D> bool Sorter<D>::split_equal_keys(std::size_t count) {
     return repeats;
 }
 
-}  // namespace
-
 template <int D>
-Status spatial_order(const unsigned char* coordinates, std::ptrdiff_t stride_bytes, std::uint32_t count,
-                     std::uint64_t seed, Arena& arena, std::uint32_t* order, bool* repeats, bool in_rounds) {
+Status order_of(DimensionOf<D> dim, const unsigned char* coordinates, std::ptrdiff_t stride_bytes, std::uint32_t count,
+                std::uint64_t seed, Arena& arena, std::uint32_t* order, bool* repeats, bool in_rounds) {
     *repeats = false;
     if (count == 0) return Status::ok;
     ArenaScope scope(arena);
-    Sorter<D> s = {arena,
+    Sorter<D> s = {dim,
+                   arena,
                    coordinates,
                    stride_bytes,
                    arena.take_low<std::uint64_t>(count),
@@ -260,7 +263,7 @@ Status spatial_order(const unsigned char* coordinates, std::ptrdiff_t stride_byt
     std::uint32_t rounds_max = 0;
     for (std::uint32_t left = in_rounds ? count : 0; left > 64 && rounds_max < 15; left /= 4) ++rounds_max;
     for (std::uint32_t i = 0; i < count;)
-        for (const std::uint64_t piece = arena.piece(i, count, 20 + 10 * D); i < piece; ++i) {
+        for (const std::uint64_t piece = arena.piece(i, count, 20 + 10 * dim); i < piece; ++i) {
             std::uint64_t h = mix64(s.hash(i) ^ seed);
             std::uint32_t round = rounds_max;
             for (; round > 0 && (h & 3u) == 0; h >>= 2) --round;
@@ -271,10 +274,18 @@ Status spatial_order(const unsigned char* coordinates, std::ptrdiff_t stride_byt
     return Status::ok;
 }
 
+}  // namespace
+
+template <int D>
+Status spatial_order(const unsigned char* coordinates, std::ptrdiff_t stride_bytes, std::uint32_t count,
+                     std::uint64_t seed, Arena& arena, std::uint32_t* order, bool* repeats, bool in_rounds) {
+    return order_of<shared_dimension<D>>(D, coordinates, stride_bytes, count, seed, arena, order, repeats, in_rounds);
+}
+
 #define NETMESH_INSTANTIATE(D)                                                                                         \
     template Status spatial_order<D>(const unsigned char*, std::ptrdiff_t, std::uint32_t, std::uint64_t, Arena&,       \
                                      std::uint32_t*, bool*, bool);
-NETMESH_EACH_DIMENSION(NETMESH_INSTANTIATE)
+NETMESH_EACH_INSTANCE(NETMESH_INSTANTIATE)
 #undef NETMESH_INSTANTIATE
 
 }  // namespace netmesh

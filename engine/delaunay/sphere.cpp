@@ -139,7 +139,7 @@ template <int D> void measure_edges(Store<D>& store) {
     template void solve_sphere<D>(const double* const*, double, Cell<D>&);                                             \
     template void recompute_balls<D>(Store<D>&);                                                                       \
     template void measure_edges<D>(Store<D>&);
-NETMESH_EACH_DIMENSION(NETMESH_INSTANTIATE)
+NETMESH_EACH_INSTANCE(NETMESH_INSTANTIATE)
 #undef NETMESH_INSTANTIATE
 
 }  // namespace netmesh

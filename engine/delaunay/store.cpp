@@ -68,7 +68,7 @@ template <int D> std::uint32_t Store<D>::new_stamp() {
 }
 
 #define NETMESH_INSTANTIATE(D) template class Store<D>;
-NETMESH_EACH_DIMENSION(NETMESH_INSTANTIATE)
+NETMESH_EACH_INSTANCE(NETMESH_INSTANTIATE)
 #undef NETMESH_INSTANTIATE
 
 }  // namespace netmesh

@@ -1,5 +1,6 @@
 #include "delaunay/triangulate.hpp"
 
+#include "delaunay/independent_points.hpp"
 #include "delaunay/plane.hpp"
 #include "delaunay/spatial_order.hpp"
 #include "numerics/fingerprint.hpp"
@@ -20,20 +21,17 @@ constexpr std::uint32_t ahead = 6;
 
 constexpr std::size_t points_max = std::size_t{1} << 28;
 
-template <int D> bool equal_points(const double* a, const double* b) {
-    for (int k = 0; k < D; ++k)
-        if (a[k] != b[k]) return false;
-    return true;
-}
-
 // Moves duplicates out: in `order` equal points are neighbours with the smallest index first.
-template <int D> std::uint32_t remove_duplicates(Store<D>& store, std::uint32_t* order, std::uint32_t count) {
+std::uint32_t remove_duplicates(const AnyStore& store, std::uint32_t* order, std::uint32_t count) {
     std::uint32_t first = order[0];
     for (std::uint32_t k = 0; k < count;)
         for (const std::uint64_t piece = store.arena.piece(k, count, 20); k < piece; ++k) {
             const std::uint32_t v = order[k];
-            if (ahead > 0 && k + ahead < count) __builtin_prefetch(&store.vertex(order[k + ahead]), 1);
-            const bool duplicate = k > 0 && equal_points<D>(store.point(first), store.point(v));
+            if (ahead > 0 && k + ahead < count) __builtin_prefetch(store.point(order[k + ahead]), 1);
+            const double *const a = store.point(first), *const b = store.point(v);
+            int same = 0;
+            while (same < store.dim && a[same] == b[same]) ++same;
+            const bool duplicate = k > 0 && same == store.dim;
             if (!duplicate) first = v;
             store.vertex(v).next = duplicate ? none : VertexId(0);
         }
@@ -51,9 +49,43 @@ template <int D> std::uint32_t remove_duplicates(Store<D>& store, std::uint32_t*
     out = 0;
     for (std::uint32_t v = 0; v < count;)
         for (const std::uint64_t piece = store.arena.piece(v, count, 20); v < piece; ++v) {
-            if (store.vertex(v).next != none) store.vertex(out++) = store.vertex(v);
+            if (store.vertex(v).next == none) continue;
+            if (out != v) store.copy_vertex(v, out);
+            ++out;
         }
     return kept;
+}
+
+bool are_finite(const InputRows& points, std::size_t n, int dim, const Arena& arena, InputReport* input) {
+    for (std::size_t i = 0; i < n;)
+        for (const std::uint64_t piece = arena.piece(i, n, 5 * dim); i < piece; ++i) {
+            double x[dimension_max];
+            if (points.read(i, dim, x)) continue;
+            input->row_a = i;
+            return false;
+        }
+    return true;
+}
+
+// The fingerprint of all coordinates, which become those of the vertices.
+std::uint64_t copy_points(const InputRows& points, const AnyStore& store) {
+    const std::uint32_t count = store.state.vertex_count;
+    Fingerprint fingerprint;
+    fingerprint.add(static_cast<std::uint64_t>(store.dim));
+    for (std::uint32_t i = 0; i < count;)
+        for (const std::uint64_t piece = store.arena.piece(i, count, 20 + 10 * store.dim); i < piece; ++i) {
+            const AnyVertex v = store.vertex(i);
+            points.read(i, store.dim, v.x);
+            for (int k = 0; k < store.dim; ++k) fingerprint.add(v.x[k]);
+            v.nearest2 = infinity;
+            v.cell = none;
+            v.next = none;
+            v.origin = i;
+            v.marker = Marker::input;
+            v.queued = 0;
+            v.size_hint = 0;
+        }
+    return fingerprint.value();
 }
 
 // The triangulation by the kernel of meshes. PlaneRun says what each function does.
@@ -117,73 +149,24 @@ bool is_spent(const StoreState& state, std::uint64_t points, Allowance* allowanc
 
 }  // namespace
 
-// K+1 points span a K-flat exactly when K of the coordinates have a non-zero minor; a set of coordinates that works for
-// the first K points can be extended by one of the others, so no more than D - K of them are tried for each point.
-template <int D>
-bool independent_points(const Store<D>& store, const std::uint32_t* order, std::uint32_t count, VertexId* ids) {
-    const double* p[D + 1];
-    int axes[D] = {};
-    PredicateCounts& counts = store.state.orient_counts;
-    if (count == 0) return false;
-    ids[0] = VertexId(order[0]);
-    p[0] = store.point(ids[0]);
-    int rank = 0;
-    for (std::uint32_t k = 1; k < count && rank < D; ++k) {
-        store.arena.step(k, 300);
-        p[rank + 1] = store.point(order[k]);
-        for (int axis = 0; axis < D; ++axis) {
-            bool used = false;
-            for (int j = 0; j < rank; ++j) used |= axes[j] == axis;
-            if (used) continue;
-            axes[rank] = axis;
-            if (orient_projected<D>(rank + 1, p, axes, counts) == Sign::zero) continue;
-            ids[++rank] = VertexId(order[k]);
-            break;
-        }
-    }
-    return rank == D;
-}
-
 template <int D>
 Status take_input(Store<D>& store, const InputRows& points, std::size_t n, std::uint64_t seed, Monitor& monitor,
                   InputReport* input, std::uint32_t** order) {
     *input = InputReport{};
     if (n == 0 || n > points_max) return Status::invalid_argument;
     monitor.begin(NETMESH_STAGE_SORT, n);
-    for (std::size_t i = 0; i < n;)
-        for (const std::uint64_t piece = store.arena.piece(i, n, 5 * D); i < piece; ++i) {
-            double x[D];
-            if (!points.read(i, D, x)) {
-                input->row_a = i;
-                return Status::not_finite;
-            }
-        }
+    if (!are_finite(points, n, D, store.arena, input)) return Status::not_finite;
     const std::uint32_t count = static_cast<std::uint32_t>(n);
     if (store.open_vertices(count) != Status::ok) return Status::out_of_memory;
-    Fingerprint fingerprint;
-    fingerprint.add(static_cast<std::uint64_t>(D));
-    for (std::uint32_t i = 0; i < count;)
-        for (const std::uint64_t piece = store.arena.piece(i, count, 20 + 10 * D); i < piece; ++i) {
-            Vertex<D>& v = store.vertex(i);
-            points.read(i, D, v.x);
-            for (int k = 0; k < D; ++k) fingerprint.add(v.x[k]);
-            v.nearest2 = infinity;
-            v.cell = none;
-            v.next = none;
-            v.origin = i;
-            v.marker = Marker::input;
-            v.queued = 0;
-            v.size_hint = 0;
-        }
     input->rows = n;
-    input->fingerprint = fingerprint.value();
+    input->fingerprint = copy_points(points, store);
     *order = store.arena.template take_low<std::uint32_t>(count);
     if (*order == nullptr) return Status::out_of_memory;
     bool repeats;
     const Status status =
         spatial_order<D>(store.coordinate_base(), Store<D>::vertex_stride, count, seed, store.arena, *order, &repeats);
     if (status != Status::ok) return status;
-    const std::uint32_t kept = repeats ? remove_duplicates<D>(store, *order, count) : count;
+    const std::uint32_t kept = repeats ? remove_duplicates(store, *order, count) : count;
     input->duplicates = count - kept;
     store.truncate_vertices(kept);
     return store.arena.has_stopped() ? Status::cancelled : Status::ok;
@@ -198,7 +181,7 @@ Status triangulate(Store<D>& store, const InputRows& points, std::size_t n, std:
     if (status != Status::ok) return status;
     const std::uint32_t count = store.state.vertex_count;
     VertexId ids[D + 1];
-    if (!independent_points<D>(store, order, count, ids)) return Status::flat;
+    if (!independent_points(store, order, count, ids)) return Status::flat;
     TriangulationRun<D> run(store);
     status = run.open(order, low);
     if (status == Status::ok) status = run.start(ids);
@@ -227,9 +210,8 @@ Status triangulate(Store<D>& store, const InputRows& points, std::size_t n, std:
     template Status take_input<D>(Store<D>&, const InputRows&, std::size_t, std::uint64_t, Monitor&, InputReport*,     \
                                   std::uint32_t**);                                                                    \
     template Status triangulate<D>(Store<D>&, const InputRows&, std::size_t, std::uint64_t, Monitor&, InputReport*,    \
-                                   Allowance*);                                                                        \
-    template bool independent_points<D>(const Store<D>&, const std::uint32_t*, std::uint32_t, VertexId*);
-NETMESH_EACH_DIMENSION(NETMESH_INSTANTIATE)
+                                   Allowance*);
+NETMESH_EACH_INSTANCE(NETMESH_INSTANTIATE)
 #undef NETMESH_INSTANTIATE
 
 }  // namespace netmesh

@@ -44,8 +44,4 @@ template <int D>
 Status triangulate(Store<D>& store, const InputRows& points, std::size_t n, std::uint64_t seed, Monitor& monitor,
                    InputReport* input, Allowance* allowance = nullptr);
 
-// The first D+1 affinely independent points along order[0..count), exactly. False when there are none.
-template <int D>
-bool independent_points(const Store<D>& store, const std::uint32_t* order, std::uint32_t count, VertexId* ids);
-
 }  // namespace netmesh

@@ -2,13 +2,14 @@
 #pragma once
 #include "filtration/circumsphere.hpp"
 #include "numerics/real.hpp"
+#include "vocabulary/dimension.hpp"
 
 namespace netmesh {
 
 // As dot of numerics/vector.hpp, without the sum's first addition to 0, which shows in this place.
-template <int D> inline double inner_product(const double* a, const double* b) {
+template <int D> inline double inner_product(DimensionOf<D> dim, const double* a, const double* b) {
     double s = a[0] * b[0];
-    for (int d = 1; d < D; ++d) s += a[d] * b[d];
+    for (std::uint32_t d = 1; d < dim; ++d) s += a[d] * b[d];
     return s;
 }
 
@@ -40,52 +41,63 @@ template <int D> inline double inner_product(const double* a, const double* b) {
 //     and |computed - beta_i| l_i is at most sqrt(e) P times that: beta_error P^2 L. beta_0 = 1 - sum of beta_i is off
 //     by K / min l_i times as much, and K + 2 roundings, which the 21/20 covers.
 // Sizes within 2^+-200 and P <= 2^12 keep what underflows below 2^-300 of all this.
-template <int K, int D> struct CircumsphereBounds {
-    static constexpr double root_ek[7] = {0, 1.65, 2.34, 2.86, 3.30, 3.69, 4.04};  // sqrt(e K), rounded up
-    static constexpr double root_k[7] = {0, 1, 1.42, 1.74, 2, 2.24, 2.45};
-    static constexpr double angles = (K - 1.0) * (2 * D + 2 * K + 4) * (1 << K) / 4;  // (K-1) w / u P
-    static constexpr double centre = root_ek[K] * (D + 2 + 6 * K);
-    static constexpr double radius_error = 1.05 * unit_roundoff * (centre + angles / 2 + (D + K + 6) / 2.0);
-    static constexpr double beta_error =
-        1.05 * unit_roundoff * 1.65 * (angles + centre + (D + 2) * root_k[K] + 2 * K * K * K);
+struct CircumsphereBounds {
+    double radius_error, beta_error;
     static constexpr double volume_min = 0x1p-24;
+
+    double radius_error_of(double volume) const { return radius_error / square_root(volume) * 1.01; }
+    constexpr CircumsphereBounds(int k, int dim) : radius_error(0), beta_error(0) {
+        constexpr double root_ek[7] = {0, 1.65, 2.34, 2.86, 3.30, 3.69, 4.04};  // sqrt(e K), rounded up
+        constexpr double root_k[7] = {0, 1, 1.42, 1.74, 2, 2.24, 2.45};
+        const double angles = (k - 1.0) * (2 * dim + 2 * k + 4) * (1 << k) / 4;  // (K-1) w / u P
+        const double centre = root_ek[k] * (dim + 2 + 6 * k);
+        radius_error = 1.05 * unit_roundoff * (centre + angles / 2 + (dim + k + 6) / 2.0);
+        beta_error = 1.05 * unit_roundoff * 1.65 * (angles + centre + (dim + 2) * root_k[k] + 2 * k * k * k);
+    }
 };
+template <int K, int D> constexpr CircumsphereBounds circumsphere_bounds{K, D};
 
 template <int K, int D> inline double radius_error(double volume) {
-    return CircumsphereBounds<K, D>::radius_error / square_root(volume) * 1.01;
+    return circumsphere_bounds<K, D>.radius_error_of(volume);
+}
+inline double radius_error(std::uint32_t k, std::uint32_t dim, double volume) {
+    return CircumsphereBounds(static_cast<int>(k), static_cast<int>(dim)).radius_error_of(volume);
 }
 
-template <int K, int D> inline bool circumsphere_fast(const double* const* point, Circumsphere* out) {
+template <int K, int D>
+inline bool circumsphere_in_doubles(DimensionOf<K> k, DimensionOf<D> dim, double beta_error, const double* const* point,
+                                    Circumsphere* out) {
     constexpr double size_min = 0x1p-200, size_max = 0x1p200;
-    double e[K][D], b[K], n[K], whole[K], r[K][K];
-    int at[K];
+    constexpr int k_max = DimensionOf<K>::most, dim_max = DimensionOf<D>::most;
+    double e[k_max][dim_max], b[k_max], n[k_max], whole[k_max], r[k_max][k_max];
+    std::uint32_t at[k_max];
     double whole_min = size_max, product = 1;
-    for (int i = 0; i < K; ++i) {
-        for (int d = 0; d < D; ++d) e[i][d] = point[i + 1][d] - point[0][d];
-        n[i] = whole[i] = inner_product<D>(e[i], e[i]);
+    for (std::uint32_t i = 0; i < k; ++i) {
+        for (std::uint32_t d = 0; d < dim; ++d) e[i][d] = point[i + 1][d] - point[0][d];
+        n[i] = whole[i] = inner_product<D>(dim, e[i], e[i]);
         if (!(n[i] > size_min && n[i] < size_max)) return false;
         if (n[i] < whole_min) whole_min = n[i];
         b[i] = n[i] / 2;
         at[i] = i;
     }
-    double radius_squared = 0, y[K];
-    for (int j = 0; j < K; ++j) {
-        int pivot = j;
-        for (int i = j + 1; i < K; ++i)
+    double radius_squared = 0, y[k_max];
+    for (std::uint32_t j = 0; j < k; ++j) {
+        std::uint32_t pivot = j;
+        for (std::uint32_t i = j + 1; i < k; ++i)
             if (n[i] > n[pivot]) pivot = i;
         if (pivot != j) {
-            for (int d = 0; d < D; ++d) {
+            for (std::uint32_t d = 0; d < dim; ++d) {
                 const double t = e[j][d];
                 e[j][d] = e[pivot][d];
                 e[pivot][d] = t;
             }
-            for (int i = 0; i < j; ++i) {
+            for (std::uint32_t i = 0; i < j; ++i) {
                 const double t = r[i][j];
                 r[i][j] = r[i][pivot];
                 r[i][pivot] = t;
             }
             const double tb = b[j], tn = n[j], tw = whole[j];
-            const int ta = at[j];
+            const std::uint32_t ta = at[j];
             b[j] = b[pivot], n[j] = n[pivot], whole[j] = whole[pivot], at[j] = at[pivot];
             b[pivot] = tb, n[pivot] = tn, whole[pivot] = tw, at[pivot] = ta;
         }
@@ -93,22 +105,22 @@ template <int K, int D> inline bool circumsphere_fast(const double* const* point
         product *= n[j] / whole[j];
         y[j] = b[j] * inverse;
         radius_squared += b[j] * y[j];
-        for (int i = j + 1; i < K; ++i) {
-            const double c = inner_product<D>(e[i], e[j]) * inverse;
+        for (std::uint32_t i = j + 1; i < k; ++i) {
+            const double c = inner_product<D>(dim, e[i], e[j]) * inverse;
             r[j][i] = c;
-            for (int d = 0; d < D; ++d) e[i][d] -= c * e[j][d];
+            for (std::uint32_t d = 0; d < dim; ++d) e[i][d] -= c * e[j][d];
             b[i] -= c * b[j];
-            n[i] = inner_product<D>(e[i], e[i]);
+            n[i] = inner_product<D>(dim, e[i], e[i]);
         }
     }
-    if (!(product >= CircumsphereBounds<K, D>::volume_min)) return false;
-    const double error = CircumsphereBounds<K, D>::beta_error / product;
+    if (!(product >= CircumsphereBounds::volume_min)) return false;
+    const double error = beta_error / product;
 
     double first = 1, largest = radius_squared, smallest = size_max;
     std::uint32_t within = 0;
-    for (int j = K - 1; j >= 0; --j) {
+    for (std::uint32_t j = k; j-- > 0;) {
         double beta = y[j];
-        for (int i = j + 1; i < K; ++i) beta -= r[j][i] * y[i];
+        for (std::uint32_t i = j + 1; i < k; ++i) beta -= r[j][i] * y[i];
         y[j] = beta;
         first -= beta;
         const double length_squared = beta * beta * whole[j];
@@ -118,11 +130,25 @@ template <int K, int D> inline bool circumsphere_fast(const double* const* point
     }
     if (first < 0) within |= 1u;
     const double slack = error * error * largest;
-    if (!(smallest > slack && first * first * whole_min > slack * (K * K))) return false;
+    if (!(smallest > slack && first * first * whole_min > slack * (k * k))) return false;
     out->radius = square_root(radius_squared);
     out->within = within;
     out->volume = product;
     return true;
+}
+
+template <int K, int D> inline bool circumsphere_fast(const double* const* point, Circumsphere* out) {
+    return circumsphere_in_doubles<K, D>(K, D, circumsphere_bounds<K, D>.beta_error, point, out);
+}
+// The same for all k and dim. Where size counts it is the only one.
+#ifdef __OPTIMIZE_SIZE__
+constexpr bool circumsphere_is_shared = true;
+#else
+constexpr bool circumsphere_is_shared = false;
+#endif
+inline bool circumsphere_fast(std::uint32_t k, std::uint32_t dim, const double* const* point, Circumsphere* out) {
+    const CircumsphereBounds bounds(static_cast<int>(k), static_cast<int>(dim));
+    return circumsphere_in_doubles<any_dimension, any_dimension>(k, dim, bounds.beta_error, point, out);
 }
 
 }  // namespace netmesh

@@ -1,7 +1,6 @@
 #include "filtration/clipped_nerve.hpp"
 
 #include "certificate/rounding.hpp"
-#include "delaunay/cell_list.hpp"
 #include "filtration/equal_foot.hpp"
 #include "vocabulary/dimension.hpp"
 
@@ -10,56 +9,59 @@ namespace {
 
 constexpr std::uint32_t chunk = 256;
 
-// The subsets of the positions 0..D of a cell, as sets of bits, by size: those of n are set[first[n]..first[n + 1]).
-template <int D> struct Subsets {
-    static constexpr int count = 2 << D;
+// The subsets of the positions 0, 1, ... of a cell, as sets of bits, by size: those of n are set[first[n]..first[n +
+// 1]), the ones of a smaller dimension's positions first.
+struct Subsets {
+    static constexpr int count = 2 << dimension_max;
     std::uint8_t set[count] = {};
-    int first[D + 3] = {};
+    int first[dimension_max + 3] = {};
 
     constexpr Subsets() {
         int end = 0;
-        for (int n = 0; n <= D + 1; ++n) {
+        for (int n = 0; n <= dimension_max + 1; ++n) {
             first[n] = end;
             for (int s = 0; s < count; ++s) {
                 int size = 0;
-                for (int i = 0; i <= D; ++i) size += s >> i & 1;
+                for (int i = 0; i <= dimension_max; ++i) size += s >> i & 1;
                 if (size == n) set[end++] = static_cast<std::uint8_t>(s);
             }
         }
-        first[D + 2] = end;
+        first[dimension_max + 2] = end;
     }
 };
-template <int D> constexpr Subsets<D> subsets{};
+constexpr Subsets subsets{};
 
 // A face of a cell.
-template <int D> struct Face {
+struct Face {
     unsigned set;  // positions of its vertices in the cell
     int size = 0;
-    const double* point[D];
-    std::uint32_t vertex[D];  // ascending
+    const double* point[dimension_max];
+    std::uint32_t vertex[dimension_max];  // ascending
 };
 
 // source: out, and some of its faces may be in.
 enum class CellPart : std::uint8_t { out = 0, in = 1, open = 2, source = 3 };
 
-template <int D> class NerveFinder {
+class NerveFinder {
 public:
-    NerveFinder(Store<D>& store, const Domain<D>& ball, const Work& work) : store_(store), ball_(ball), work_(work) {}
+    NerveFinder(const AnyStore& store, const AnyDomain& ball, const Work& work)
+        : dim_(store.dim), store_(store), ball_(ball), work_(work),
+          faces_(DimensionOf<any_dimension>(static_cast<std::uint32_t>(store.dim))) {}
 
-    Status run(Subcomplex<D>* part, bool* certain) {
+    Status run(AnyPart* part, bool* certain) {
         ArenaScope scope(work_.arena);
         cells_ = store_.state.cell_slots;
-        cell_ = work_.arena.template take_low<std::uint8_t>(cells_);
-        vertex_ = work_.arena.template take_low<std::uint8_t>(store_.state.vertex_count);
+        cell_ = work_.arena.take_low<std::uint8_t>(cells_);
+        vertex_ = work_.arena.take_low<std::uint8_t>(store_.state.vertex_count);
         if (cell_ == nullptr || vertex_ == nullptr) return Status::out_of_memory;
         for (CellId c(0); c < cells_;)
-            for (const std::uint64_t piece = work_.arena.piece(c, cells_, 15 * D); c < piece; ++c) {
+            for (const std::uint64_t piece = work_.arena.piece(c, cells_, 15 * dim_); c < piece; ++c) {
                 cell_[c] = static_cast<std::uint8_t>(by_record(c));
             }
         find_absent();
         Status status = settle_open_cells();
         if (status == Status::ok && certain_) status = find_sources();
-        for (int n = D; n >= 1 && status == Status::ok && certain_; --n) status = find_faces(n);
+        for (int n = dim_; n >= 1 && status == Status::ok && certain_; --n) status = find_faces(n);
         *certain = certain_;
         if (status != Status::ok || !certain_) return status;
         finish();
@@ -83,22 +85,21 @@ private:
     Status find_faces(int n);
     void finish();
 
-    Status examine(CellId c, const Face<D>& face);
-    Status insert(const Face<D>& face);
-    template <class Number>
-    int judge(const EqualFoot<Number>& foot, const Face<D>& face, const CellList<D>& star) const;
-    [[gnu::noinline, gnu::cold]] int judge_precisely(const Face<D>& face, const CellList<D>& star) const {
-        return judge(EqualFoot<WideFloat>(ball_, face.point, face.size), face, star);
+    Status examine(CellId c, const Face& face);
+    Status insert(const Face& face);
+    template <class Number> int judge(const EqualFoot<Number>& foot, const Face& face, const AnyCellList& star) const;
+    [[gnu::noinline, gnu::cold]] int judge_precisely(const Face& face, const AnyCellList& star) const {
+        return judge(EqualFoot<WideFloat>(dim_, ball_.centre, ball_.radius, face.point, face.size), face, star);
     }
     [[gnu::noinline, gnu::cold]] int beyond_precisely(const double* const* point) const {
-        return EqualFoot<WideFloat>(ball_, point, D + 1).beyond();
+        return EqualFoot<WideFloat>(dim_, ball_.centre, ball_.radius, point, dim_ + 1).beyond();
     }
     bool is_open(CellId c) const { return cell_[c] == static_cast<std::uint8_t>(CellPart::open); }
     bool is_in(CellId c) const { return cell_[c] == static_cast<std::uint8_t>(CellPart::in); }
     // Positions of c whose vertices may be in.
     unsigned present_in(CellId c) const {
         unsigned set = 0;
-        for (int i = 0; i <= D; ++i)
+        for (int i = 0; i <= dim_; ++i)
             if (vertex_[store_.cell(c).vertex[i]] != VertexPart::absent) set |= 1u << i;
         return set;
     }
@@ -109,20 +110,21 @@ private:
         return work_.monitor.advance(done_, chunk);
     }
 
-    Store<D>& store_;
-    const Domain<D>& ball_;
+    const int dim_;
+    const AnyStore& store_;
+    const AnyDomain& ball_;
     const Work& work_;
     std::uint32_t cells_ = 0;
     std::uint8_t* cell_ = nullptr;
     std::uint8_t* vertex_ = nullptr;
-    FaceSet<D> faces_;
+    FaceSet<any_dimension> faces_;
     std::uint64_t done_ = 0;
     bool certain_ = true;
 };
 
 // The centre is within error * radius of the computed one. Distances by `up` and `down` (rounding.hpp).
-template <int D> CellPart NerveFinder<D>::by_record(CellId c) const {
-    const Cell<D>& cell = store_.cell(c);
+CellPart NerveFinder::by_record(CellId c) const {
+    const AnyCell cell = store_.cell(c);
     const double away = square_root(ball_.distance2(cell.centre));
     const double doubt = static_cast<double>(cell.error) * square_root(cell.radius2) * up;
     if ((away + doubt) * up < ball_.radius) return CellPart::in;
@@ -132,39 +134,39 @@ template <int D> CellPart NerveFinder<D>::by_record(CellId c) const {
 // Marks vertices that are surely not in K: o is on the other side of a bisector that is beyond the sphere, at
 // (|v - o|^2 - |w - o|^2) / (2 |v - w|) from it. Any other vertex w will do, those of one cell are at hand. The
 // difference is off by less than sum_slack of its terms' sum.
-template <int D> void NerveFinder<D>::find_absent() {
+void NerveFinder::find_absent() {
     for (std::uint32_t v = 0; v < store_.state.vertex_count;)
         for (const std::uint64_t piece = work_.arena.piece(v, store_.state.vertex_count, 8); v < piece; ++v) {
             vertex_[v] = VertexPart::cut;
         }
     for (CellId c(0); c < cells_;)
-        for (const std::uint64_t piece = work_.arena.piece(c, cells_, 12 * D * D); c < piece; ++c) {
+        for (const std::uint64_t piece = work_.arena.piece(c, cells_, 12 * dim_ * dim_); c < piece; ++c) {
             if (is_in(c)) continue;
-            const Cell<D>& cell = store_.cell(c);
-            const double* point[D + 1];
-            double away2[D + 1];
-            for (int i = 0; i <= D; ++i) {
+            const AnyCell cell = store_.cell(c);
+            const double* point[dimension_max + 1];
+            double away2[dimension_max + 1];
+            for (int i = 0; i <= dim_; ++i) {
                 point[i] = store_.point(cell.vertex[i]);
                 away2[i] = ball_.distance2(point[i]);
                 for (int j = 0; j < i; ++j) {
                     const int far = away2[i] > away2[j] ? i : j, near = i + j - far;
                     const double gap = away2[far] - away2[near] - sum_slack * (away2[far] + away2[near]);
-                    const double least = 2 * ball_.radius * distance<D>(point[i], point[j]) * up;
+                    const double least = 2 * ball_.radius * distance(dim_, point[i], point[j]) * up;
                     if (gap > least) vertex_[cell.vertex[far]] = VertexPart::absent;
                 }
             }
         }
 }
 
-template <int D> Status NerveFinder<D>::settle_open_cells() {
+Status NerveFinder::settle_open_cells() {
     for (CellId c(0); c < cells_ && certain_;)
         for (const std::uint64_t piece = work_.arena.piece(c, cells_, 6); c < piece && certain_; ++c) {
             if (!is_open(c)) continue;
             int beyond = 1;
-            if (present_in(c) == (2u << D) - 1) {
-                const double* point[D + 1];
-                for (int i = 0; i <= D; ++i) point[i] = store_.point(store_.cell(c).vertex[i]);
-                beyond = EqualFoot<double>(ball_, point, D + 1).beyond();
+            if (present_in(c) == (2u << dim_) - 1) {
+                const double* point[dimension_max + 1];
+                for (int i = 0; i <= dim_; ++i) point[i] = store_.point(store_.cell(c).vertex[i]);
+                beyond = EqualFoot<double>(dim_, ball_.centre, ball_.radius, point, dim_ + 1).beyond();
                 if (beyond == 0) beyond = beyond_precisely(point);
                 if (beyond == 0) certain_ = false;
             }
@@ -182,22 +184,22 @@ template <int D> Status NerveFinder<D>::settle_open_cells() {
 //     (o - z(c)).(z(c') - z(c)) > 0 for some of them. Weights that vanish leave >= 0. An edge for which it is surely
 //     negative leads up.
 // Few cells have a neighbour farther from o to which the edge does not lead up.
-template <int D> typename NerveFinder<D>::Edges NerveFinder<D>::edges_of(CellId c) const {
-    const Cell<D>& cell = store_.cell(c);
+NerveFinder::Edges NerveFinder::edges_of(CellId c) const {
+    const AnyCell cell = store_.cell(c);
     const double away2 = ball_.distance2(cell.centre), away = square_root(away2);
     const double doubt = static_cast<double>(cell.error) * square_root(cell.radius2);
     Edges edges = {0, 0};
-    for (int i = 0; i <= D; ++i) {
+    for (int i = 0; i <= dim_; ++i) {
         if (cell.neighbour[i] == none) {
             edges.farther |= 1u << i;
             edges.down |= 1u << i;
             continue;
         }
-        const Cell<D>& other = store_.cell(cell.neighbour[i].cell());
+        const AnyCell other = store_.cell(cell.neighbour[i].cell());
         if (ball_.distance2(other.centre) < away2) continue;
         edges.farther |= 1u << i;
         double along = 0, length2 = 0;
-        for (int k = 0; k < D; ++k) {
+        for (int k = 0; k < dim_; ++k) {
             const double step = other.centre[k] - cell.centre[k];
             along += (ball_.centre[k] - cell.centre[k]) * step;
             length2 += step * step;
@@ -210,7 +212,7 @@ template <int D> typename NerveFinder<D>::Edges NerveFinder<D>::edges_of(CellId 
     return edges;
 }
 
-template <int D> Status NerveFinder<D>::find_sources() {
+Status NerveFinder::find_sources() {
     for (CellId c(0); c < cells_; ++c) {
         if (step(c)) return Status::cancelled;
         if (is_in(c) || present_in(c) == 0) continue;
@@ -221,19 +223,19 @@ template <int D> Status NerveFinder<D>::find_sources() {
 }
 
 // Puts the faces of n vertices into the set whose m is that of their own flat.
-template <int D> Status NerveFinder<D>::find_faces(int n) {
+Status NerveFinder::find_faces(int n) {
     for (CellId c(0); c < cells_; ++c) {
         if (step(c)) return Status::cancelled;
         if (cell_[c] != static_cast<std::uint8_t>(CellPart::source)) continue;
-        const Cell<D>& cell = store_.cell(c);
+        const AnyCell cell = store_.cell(c);
         const Edges edges = edges_of(c);
         const unsigned present = present_in(c);
-        for (int s = subsets<D>.first[n]; s < subsets<D>.first[n + 1]; ++s) {
-            const unsigned set = subsets<D>.set[s], left = (2u << D) - 1 - set;
+        for (int s = subsets.first[n]; s < subsets.first[n + 1] && subsets.set[s] < 2u << dim_; ++s) {
+            const unsigned set = subsets.set[s], left = (2u << dim_) - 1 - set;
             if ((set & ~present) != 0 || (left & ~edges.farther) != 0 || (left & edges.down) == 0) continue;
-            Face<D> face;
+            Face face;
             face.set = set;
-            for (int i = 0; i <= D; ++i) {
+            for (int i = 0; i <= dim_; ++i) {
                 if ((set >> i & 1u) == 0) continue;
                 int at = face.size++;
                 for (; at > 0 && face.vertex[at - 1] > cell.vertex[i]; --at) {
@@ -250,18 +252,18 @@ template <int D> Status NerveFinder<D>::find_faces(int n) {
     return Status::ok;
 }
 
-template <int D> Status NerveFinder<D>::examine(CellId c, const Face<D>& face) {
-    work_.arena.pass(4 * D);
-    const EqualFoot<double> foot(ball_, face.point, face.size);
+Status NerveFinder::examine(CellId c, const Face& face) {
+    work_.arena.pass(static_cast<std::uint64_t>(4 * dim_));
+    const EqualFoot<double> foot(dim_, ball_.centre, ball_.radius, face.point, face.size);
     if (foot.beyond() > 0) return Status::ok;
-    for (int i = 0; i <= D; ++i)
+    for (int i = 0; i <= dim_; ++i)
         if ((face.set >> i & 1u) == 0 && foot.nearer(store_.point(store_.cell(c).vertex[i])) > 0) return Status::ok;
     if (faces_.contains(face.vertex, static_cast<std::uint32_t>(face.size))) return Status::ok;
-    CellList<D> star(store_);
+    AnyCellList star(store_);
     if (!star.add(c)) return Status::out_of_memory;
     for (std::uint32_t k = 0; k < star.size(); ++k) {
-        const Cell<D>& cell = store_.cell(star[k]);
-        for (int i = 0; i <= D; ++i) {
+        const AnyCell cell = store_.cell(star[k]);
+        for (int i = 0; i <= dim_; ++i) {
             bool shared = false;
             for (int j = 0; j < face.size; ++j) shared |= cell.vertex[i] == face.vertex[j];
             if (shared || cell.neighbour[i] == none) continue;
@@ -269,18 +271,17 @@ template <int D> Status NerveFinder<D>::examine(CellId c, const Face<D>& face) {
             if (!star.add(cell.neighbour[i].cell())) return Status::out_of_memory;
         }
     }
-    work_.arena.pass(4 * D * star.size());
+    work_.arena.pass(std::uint64_t{4} * static_cast<unsigned>(dim_) * star.size());
     int part = judge(foot, face, star);
-    if (part == 0) work_.arena.pass(100 * D * star.size());
+    if (part == 0) work_.arena.pass(std::uint64_t{100} * static_cast<unsigned>(dim_) * star.size());
     if (part == 0) part = judge_precisely(face, star);
     if (part == 0) certain_ = false;
     return part < 0 ? insert(face) : Status::ok;
 }
 
 // Of a face none of whose cofacets is in. -1: it is in, 1: it is not, 0: not certain.
-template <int D>
 template <class Number>
-int NerveFinder<D>::judge(const EqualFoot<Number>& foot, const Face<D>& face, const CellList<D>& star) const {
+int NerveFinder::judge(const EqualFoot<Number>& foot, const Face& face, const AnyCellList& star) const {
     int part = foot.beyond();
     if (part > 0) return 1;
     for (std::uint32_t k = 0; k < star.size(); ++k)
@@ -296,9 +297,9 @@ int NerveFinder<D>::judge(const EqualFoot<Number>& foot, const Face<D>& face, co
 }
 
 // With all its faces.
-template <int D> Status NerveFinder<D>::insert(const Face<D>& face) {
+Status NerveFinder::insert(const Face& face) {
     for (unsigned set = 1; set < 1u << face.size; ++set) {
-        std::uint32_t vertex[D], n = 0;
+        std::uint32_t vertex[dimension_max], n = 0;
         for (int j = 0; j < face.size; ++j)
             if ((set >> j & 1u) != 0) vertex[n++] = face.vertex[j];
         if (!faces_.insert(vertex, n, work_.arena)) return Status::out_of_memory;
@@ -306,13 +307,13 @@ template <int D> Status NerveFinder<D>::insert(const Face<D>& face) {
     return Status::ok;
 }
 
-template <int D> void NerveFinder<D>::finish() {
+void NerveFinder::finish() {
     for (std::uint32_t v = 0; v < store_.state.vertex_count;)
         for (const std::uint64_t piece = work_.arena.piece(v, store_.state.vertex_count, 8); v < piece; ++v) {
             vertex_[v] = 0;
         }
     for (CellId c(0); c < cells_;)
-        for (const std::uint64_t piece = work_.arena.piece(c, cells_, 15 * D); c < piece; ++c) {
+        for (const std::uint64_t piece = work_.arena.piece(c, cells_, 15 * dim_); c < piece; ++c) {
             if (!is_in(c)) cell_[c] = static_cast<std::uint8_t>(CellPart::out);
             for (const VertexId v : store_.cell(c).vertex) vertex_[v] |= is_in(c) ? sees_in : sees_out;
         }
@@ -327,21 +328,20 @@ template <int D> void NerveFinder<D>::finish() {
 
 }  // namespace
 
-template <int D>
-Status find_clipped_nerve(Store<D>& store, const Domain<D>& ball, const Work& work, Subcomplex<D>* part,
+Status find_clipped_nerve(const AnyStore& store, const AnyDomain& ball, const Work& work, AnyPart* part,
                           bool* certain) {
-    return NerveFinder<D>(store, ball, work).run(part, certain);
+    return NerveFinder(store, ball, work).run(part, certain);
 }
 
-template <int D>
-Status choose_clipped_nerve(Store<D>& store, Domain<D>* domain, const Work& work, Subcomplex<D>* part, bool* found) {
+Status choose_clipped_nerve(const AnyStore& store, AnyDomain* domain, const Work& work, AnyPart* part, bool* found) {
     *found = false;
-    Domain<D> ball = *domain;
-    work.monitor.begin(NETMESH_STAGE_CERTIFY, (D + 1) * std::uint64_t{store.state.cell_slots});
+    AnyDomain ball = *domain;
+    work.monitor.begin(NETMESH_STAGE_CERTIFY,
+                       static_cast<unsigned>(store.dim + 1) * std::uint64_t{store.state.cell_slots});
     for (int k = 0; k < clip_radii; ++k) {
         ball.radius = domain->radius * (1 - k * 0x1p-16);
         if (!(ball.radius > ball.enclosing_radius)) return Status::ok;
-        const Status status = find_clipped_nerve<D>(store, ball, work, part, found);
+        const Status status = find_clipped_nerve(store, ball, work, part, found);
         if (status != Status::ok) return status;
         if (!*found) continue;
         domain->radius = ball.radius;
@@ -349,11 +349,5 @@ Status choose_clipped_nerve(Store<D>& store, Domain<D>* domain, const Work& work
     }
     return Status::ok;
 }
-
-#define NETMESH_INSTANTIATE(D)                                                                                         \
-    template Status find_clipped_nerve<D>(Store<D>&, const Domain<D>&, const Work&, Subcomplex<D>*, bool*);            \
-    template Status choose_clipped_nerve<D>(Store<D>&, Domain<D>*, const Work&, Subcomplex<D>*, bool*);
-NETMESH_EACH_DIMENSION(NETMESH_INSTANTIATE)
-#undef NETMESH_INSTANTIATE
 
 }  // namespace netmesh

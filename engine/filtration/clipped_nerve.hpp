@@ -29,7 +29,7 @@
 #pragma once
 #include "complex/subcomplex.hpp"
 #include "memory/work.hpp"
-#include "mesh/domain.hpp"
+#include "mesh/any_domain.hpp"
 #include "vocabulary/status.hpp"
 
 namespace netmesh {
@@ -39,15 +39,13 @@ namespace netmesh {
 // A compact store. Vertex::cell is not needed. Changes the marks of cells. A few EqualFoots for each cell near the
 // sphere, one comparison for the others. In the gap: the list of the cells around a simplex.
 // out_of_memory, cancelled: nothing is kept.
-template <int D>
-Status find_clipped_nerve(Store<D>& store, const Domain<D>& ball, const Work& work, Subcomplex<D>* part, bool* certain);
+Status find_clipped_nerve(const AnyStore& store, const AnyDomain& ball, const Work& work, AnyPart* part, bool* certain);
 
 constexpr int clip_radii = 60;
 
 // For the first of the radii domain->radius (1 - k 2^-16), k < clip_radii, whose nerve is certain; domain->radius
 // becomes that one. All must be above domain->enclosing_radius; those that are not count as uncertain. !*found: none
 // is certain, and domain is as it was. Otherwise as find_clipped_nerve.
-template <int D>
-Status choose_clipped_nerve(Store<D>& store, Domain<D>* domain, const Work& work, Subcomplex<D>* part, bool* found);
+Status choose_clipped_nerve(const AnyStore& store, AnyDomain* domain, const Work& work, AnyPart* part, bool* found);
 
 }  // namespace netmesh

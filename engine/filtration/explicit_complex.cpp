@@ -10,14 +10,23 @@
 namespace netmesh {
 namespace {
 
+using AnyView = TriangulationView<any_dimension>;
+
 // Faces as they are listed, with room for their values. keep(faces) leaves of them those that are wanted.
-template <int D, class Keep>
-Status take_faces(const TriangulationView<D>& triangulation, std::uint32_t dimension, const Work& work, Faces<D>* faces,
+template <class Keep>
+Status take_faces(const AnyView& triangulation, std::uint32_t dimension, const Work& work, AnyFaces* faces,
                   ListedComplex* out, Keep keep) {
     *out = {};
     out->dimension = dimension;
     work.monitor.begin(NETMESH_STAGE_FILTER, 0);
-    Status status = enumerate_faces(triangulation, static_cast<int>(dimension), work, faces);
+    Status status = with_dimension(triangulation.dim, [&](auto number) {
+        constexpr int D = decltype(number)::value;
+        Faces<D> all = {};
+        const Status listed =
+            enumerate_faces<D>(triangulation.of_dimension<D>({}), static_cast<int>(dimension), work, &all);
+        *faces = all.template of_dimension<any_dimension>();
+        return listed;
+    });
     if (status == Status::ok) status = keep(faces);
     if (status != Status::ok) return status;
     for (std::uint32_t k = 0; k <= dimension; ++k) {
@@ -37,11 +46,11 @@ Status take_faces(const TriangulationView<D>& triangulation, std::uint32_t dimen
 // The same cells with vertices numbered by value from the last to the first, so that faces in lexicographic order, read
 // backwards, are in order of value; vertex_of[n]: the vertex of each number. The copy stays at the arena's high end.
 // False: out of memory.
-template <int D>
-bool rank_cells(const TriangulationView<D>& triangulation, const double* value, Arena& arena, std::uint32_t* vertex_of,
-                TriangulationView<D>* out) {
+bool rank_cells(const AnyView& triangulation, const double* value, Arena& arena, std::uint32_t* vertex_of,
+                AnyView* out) {
+    const std::uint32_t width = triangulation.dim + 1;
     const std::uint32_t n = triangulation.vertex_count, cells = triangulation.cell_count;
-    std::uint32_t* const copy = arena.take_high<std::uint32_t>(std::size_t{cells} * (D + 1));
+    std::uint32_t* const copy = arena.take_high<std::uint32_t>(std::size_t{cells} * width);
     const HighScope scope(arena);
     std::uint32_t* const rank = arena.take_high<std::uint32_t>(n);
     std::uint32_t* const place = arena.take_high<std::uint32_t>(std::size_t{n} + 1);
@@ -53,7 +62,7 @@ bool rank_cells(const TriangulationView<D>& triangulation, const double* value, 
         }
     const auto first_of = [&](std::uint32_t c) {
         std::uint32_t first = n;
-        for (int i = 0; i <= D; ++i) {
+        for (std::uint32_t i = 0; i < width; ++i) {
             const std::uint32_t label = n - 1 - rank[triangulation.vertices(CellId(c))[i]];
             if (label < first) first = label;
         }
@@ -65,7 +74,7 @@ bool rank_cells(const TriangulationView<D>& triangulation, const double* value, 
         place[v] = 0;
     }
     for (std::uint32_t c = 0; c < cells;)
-        for (const std::uint64_t piece = arena.piece(c, cells, 8 * (D + 1)); c < piece; ++c) {
+        for (const std::uint64_t piece = arena.piece(c, cells, 8 * width); c < piece; ++c) {
             ++place[first_of(c) + 1];
         }
     for (std::uint32_t v = 0; v < n;)
@@ -73,11 +82,11 @@ bool rank_cells(const TriangulationView<D>& triangulation, const double* value, 
             place[v + 1] += place[v];
         }
     for (std::uint32_t c = 0; c < cells;)
-        for (const std::uint64_t piece = arena.piece(c, cells, 16 * (D + 1)); c < piece; ++c) {
-            std::uint32_t* const to = copy + std::size_t{place[first_of(c)]++} * (D + 1);
-            for (int i = 0; i <= D; ++i) to[i] = n - 1 - rank[triangulation.vertices(CellId(c))[i]];
+        for (const std::uint64_t piece = arena.piece(c, cells, 16 * width); c < piece; ++c) {
+            std::uint32_t* const to = copy + std::size_t{place[first_of(c)]++} * width;
+            for (std::uint32_t i = 0; i < width; ++i) to[i] = n - 1 - rank[triangulation.vertices(CellId(c))[i]];
         }
-    *out = {reinterpret_cast<const unsigned char*>(copy), sizeof(std::uint32_t) * (D + 1), cells, n};
+    *out = {reinterpret_cast<const unsigned char*>(copy), sizeof(std::uint32_t) * width, cells, n, triangulation.dim};
     return true;
 }
 
@@ -105,20 +114,20 @@ void turn_round(ListedComplex& complex, std::uint32_t k, const Arena& arena) {
 
 }  // namespace
 
-template <int D>
-Status lower_star_complex(const TriangulationView<D>& triangulation, const double* value, std::uint32_t zero_born_count,
-                          std::uint32_t dimension, const Subcomplex<D>* part, const Work& work, ListedComplex* out) {
+Status lower_star_complex(const TriangulationView<any_dimension>& triangulation, const double* value,
+                          std::uint32_t zero_born_count, std::uint32_t dimension, const AnyPart* part, const Work& work,
+                          ListedComplex* out) {
     const std::size_t high = work.arena.high_mark();
-    Faces<D> faces;
-    TriangulationView<D> ranked;
+    AnyFaces faces;
+    AnyView ranked;
     std::uint32_t* const vertex_of = work.arena.take_high<std::uint32_t>(triangulation.vertex_count);
     Status status = vertex_of != nullptr && rank_cells(triangulation, value, work.arena, vertex_of, &ranked)
                         ? Status::ok
                         : Status::out_of_memory;
-    const auto keep = [&](Faces<D>* all) {
+    const auto keep = [&](AnyFaces* all) {
         return part == nullptr ? Status::ok : keep_faces_in_part(*part, triangulation, vertex_of, work, all);
     };
-    if (status == Status::ok) status = take_faces<D>(ranked, dimension, work, &faces, out, keep);
+    if (status == Status::ok) status = take_faces(ranked, dimension, work, &faces, out, keep);
     if (status == Status::ok) {
         for (std::uint32_t k = 0; k <= dimension; ++k) turn_round(*out, k, work.arena);
         for (std::uint32_t v = 0; v < out->count[0];)
@@ -143,25 +152,22 @@ Status lower_star_complex(const TriangulationView<D>& triangulation, const doubl
     return status == Status::ok ? order_dimension(*out, 0, work.arena) : status;
 }
 
-template <int D>
-Status alpha_complex(const AlphaFiltration<D>& filtration, std::uint32_t dimension, const Work& work,
+Status alpha_complex(const AlphaFiltration<any_dimension>& filtration, std::uint32_t dimension, const Work& work,
                      ListedComplex* out) {
     const std::size_t high = work.arena.high_mark();
-    Faces<D> faces;
+    AnyFaces faces;
     double error;
-    Status status = take_faces<D>(filtration.complex, D, work, &faces, out, [](Faces<D>*) { return Status::ok; });
+    Status status =
+        take_faces(filtration.complex, filtration.complex.dim, work, &faces, out, [](AnyFaces*) { return Status::ok; });
     if (status == Status::ok)
-        status = alpha_values<D>(faces, filtration.coordinates, filtration.stride_bytes, work, out->value, &error);
+        status = with_dimension(filtration.complex.dim, [&](auto number) {
+            constexpr int D = decltype(number)::value;
+            return alpha_values<D>(faces.of_dimension<D>(), filtration.coordinates, filtration.stride_bytes, work,
+                                   out->value, &error);
+        });
     work.arena.release_high(high);
     out->dimension = dimension;
     return status == Status::ok ? order_by_value(*out, work.arena) : status;
 }
-
-#define NETMESH_INSTANTIATE(D)                                                                                         \
-    template Status lower_star_complex<D>(const TriangulationView<D>&, const double*, std::uint32_t, std::uint32_t,    \
-                                          const Subcomplex<D>*, const Work&, ListedComplex*);                          \
-    template Status alpha_complex<D>(const AlphaFiltration<D>&, std::uint32_t, const Work&, ListedComplex*);
-NETMESH_EACH_DIMENSION(NETMESH_INSTANTIATE)
-#undef NETMESH_INSTANTIATE
 
 }  // namespace netmesh

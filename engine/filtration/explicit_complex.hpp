@@ -15,13 +15,12 @@ namespace netmesh {
 
 // A simplex of more than one vertex enters at the largest of its vertices' values, a vertex v < zero_born_count at 0.
 // part: the simplices that are listed, all of the triangulation's when it is null.
-template <int D>
-Status lower_star_complex(const TriangulationView<D>& triangulation, const double* value, std::uint32_t zero_born_count,
-                          std::uint32_t dimension, const Subcomplex<D>* part, const Work& work, ListedComplex* out);
+Status lower_star_complex(const TriangulationView<any_dimension>& triangulation, const double* value,
+                          std::uint32_t zero_born_count, std::uint32_t dimension, const AnyPart* part, const Work& work,
+                          ListedComplex* out);
 
 // The alpha filtration (alpha.hpp), for which all dimensions are listed for a while.
-template <int D>
-Status alpha_complex(const AlphaFiltration<D>& filtration, std::uint32_t dimension, const Work& work,
+Status alpha_complex(const AlphaFiltration<any_dimension>& filtration, std::uint32_t dimension, const Work& work,
                      ListedComplex* out);
 
 }  // namespace netmesh

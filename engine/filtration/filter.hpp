@@ -49,23 +49,6 @@ struct Filter {
     bool has(std::uint32_t trait) const { return (traits & trait) != 0; }
 };
 
-// A complete, compact mesh without cages; its inputs are vertices 0..inputs-1.
-template <int D> struct FilteredMesh {
-    Store<D>& store;
-    Domain<D> domain;
-    std::uint32_t inputs;
-    bool is_clipped = false;  // refined for cells clipped to the domain's ball
-    // Not null: cells are clipped to the ball of `domain`, and what is filtered is the nerve of the clipped cells.
-    const Subcomplex<D>* part = nullptr;
-
-    // Is the cell of v, or what the ball leaves of it, there?
-    bool has(VertexId v) const { return part == nullptr || part->vertex[v] != VertexPart::absent; }
-
-    std::uint32_t vertices() const { return store.state.vertex_count; }
-    // rho of the certificates: a radius of a ball that contains the inputs, rounded up.
-    double cut() const { return domain.enclosing_radius * up; }
-};
-
 struct FilterRequest {
     netmesh_filter filter;  // of source mesh
     FilterValues values;

@@ -6,7 +6,6 @@
 #include "filtration/function_filter.hpp"
 #include "filtration/mesh_filter.hpp"
 #include "filtration/tight_filter.hpp"
-#include "vocabulary/dimension.hpp"
 #include "vocabulary/features.hpp"
 
 namespace netmesh {
@@ -60,8 +59,8 @@ constexpr bool rows_are_in_order() {
 static_assert(rows_are_in_order(), "row i is that of filter i + 1");
 
 // Where results of jobs are not in its way.
-template <int D> bool move_high(const FilteredMesh<D>& mesh, Arena& arena, Subcomplex<D>* part) {
-    const std::size_t cells = mesh.store.state.cell_slots, vertices = mesh.vertices();
+bool move_high(const StoreState& state, Arena& arena, AnyPart* part) {
+    const std::size_t cells = state.cell_slots, vertices = state.vertex_count;
     std::uint8_t* const cell = arena.take_high<std::uint8_t>(cells);
     std::uint8_t* const vertex = arena.take_high<std::uint8_t>(vertices);
     if (cell == nullptr || vertex == nullptr || !part->faces.move_high(arena)) return false;
@@ -97,16 +96,16 @@ std::uint32_t zero_born_count(netmesh_filter filter, std::uint32_t k, std::uint3
     return evaluated_filter(filter, k).has(filter_trait::inputs_enter_first) ? inputs : 0;
 }
 
-template <int D>
-Status clip_cells(const FilteredMesh<D>& mesh, const FilterRequest& request, const Work& work, ClippedCells<D>* out) {
-    out->is_there = false;
-    out->ball = mesh.domain;
-    if constexpr (!built::certificate) return Status::ok;
-    if (!mesh.is_clipped || !table[request.filter - 1].has(filter_trait::clips_cells)) return Status::ok;
+Status clip_cells(const FilterRequest& request, const Work& work, AnyMesh* mesh) {
+    if (!built::certificate || !mesh->is_clipped || !table[request.filter - 1].has(filter_trait::clips_cells))
+        return Status::ok;
     Arena& arena = work.arena;
     const std::size_t low = arena.low_mark();
-    Status status = choose_clipped_nerve<D>(mesh.store, &out->ball, work, &out->part, &out->is_there);
-    if (status == Status::ok && out->is_there && !move_high(mesh, arena, &out->part)) status = Status::out_of_memory;
+    bool found = false;
+    Status status = choose_clipped_nerve(mesh->store, &mesh->domain, work, &mesh->part, &found);
+    if (status == Status::ok && found && !move_high(mesh->store.state, arena, &mesh->part))
+        status = Status::out_of_memory;
+    if (status == Status::ok && found) mesh->present = mesh->part.vertex;
     arena.release_low(low);
     return status;
 }
@@ -133,10 +132,5 @@ Status evaluate(const AnyMesh& mesh, const FilterRequest& request, const Work& w
     }
     return Status::invalid_argument;
 }
-
-#define NETMESH_INSTANTIATE(D)                                                                                         \
-    template Status clip_cells<D>(const FilteredMesh<D>&, const FilterRequest&, const Work&, ClippedCells<D>*);
-NETMESH_EACH_DIMENSION(NETMESH_INSTANTIATE)
-#undef NETMESH_INSTANTIATE
 
 }  // namespace netmesh

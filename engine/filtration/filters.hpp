@@ -22,23 +22,11 @@ const Filter& evaluated_filter(netmesh_filter filter, std::uint32_t k);
 // How many of the inputs, the first vertices of a mesh, enter at 0 before their stars.
 std::uint32_t zero_born_count(netmesh_filter filter, std::uint32_t k, std::uint32_t inputs);
 
-// The nerve of the clipped cells of a mesh, and the ball that they are clipped to.
-template <int D> struct ClippedCells {
-    bool is_there = false;
-    Domain<D> ball;
-    Subcomplex<D> part;
-
-    // What is filtered: the mesh as it is, or its clipped cells.
-    FilteredMesh<D> of(const FilteredMesh<D>& mesh) const {
-        return is_there ? FilteredMesh<D>{mesh.store, ball, mesh.inputs, mesh.is_clipped, &part} : mesh;
-    }
-};
-
-// Finds them where the mesh is refined for clipped cells and the filter takes them, at the arena's high end. Where no
+// Puts the nerve of the clipped cells in the place of the mesh, and the ball that they are clipped to in that of its
+// domain, where the mesh is refined for clipped cells and the filter takes them; at the arena's high end. Where no
 // radius can be told to be right (clipped_nerve.hpp) cells stay whole, and ratios are what those certify.
 // out_of_memory, cancelled.
-template <int D>
-Status clip_cells(const FilteredMesh<D>& mesh, const FilterRequest& request, const Work& work, ClippedCells<D>* out);
+Status clip_cells(const FilterRequest& request, const Work& work, AnyMesh* mesh);
 
 // Values, certificate and, when asked for, intervals of the filter on each cell. Costs and scratch: see
 // mesh_filter.hpp, tight_filter.hpp, function_filter.hpp. out_of_memory, cancelled, not_finite (culprit),

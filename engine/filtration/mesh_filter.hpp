@@ -13,7 +13,7 @@
 // The bounds are those of certificate/interval.hpp, rounded outwards, the corners' own error bounds included. An
 // unbounded cell has hi = rho.
 //
-// Cells clipped to a ball B of centre o that contains P, of radius rho or more (FilteredMesh::part): the offset in B
+// Cells clipped to a ball B of centre o that contains P, of radius rho or more (AnyMesh::part): the offset in B
 // has the diagram of the offset, as the projection to B moves points nearer to P, and where F = rho it is all of B,
 // with the diagram of a point. So all of the above holds with Vor(v) in B for each cell, lo and hi needed there alone,
 // and the nerve of what is left of the cells for the triangulation: it has the homology of a point, as B has. R and hi

@@ -101,30 +101,11 @@ struct KnownSphere {
     Circumsphere sphere;
     double error;  // of the radius, and `within` is exact; negative: nothing is proven
 };
-template <int K, int D> KnownSphere circumsphere(const double* const* point) {
-    Circumsphere sphere;
-    if (circumsphere_fast<K, D>(point, &sphere)) return {sphere, radius_error<K, D>(sphere.volume)};
-    return {circumsphere_precise(point, K, D), -1};
-}
-template <int D> KnownSphere circumsphere_of(const double* const* point, std::uint32_t k) {
-    if constexpr (D >= 6) {
-        if (k == 6) return circumsphere<6, D>(point);
-    }
-    if constexpr (D >= 5) {
-        if (k == 5) return circumsphere<5, D>(point);
-    }
-    if constexpr (D >= 4) {
-        if (k == 4) return circumsphere<4, D>(point);
-    }
-    if constexpr (D >= 3) {
-        if (k == 3) return circumsphere<3, D>(point);
-    }
-    return circumsphere<2, D>(point);
-}
-
 KnownSphere circumsphere_of(int dim, const double* const* point, std::uint32_t k) {
-    return with_dimension(static_cast<std::uint32_t>(dim),
-                          [&](auto dimension) { return circumsphere_of<decltype(dimension)::value>(point, k); });
+    const std::uint32_t space = static_cast<std::uint32_t>(dim);
+    Circumsphere sphere;
+    if (circumsphere_fast(k, space, point, &sphere)) return {sphere, radius_error(k, space, sphere.volume)};
+    return {circumsphere_precise(point, static_cast<int>(k), dim), -1};
 }
 
 // Raises *error to that of the value. With exact signs the ball is the simplex's own sphere or that of a facet, which

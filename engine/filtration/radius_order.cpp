@@ -5,17 +5,16 @@
 #include "numerics/real.hpp"
 #include "numerics/sort.hpp"
 #include "numerics/value_order.hpp"
-#include "vocabulary/dimension.hpp"
 
 namespace netmesh {
 namespace {
 
-template <int K, int D> [[gnu::cold]] bool simplex_radius(const double* const* point, int k, Radius* out) {
-    if constexpr (K < D)
-        if (k > K) return simplex_radius<K + 1, D>(point, k, out);
+[[gnu::cold]] bool simplex_radius(const double* const* point, int k, int dim, Radius* out) {
+    if (k == 1) return edge_radius(distance2(dim, point[0], point[1]), static_cast<std::uint32_t>(dim), out);
+    const std::uint32_t size = static_cast<std::uint32_t>(k), space = static_cast<std::uint32_t>(dim);
     Circumsphere sphere;
-    if (!circumsphere_fast<K, D>(point, &sphere)) return false;
-    *out = {sphere.radius, radius_error<K, D>(sphere.volume)};
+    if (!circumsphere_fast(size, space, point, &sphere)) return false;
+    *out = {sphere.radius, radius_error(size, space, sphere.volume)};
     return true;
 }
 
@@ -35,29 +34,6 @@ double deviating(double base, double x) {
     return kept_radius(square_root(two_product(mantissa, mantissa) * two_sum(1, x)) * near * far);
 }
 double deviation_error(double x) { return 0x1p-87 * (1 + absolute(x)) + 0x1p-52 * absolute(x); }
-
-// Faces<D> with the dimension as a number.
-struct FaceTable {
-    int dim;
-    const std::uint32_t* count;
-    const std::uint32_t* const* last_vertex;
-    const std::uint32_t* const* facets;
-
-    // The points of a k-face by ascending vertex. The last vertex of a cell is that of the facet opposite its first
-    // one, too.
-    void points(const PointRecords& records, int k, std::uint32_t face, const double** point) const {
-        std::uint32_t vertex[dimension_most() + 1];
-        for (int i = k; i > 0; --i) {
-            const std::uint32_t* const facet =
-                facets[i] + static_cast<std::size_t>(face) * (static_cast<std::size_t>(i) + 1);
-            vertex[i] = i == dim ? last_vertex[i - 1][facet[0]] : last_vertex[i][face];
-            face = facet[i];
-        }
-        vertex[0] = last_vertex[0][face];
-        if (jumps_matter) insertion_sort(vertex, static_cast<std::uint32_t>(k) + 1, Ascending{});
-        for (int i = 0; i <= k; ++i) point[i] = records[vertex[i]];
-    }
-};
 
 class RadiusOrder {
 public:
@@ -202,10 +178,7 @@ Status RadiusOrder::pass(bool all) {
     const double* point[dimension_most() + 1];
     faces_.points(points_, place.k, place.face, point);
     Radius again;
-    const bool known = with_dimension(static_cast<std::uint32_t>(faces_.dim), [&](auto dim) {
-        constexpr int D = decltype(dim)::value;
-        return place.k == 1 ? edge_radius<D>(point, &again) : simplex_radius<2, D>(point, place.k, &again);
-    });
+    const bool known = simplex_radius(point, place.k, faces_.dim, &again);
     return known ? again : Radius{radius_[i], exact_radius_error(radius_[i])};
 }
 
@@ -373,18 +346,12 @@ Status RadiusOrder::pass(bool all) {
 
 }  // namespace
 
-template <int D>
-Status order_radii(const Faces<D>& faces, const PointRecords& points, const Work& work, double* const* value,
+Status order_radii(const FaceTable& faces, const PointRecords& points, const Work& work, double* const* value,
                    RadiusErrors* errors) {
-    RadiusOrder order({D, faces.count, faces.last_vertex, faces.facets}, points, work, value, *errors);
+    RadiusOrder order(faces, points, work, value, *errors);
     const Status status = order.run();
     *errors = order.errors();
     return status;
 }
-
-#define NETMESH_INSTANTIATE(D)                                                                                         \
-    template Status order_radii<D>(const Faces<D>&, const PointRecords&, const Work&, double* const*, RadiusErrors*);
-NETMESH_EACH_DIMENSION(NETMESH_INSTANTIATE)
-#undef NETMESH_INSTANTIATE
 
 }  // namespace netmesh

@@ -8,6 +8,7 @@
 #include "memory/work.hpp"
 #include "numerics/sort.hpp"
 #include "numerics/vector.hpp"
+#include "vocabulary/dimension.hpp"
 #include "vocabulary/status.hpp"
 
 namespace netmesh {
@@ -49,15 +50,43 @@ struct PointRecords {
     }
 };
 
+// Faces<D>, all of them, with the dimension as a number.
+struct FaceTable {
+    template <int D>
+    explicit FaceTable(const Faces<D>& faces)
+        : dim(D), count(faces.count), last_vertex(faces.last_vertex), facets(faces.facets) {}
+    const std::uint32_t* facets_of(int k, std::uint32_t face) const {
+        return facets[k] + static_cast<std::size_t>(face) * static_cast<std::size_t>(k + 1);
+    }
+
+    // The points of a k-face by ascending vertex. The last vertex of a cell is that of the facet opposite its first
+    // one, too.
+    void points(const PointRecords& records, int k, std::uint32_t face, const double** point) const {
+        std::uint32_t vertex[dimension_most() + 1];
+        for (int i = k; i > 0; --i) {
+            const std::uint32_t* const facet = facets_of(i, face);
+            vertex[i] = i == dim ? last_vertex[i - 1][facet[0]] : last_vertex[i][face];
+            face = facet[i];
+        }
+        vertex[0] = last_vertex[0][face];
+        if (jumps_matter) insertion_sort(vertex, static_cast<std::uint32_t>(k) + 1, Ascending{});
+        for (int i = 0; i <= k; ++i) point[i] = records[vertex[i]];
+    }
+
+    const int dim;
+    const std::uint32_t* const count;
+    const std::uint32_t* const* const last_vertex;
+    const std::uint32_t* const* const facets;
+};
+
 // A radius and a bound on how far it is from the true one, relative to that.
 struct Radius {
     double value, error;
 };
-// Half the length of an edge. The squared length has D + 2 roundings, the root halves them and adds one. False: squares
-// are out of the range of doubles.
-template <int D> inline bool edge_radius(const double* const* point, Radius* out) {
-    const double squared = distance2<D>(point[0], point[1]);
-    *out = {square_root(squared) / 2, 1.01 * unit_roundoff * (D / 2.0 + 2)};
+// Half the length of an edge, of its squared length. That has dim + 2 roundings, the root halves them and adds one.
+// False: squares are out of the range of doubles.
+inline bool edge_radius(double squared, std::uint32_t dim, Radius* out) {
+    *out = {square_root(squared) / 2, 1.01 * unit_roundoff * (dim / 2.0 + 2)};
     return squared > 0x1p-900 && squared < 0x1p1000;
 }
 
@@ -84,8 +113,7 @@ struct RadiusErrors {
 // Memory: 2 to 4 bytes a radius, 12 for each that is sorted, what ExactSphere takes; where so many radii share a double
 // that they would pass by one that was not sorted, all are. out_of_memory; out_of_range: a comparison needs more
 // digits than there are; cancelled.
-template <int D>
-Status order_radii(const Faces<D>& faces, const PointRecords& points, const Work& work, double* const* value,
+Status order_radii(const FaceTable& faces, const PointRecords& points, const Work& work, double* const* value,
                    RadiusErrors* errors);
 
 }  // namespace netmesh

@@ -3,7 +3,6 @@
 #include "certificate/rounding.hpp"
 #include "numerics/sort.hpp"
 #include "numerics/vector.hpp"
-#include "vocabulary/dimension.hpp"
 #include "vocabulary/validate.hpp"
 
 namespace netmesh {
@@ -17,8 +16,7 @@ struct ByOwner {
 
 }  // namespace
 
-template <int D>
-Status ScalePartition<D>::open(const Store<D>& store, std::uint32_t count, double theta, Arena& arena) {
+Status ScalePartition::open(const AnyStore& store, std::uint32_t count, double theta, Arena& arena) {
     store_ = &store;
     theta_ = theta;
     total_ = count - 1;
@@ -37,12 +35,12 @@ Status ScalePartition<D>::open(const Store<D>& store, std::uint32_t count, doubl
     return Status::ok;
 }
 
-template <int D> double ScalePartition<D>::distance(std::uint32_t a, std::uint32_t b) const {
-    return netmesh::distance<D>(store_->point(a), store_->point(b));
+double ScalePartition::distance(std::uint32_t a, std::uint32_t b) const {
+    return netmesh::distance(store_->dim, store_->point(a), store_->point(b));
 }
 
 // The position of the medial point farthest from the chosen ones, `end` if there is none.
-template <int D> std::uint32_t ScalePartition<D>::farthest(std::uint32_t begin, std::uint32_t end) const {
+std::uint32_t ScalePartition::farthest(std::uint32_t begin, std::uint32_t end) const {
     std::uint32_t best = end;
     for (std::uint32_t i = begin; i < end;)
         for (const std::uint64_t piece = store_->arena.piece(i, end, 15); i < piece; ++i) {
@@ -55,7 +53,7 @@ template <int D> std::uint32_t ScalePartition<D>::farthest(std::uint32_t begin, 
     return best;
 }
 
-template <int D> void ScalePartition<D>::choose(std::uint32_t point, std::uint32_t begin, std::uint32_t end) {
+void ScalePartition::choose(std::uint32_t point, std::uint32_t begin, std::uint32_t end) {
     const std::uint32_t place = chosen_count_++;
     chosen_[place] = point;
     for (std::uint32_t i = begin; i < end;)
@@ -73,14 +71,14 @@ template <int D> void ScalePartition<D>::choose(std::uint32_t point, std::uint32
 }
 
 // Makes clusters of what is left.
-template <int D> void ScalePartition<D>::group(std::uint32_t begin, std::uint32_t end) {
+void ScalePartition::group(std::uint32_t begin, std::uint32_t end) {
     sort(left_ + begin, end - begin, ByOwner{}, store_->arena);
     for (std::uint32_t i = begin; i < end;) {
         store_->arena.step(i, 40);
         const std::uint32_t place = left_[i].owner, representative = chosen_[place];
         double gap = infinity, radius = 0;
         for (std::uint32_t j = 0; j < chosen_count_;)
-            for (const std::uint64_t piece = store_->arena.piece(j, chosen_count_, 10 * D); j < piece; ++j) {
+            for (const std::uint64_t piece = store_->arena.piece(j, chosen_count_, 10 * store_->dim); j < piece; ++j) {
                 const double d = j == place ? infinity : distance(representative, chosen_[j]);
                 if (d < gap) gap = d;
             }
@@ -96,7 +94,7 @@ template <int D> void ScalePartition<D>::group(std::uint32_t begin, std::uint32_
     }
 }
 
-template <int D> bool ScalePartition<D>::next(Monitor& monitor, bool* stopped) {
+bool ScalePartition::next(Monitor& monitor, bool* stopped) {
     *stopped = false;
     if (done_ == total_ && clusters_ > 0) return false;
     ++clusters_;
@@ -124,9 +122,5 @@ template <int D> bool ScalePartition<D>::next(Monitor& monitor, bool* stopped) {
     group(done_, end);
     return true;
 }
-
-#define NETMESH_INSTANTIATE(D) template class ScalePartition<D>;
-NETMESH_EACH_DIMENSION(NETMESH_INSTANTIATE)
-#undef NETMESH_INSTANTIATE
 
 }  // namespace netmesh

@@ -27,7 +27,7 @@
 #pragma once
 #include <cstdint>
 
-#include "delaunay/store.hpp"
+#include "delaunay/any_store.hpp"
 #include "vocabulary/monitor.hpp"
 
 namespace netmesh {
@@ -39,13 +39,13 @@ struct PointLeft {
 };
 
 // One cluster after the other, parents before children.
-template <int D> class ScalePartition {
+class ScalePartition {
 public:
     static constexpr std::size_t point_bytes = sizeof(PointLeft) + sizeof(std::uint32_t);  // what open places for each
 
     // Of the store's vertices 0..count-1, distinct points that stay where they are; at the arena's low end.
     // 0 < theta <= 1/9. out_of_memory.
-    Status open(const Store<D>& store, std::uint32_t count, double theta, Arena& arena);
+    Status open(const AnyStore& store, std::uint32_t count, double theta, Arena& arena);
     // The next cluster's P_i, representative first, in the order of choice. False: there is none. The clusters cost
     // O(sum |C_i| |P_i|). *stopped: the monitor wants to stop.
     bool next(Monitor& monitor, bool* stopped);
@@ -69,7 +69,7 @@ private:
     void choose(std::uint32_t point, std::uint32_t begin, std::uint32_t end);
     void group(std::uint32_t begin, std::uint32_t end);
 
-    const Store<D>* store_ = nullptr;
+    const AnyStore* store_ = nullptr;
     std::uint32_t total_ = 0, done_ = 0;
     double theta_ = 0;
     PointLeft* left_ =

@@ -2,14 +2,12 @@
 
 #include "filtration/tighten_cell_bounds.hpp"
 #include "jobs/certified_bars.hpp"
-#include "vocabulary/dimension.hpp"
 
 namespace netmesh {
 namespace {
 
 // The filter's values and the narrowest intervals that there are for it.
-template <int D>
-Status measure(const FilteredMesh<D>& mesh, const FilterRequest& request, const Work& work, Evaluation* out) {
+Status measure(const AnyMesh& mesh, const FilterRequest& request, const Work& work, Evaluation* out) {
     out->value = work.arena.take_high<double>(mesh.vertices());
     out->interval = work.arena.take_high<Interval>(mesh.vertices());
     if (out->value == nullptr || out->interval == nullptr) return Status::out_of_memory;
@@ -32,16 +30,14 @@ bool is_same(const BoundBarsRequest& request, const FilterBounds& filter, double
 
 }  // namespace
 
-template <int D>
-Status bound_bars(const FilteredMesh<D>& mesh, const BoundBarsRequest& request, const Work& work, BoundedBars* out) {
+Status bound_bars(const AnyMesh& mesh, const BoundBarsRequest& request, const Work& work, BoundedBars* out) {
     ArenaScope scope(work.arena);
     *out = {work.arena.take_low<BarBounds>(static_cast<std::size_t>(request.bars.count)), {}};
     if (out->bounds == nullptr) return Status::out_of_memory;
     Evaluation evaluation = {};
-    ClippedCells<D> cells;
-    Status status = clip_cells<D>(mesh, request.filter, work, &cells);
-    const FilteredMesh<D> filtered = cells.of(mesh);
-    if (status == Status::ok) status = measure<D>(filtered, request.filter, work, &evaluation);
+    AnyMesh filtered = mesh;
+    Status status = clip_cells(request.filter, work, &filtered);
+    if (status == Status::ok) status = measure(filtered, request.filter, work, &evaluation);
     if (status != Status::ok) return status;
     const Filter& filter = evaluated_filter(request.filter.filter, request.filter.k);
     const FilterBounds bounds = {evaluation.value, evaluation.interval, mesh.vertices()};
@@ -61,8 +57,8 @@ Status bound_bars(const FilteredMesh<D>& mesh, const BoundBarsRequest& request, 
     status = bound_by_scale(bounds, request.bars, spacing, work.arena, out->bounds, &out->curve);
     if (status != Status::ok) return status;
     const std::uint32_t zero_born = filter.has(filter_trait::zero_at_inputs) ? mesh.inputs : 0;
-    status = find_certified_bars<D>({mesh.store.view(), bounds, zero_born, request.bars, filtered.part, spacing}, work,
-                                    out->bounds);
+    status = find_certified_bars(
+        {mesh.store.view(), bounds, zero_born, request.bars, filtered.filtered_part(), spacing}, work, out->bounds);
     if (status == Status::ok) scope.keep_low_from_now();
     return status;
 }
@@ -75,10 +71,5 @@ Status bound_bars_by_ratio(const UniformBound& bound, const BarList& bars, const
     if (status == Status::ok) scope.keep_low_from_now();
     return status;
 }
-
-#define NETMESH_INSTANTIATE(D)                                                                                         \
-    template Status bound_bars<D>(const FilteredMesh<D>&, const BoundBarsRequest&, const Work&, BoundedBars*);
-NETMESH_EACH_DIMENSION(NETMESH_INSTANTIATE)
-#undef NETMESH_INSTANTIATE
 
 }  // namespace netmesh

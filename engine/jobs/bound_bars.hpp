@@ -22,8 +22,7 @@ struct BoundedBars {
 // is put at the arena's low end, bounds before the curve; without ok nothing stays. Scratch: about 110 bytes a vertex,
 // 120 a bar, and what a diagram takes. out_of_memory, cancelled; where the function is not the one of the values,
 // not_finite or invalid_argument.
-template <int D>
-Status bound_bars(const FilteredMesh<D>& mesh, const BoundBarsRequest& request, const Work& work, BoundedBars* out);
+Status bound_bars(const AnyMesh& mesh, const BoundBarsRequest& request, const Work& work, BoundedBars* out);
 
 // Of any other diagram: from its certified ratio and error. out_of_memory.
 Status bound_bars_by_ratio(const UniformBound& bound, const BarList& bars, const Work& work, BoundedBars* out);

@@ -3,7 +3,6 @@
 #include "homology/lower_star/lower_star.hpp"
 #include "jobs/join_shift.hpp"
 #include "jobs/value_table.hpp"
-#include "vocabulary/dimension.hpp"
 
 namespace netmesh {
 namespace {
@@ -318,47 +317,76 @@ private:
     double largest_ = -infinity, least_ = infinity;
 };
 
-}  // namespace
+// All but the diagrams of the sequences.
+class CertifiedSearch {
+public:
+    CertifiedSearch(const FilterBounds& filter, Spacing spacing, const BarList& bars, bool has_zero_born,
+                    const JoinShift* join, const Arena& arena)
+        : filter_(filter), bars_(bars), arena_(arena), least_degree_(has_zero_born ? 1 : 0), covers_(spacing),
+          ledger_(join), next_(spacing), share_(filter, spacing, arena) {}
 
-template <int D>
-Status find_certified_bars(const CertifiedBarsRequest<D>& request, const Work& work, BarBounds* bounds) {
-    const FilterBounds& filter = request.filter;
-    const BarList& bars = request.bars;
-    if (bars.count == 0) return Status::ok;
-    const ArenaScope scope(work.arena);
-    CoverSequence covers(request.spacing);
-    Ledger ledger(request.join);
-    Status status = covers.open(filter, work.arena);
-    if (status == Status::ok) status = ledger.open(bars, bounds, work.arena);
-    double* const level = work.arena.take_low<double>(filter.count);
-    if (status == Status::ok && level == nullptr) status = Status::out_of_memory;
-    if (status != Status::ok) return status;
-    const std::uint32_t top_degree = bars.pairs[bars.count - 1].degree, least_degree = request.zero_born > 0 ? 1 : 0;
-    const HalfShare share(filter, request.spacing, work.arena);
-    NextScale next(request.spacing);
-    double scale;
-    for (int number = 0; number < sequences_max && next.find(ledger, bars, least_degree, &scale); ++number) {
-        covers.go_through(scale);
-        // The filter's values order the simplices of a level, which keeps the reduction short.
-        for (std::uint32_t v = 0; v < filter.count;)
-            for (const std::uint64_t piece = work.arena.piece(v, filter.count, 30); v < piece; ++v) {
-                level[v] = covers.level(filter.interval[v]) + share.of(filter.value[v]);
-            }
-        const ArenaScope run(work.arena);
-        CountedPairs found = {};
-        status = persist_lower_star<D>({request.complex, level, request.zero_born, request.part}, {top_degree}, work,
-                                       &found);
-        if (status != Status::ok) return status;
-        for (std::uint32_t degree = least_degree; degree <= top_degree; ++degree)
-            ledger.consider(covers, found.pairs, degree, number + 2);
+    Status open(const BarBounds* bounds, Arena& arena);
+    // Another sequence: the level at which each vertex enters. False: there is none.
+    bool next();
+    const double* level() const { return level_; }
+    std::uint32_t top_degree() const { return bars_.pairs[bars_.count - 1].degree; }
+    // Its diagram.
+    void consider(const PairList& pairs) {
+        for (std::uint32_t degree = least_degree_; degree <= top_degree(); ++degree)
+            ledger_.consider(covers_, pairs, degree, number_ + 1);
     }
-    ledger.conclude(bounds);
-    return Status::ok;
+    void conclude(BarBounds* bounds) const { ledger_.conclude(bounds); }
+
+private:
+    const FilterBounds& filter_;
+    const BarList& bars_;
+    const Arena& arena_;
+    const std::uint32_t least_degree_;
+    CoverSequence covers_;
+    Ledger ledger_;
+    NextScale next_;
+    const HalfShare share_;
+    double* level_ = nullptr;
+    int number_ = 0;
+};
+
+Status CertifiedSearch::open(const BarBounds* bounds, Arena& arena) {
+    Status status = covers_.open(filter_, arena);
+    if (status == Status::ok) status = ledger_.open(bars_, bounds, arena);
+    level_ = arena.take_low<double>(filter_.count);
+    return status == Status::ok && level_ == nullptr ? Status::out_of_memory : status;
 }
 
-#define NETMESH_INSTANTIATE(D)                                                                                         \
-    template Status find_certified_bars<D>(const CertifiedBarsRequest<D>&, const Work&, BarBounds*);
-NETMESH_EACH_DIMENSION(NETMESH_INSTANTIATE)
-#undef NETMESH_INSTANTIATE
+bool CertifiedSearch::next() {
+    double scale;
+    if (number_ == sequences_max || !next_.find(ledger_, bars_, least_degree_, &scale)) return false;
+    ++number_;
+    covers_.go_through(scale);
+    // The filter's values order the simplices of a level, which keeps the reduction short.
+    for (std::uint32_t v = 0; v < filter_.count;)
+        for (const std::uint64_t piece = arena_.piece(v, filter_.count, 30); v < piece; ++v) {
+            level_[v] = covers_.level(filter_.interval[v]) + share_.of(filter_.value[v]);
+        }
+    return true;
+}
+
+}  // namespace
+
+Status find_certified_bars(const CertifiedBarsRequest& request, const Work& work, BarBounds* bounds) {
+    if (request.bars.count == 0) return Status::ok;
+    const ArenaScope scope(work.arena);
+    CertifiedSearch search(request.filter, request.spacing, request.bars, request.zero_born > 0, request.join,
+                           work.arena);
+    Status status = search.open(bounds, work.arena);
+    while (status == Status::ok && search.next()) {
+        const ArenaScope run(work.arena);
+        CountedPairs found = {};
+        status = persist_lower_star({request.complex, search.level(), request.zero_born, request.part},
+                                    {search.top_degree()}, work, &found);
+        if (status == Status::ok) search.consider(found.pairs);
+    }
+    if (status == Status::ok) search.conclude(bounds);
+    return status;
+}
 
 }  // namespace netmesh

@@ -28,12 +28,12 @@
 
 namespace netmesh {
 
-template <int D> struct CertifiedBarsRequest {
-    TriangulationView<D> complex;
+struct CertifiedBarsRequest {
+    TriangulationView<any_dimension> complex;
     FilterBounds filter;      // of the vertices; values serve to order simplices within a level
     std::uint32_t zero_born;  // as in homology/lower_star/lower_star.hpp: inputs of covers that begin with balls
     BarList bars;
-    const Subcomplex<D>* part = nullptr;  // what is filtered of the complex; null: all of it
+    const AnyPart* part = nullptr;  // what is filtered of the complex; null: all of it
     Spacing spacing = {};
     const JoinShift* join = nullptr;  // the diagram is one of several: a class has to be one of all points
 };
@@ -41,7 +41,6 @@ template <int D> struct CertifiedBarsRequest {
 // Marks more of the bars as certain, with bounds[i] as proven, in degrees that have no zero-born classes. Sequences of
 // covers go through the middles and quarters of the longest bars not yet marked: at most eight, each the cost of a
 // diagram. Scratch: 36 bytes a vertex, 144 a bar, and what persist_lower_star needs. out_of_memory, cancelled.
-template <int D>
-Status find_certified_bars(const CertifiedBarsRequest<D>& request, const Work& work, BarBounds* bounds);
+Status find_certified_bars(const CertifiedBarsRequest& request, const Work& work, BarBounds* bounds);
 
 }  // namespace netmesh

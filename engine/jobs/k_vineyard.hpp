@@ -18,7 +18,6 @@ struct VineRequest {
 // The diagram at each k is that of netmesh_persist with the same k. `out` is put at the arena's low end, everything
 // else is given back; without ok nothing stays. Memory: about 100 bytes a simplex of dimension up to max_degree + 1,
 // and the columns. out_of_memory, cancelled.
-template <int D>
-Status k_vineyard(const FilteredMesh<D>& mesh, const VineRequest& request, const Work& work, VineList* out);
+Status k_vineyard(const AnyMesh& mesh, const VineRequest& request, const Work& work, VineList* out);
 
 }  // namespace netmesh

@@ -106,7 +106,7 @@ Status persist_alpha(const AlphaFiltration<D>& filtration, DiagramRequest reques
 
 #define NETMESH_INSTANTIATE(D)                                                                                         \
     template Status persist_alpha<D>(const AlphaFiltration<D>&, DiagramRequest, const Work&, CountedPairs*, double*);
-NETMESH_EACH_DIMENSION(NETMESH_INSTANTIATE)
+NETMESH_EACH_INSTANCE(NETMESH_INSTANTIATE)
 #undef NETMESH_INSTANTIATE
 
 }  // namespace netmesh

@@ -1,5 +1,6 @@
 #include "jobs/persist_filter.hpp"
 
+#include "jobs/mesh_filtration.hpp"
 #include "jobs/persist_alpha.hpp"
 #include "jobs/persist_packed.hpp"
 #include "vocabulary/dimension.hpp"
@@ -7,15 +8,16 @@
 
 namespace netmesh {
 
-template <int D>
-Status persist_filter(const FilteredMesh<D>& mesh, const PersistRequest& request, const Work& work,
-                      FilterDiagram* out) {
+Status persist_filter(const AnyMesh& mesh, const PersistRequest& request, const Work& work, FilterDiagram* out) {
     *out = FilterDiagram{};
-    const Store<D>& store = mesh.store;
     CountedPairs found = {};
     if (built::alpha && request.filter.filter == NETMESH_FILTER_ALPHA) {
-        const Status status = persist_alpha<D>({store.view(), store.point(0), Store<D>::vertex_stride}, request.diagram,
-                                               work, &found, &out->value_error);
+        const Status status = with_dimension(static_cast<std::uint32_t>(mesh.store.dim), [&](auto dimension) {
+            constexpr int D = decltype(dimension)::value;
+            const Store<D> store = mesh.store.of_dimension<D>();
+            return persist_alpha<D>({store.view(), store.point(0), Store<D>::vertex_stride}, request.diagram, work,
+                                    &found, &out->value_error);
+        });
         out->pairs = found.pairs;
         out->simplices = found.simplices;
         return status;
@@ -24,17 +26,15 @@ Status persist_filter(const FilteredMesh<D>& mesh, const PersistRequest& request
     ArenaScope scope(work.arena);
     Evaluation evaluation = {work.arena.take_low<double>(mesh.vertices())};
     if (evaluation.value == nullptr) return Status::out_of_memory;
-    ClippedCells<D> cells;
-    Status status = clip_cells<D>(mesh, request.filter, work, &cells);
-    const FilteredMesh<D> filtered = cells.of(mesh);
+    AnyMesh filtered = mesh;
+    Status status = clip_cells(request.filter, work, &filtered);
     if (status == Status::ok) status = evaluate(filtered, request.filter, work, &evaluation);
     out->culprit = evaluation.culprit;
     if (status == Status::ok)
-        status =
-            persist_packed<D>(mesh.store, behind, {store.view(), evaluation.value, evaluation.zero_born, filtered.part},
-                              request.diagram, work, &found);
+        status = persist_packed(mesh.store, behind, mesh_filtration(filtered, evaluation.value, evaluation.zero_born),
+                                request.diagram, work, &found);
     if (status != Status::ok) return status;
-    if (cells.is_there) out->clip_radius = cells.ball.radius;
+    if (filtered.present != nullptr) out->clip_radius = filtered.domain.radius;
     out->pairs = found.pairs;
     out->simplices = found.simplices;
     out->certificate = evaluation.certificate;
@@ -42,10 +42,5 @@ Status persist_filter(const FilteredMesh<D>& mesh, const PersistRequest& request
     scope.keep_low_from_now();
     return Status::ok;
 }
-
-#define NETMESH_INSTANTIATE(D)                                                                                         \
-    template Status persist_filter<D>(const FilteredMesh<D>&, const PersistRequest&, const Work&, FilterDiagram*);
-NETMESH_EACH_DIMENSION(NETMESH_INSTANTIATE)
-#undef NETMESH_INSTANTIATE
 
 }  // namespace netmesh

@@ -23,7 +23,6 @@ struct FilterDiagram {
 // Diagram of the request's filter in degrees 0..max_degree (at most D-1). The filter's values, then the pairs are put
 // at the arena's low end; without ok nothing stays but the culprit. What evaluate, persist_lower_star and persist_alpha
 // say. A triangulation for the alpha filter needs no domain.
-template <int D>
-Status persist_filter(const FilteredMesh<D>& mesh, const PersistRequest& request, const Work& work, FilterDiagram* out);
+Status persist_filter(const AnyMesh& mesh, const PersistRequest& request, const Work& work, FilterDiagram* out);
 
 }  // namespace netmesh

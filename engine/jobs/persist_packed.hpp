@@ -8,13 +8,12 @@ namespace netmesh {
 // What persist_lower_star does, for the whole mesh in `store` or a part of it. behind: the arena's low mark when the
 // mesh was the last thing there; since then tables have come behind it, value[vertices] among them. The pairs come to
 // stand behind those. The mesh is as before whatever is returned; without ok the tables may be gone.
-template <int D>
-Status persist_packed(Store<D>& store, std::size_t behind, LowerStarFiltration<D> filtration, DiagramRequest request,
-                      const Work& work, CountedPairs* out) {
-    PackedCells<D> packed(store, behind);
+inline Status persist_packed(const AnyStore& store, std::size_t behind, LowerStarFiltration<any_dimension> filtration,
+                             DiagramRequest request, const Work& work, CountedPairs* out) {
+    PackedCells packed(store, behind);
     filtration.complex = packed.view();
     filtration.value = packed.packed_place(filtration.value);
-    const Status status = persist_lower_star<D>(filtration, request, work, out);
+    const Status status = persist_lower_star(filtration, request, work, out);
     const bool fits = packed.unpack();
     if (status != Status::ok) return status;
     out->pairs.pairs = packed.place(out->pairs.pairs);

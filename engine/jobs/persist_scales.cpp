@@ -8,6 +8,7 @@
 #include "jobs/certified_bars.hpp"
 #include "jobs/join_shift.hpp"
 #include "jobs/joined_bars.hpp"
+#include "jobs/mesh_filtration.hpp"
 #include "jobs/persist_packed.hpp"
 #include "jobs/scale_grid.hpp"
 #include "mesh/mesh_points.hpp"
@@ -56,9 +57,9 @@ double join_factor(std::uint32_t clusters, double separation) {
     return separation >= 2 ? separation / (separation - 1) * up : infinity;
 }
 
-template <int D> class ScalesJoin {
+class ScalesJoin {
 public:
-    ScalesJoin(const Store<D>& points, const ScalesRequest& request, const Work& work, ScalesResult* result)
+    ScalesJoin(const AnyStore& points, const ScalesRequest& request, const Work& work, ScalesResult* result)
         : points_(points), request_(request), arena_(work.arena), monitor_(work.monitor), result_(result) {}
 
     // Leaves the joined pairs somewhere above the arena's low mark, with what was taken on the way; where more than
@@ -71,19 +72,21 @@ private:
     Status divide(std::uint32_t count);
     Status add_cluster();
     MeshRequest mesh_request() const;
-    Status persist_mesh(const double* x, std::uint32_t n, MeshBars* bars);
-    Status bound_mesh(const FilteredMesh<D>& mesh, const FilterRequest& which, const Evaluation& filter,
-                      const MeshBars& bars);
-    Status find_chains(const FilteredMesh<D>& mesh, const double* value, MeshBars* bars);
+    // Neither stands on the stack while the other runs.
+    template <int D>
+    [[gnu::noinline]] Status make_mesh(const double* x, std::uint32_t n, StoreState* state, AnyDomain* domain);
+    [[gnu::noinline]] Status persist_mesh(const AnyMesh& whole, MeshBars* bars);
+    Status bound_mesh(const AnyMesh& mesh, const FilterRequest& which, const Evaluation& filter, const MeshBars& bars);
+    Status find_chains(const AnyMesh& mesh, const double* value, MeshBars* bars);
     bool has_more() const { return request_.bounds || request_.representatives; }
     void copy_points(double* x) const;
 
-    const Store<D>& points_;
+    const AnyStore& points_;
     const ScalesRequest& request_;
     Arena& arena_;
     Monitor& monitor_;
     ScalesResult* result_;
-    ScalePartition<D> partition_;
+    ScalePartition partition_;
     double goal_ = 0;  // ratio of each mesh; 0: eps says
     JoinShift shift_;
     ScaleGrid grid_;
@@ -91,27 +94,27 @@ private:
 };
 
 // The chosen points: from the first of them where all differences are exact, else as they are.
-template <int D> void ScalesJoin<D>::copy_points(double* x) const {
+void ScalesJoin::copy_points(double* x) const {
     const std::uint32_t n = partition_.chosen_count();
+    const std::size_t dim = static_cast<std::size_t>(points_.dim);
     const double* const first = points_.point(partition_.chosen()[0]);
     bool exact = true;
     for (std::uint32_t i = 0; i < n;)
-        for (const std::uint64_t piece = arena_.piece(i, n, 12 * D); i < piece; ++i) {
-            for (int k = 0; k < D; ++k) {
+        for (const std::uint64_t piece = arena_.piece(i, n, 12 * points_.dim); i < piece; ++i) {
+            for (std::size_t k = 0; k < dim; ++k) {
                 const DoubleDouble d = two_difference(points_.point(partition_.chosen()[i])[k], first[k]);
                 exact = exact && d.low == 0;
-                x[std::size_t{i} * D + static_cast<std::size_t>(k)] = d.high;
+                x[i * dim + k] = d.high;
             }
         }
     if (exact) return;
     for (std::uint32_t i = 0; i < n;)
-        for (const std::uint64_t piece = arena_.piece(i, n, 12 * D); i < piece; ++i) {
-            for (int k = 0; k < D; ++k)
-                x[std::size_t{i} * D + static_cast<std::size_t>(k)] = points_.point(partition_.chosen()[i])[k];
+        for (const std::uint64_t piece = arena_.piece(i, n, 12 * points_.dim); i < piece; ++i) {
+            for (std::size_t k = 0; k < dim; ++k) x[i * dim + k] = points_.point(partition_.chosen()[i])[k];
         }
 }
 
-template <int D> MeshRequest ScalesJoin<D>::mesh_request() const {
+MeshRequest ScalesJoin::mesh_request() const {
     MeshRequest request;
     request.tau = request_.tau;
     request.seed = request_.seed;
@@ -127,9 +130,8 @@ template <int D> MeshRequest ScalesJoin<D>::mesh_request() const {
 }
 
 // The true bars are those of all points; where they are among those of this scale's, the join has its part in.
-template <int D>
-Status ScalesJoin<D>::bound_mesh(const FilteredMesh<D>& mesh, const FilterRequest& which, const Evaluation& filter,
-                                 const MeshBars& bars) {
+Status ScalesJoin::bound_mesh(const AnyMesh& mesh, const FilterRequest& which, const Evaluation& filter,
+                              const MeshBars& bars) {
     const Work work = {arena_, monitor_};
     const BarList list = {bars.list.pairs, bars.list.count};
     const FilterBounds cells = {filter.value, filter.interval, mesh.vertices()};
@@ -138,31 +140,30 @@ Status ScalesJoin<D>::bound_mesh(const FilteredMesh<D>& mesh, const FilterReques
         status = tighten_cell_bounds(mesh, work, filter.interval);
     if (status == Status::ok) status = bound_in_join(cells, list, shift_, arena_, bars.bounds, &grid_);
     if (status == Status::ok)
-        status = find_certified_bars<D>({mesh.store.view(), cells, mesh.inputs, list, mesh.part, {}, &shift_}, work,
-                                        bars.bounds);
+        status = find_certified_bars({mesh.store.view(), cells, mesh.inputs, list, mesh.filtered_part(), {}, &shift_},
+                                     work, bars.bounds);
     if (status == Status::ok) move_lows(shift_, bars);
     return status;
 }
 
-template <int D> Status ScalesJoin<D>::find_chains(const FilteredMesh<D>& mesh, const double* value, MeshBars* bars) {
+Status ScalesJoin::find_chains(const AnyMesh& mesh, const double* value, MeshBars* bars) {
     Representatives found = {};
-    const Status status = lower_star_cycles<D>({mesh.store.view(), value, mesh.inputs, mesh.part}, request_.max_degree,
-                                               count_long(bars->list), {arena_, monitor_}, &found);
+    const Status status = lower_star_cycles(mesh_filtration(mesh, value, mesh.inputs), request_.max_degree,
+                                            count_long(bars->list), {arena_, monitor_}, &found);
     if (status != Status::ok) return status;
     std::uint32_t* const name = arena_.take_high<std::uint32_t>(mesh.vertices());
     if (name == nullptr) return Status::out_of_memory;
     for (std::uint32_t v = 0; v < mesh.vertices();)
         for (const std::uint64_t piece = arena_.piece(v, mesh.vertices(), 15); v < piece; ++v) {
-            name[v] = partition_.chosen()[mesh.store.vertex(nearest_input<D>(mesh.store, VertexId(v))).origin];
+            name[v] = partition_.chosen()[mesh.store.vertex(nearest_input(mesh.store, VertexId(v))).origin];
         }
     return write_images(found, name, arena_, bars);
 }
 
-template <int D> Status ScalesJoin<D>::persist_mesh(const double* x, std::uint32_t n, MeshBars* bars) {
-    StoreState state = {};
-    Store<D> store(arena_, state);
+template <int D> Status ScalesJoin::make_mesh(const double* x, std::uint32_t n, StoreState* state, AnyDomain* domain) {
+    Store<D> store(arena_, *state);
     MeshResult<D> mesh;
-    Status status = mesh_points<D>(store, x, n, mesh_request(), {arena_, monitor_}, &mesh);
+    const Status status = mesh_points<D>(store, x, n, mesh_request(), {arena_, monitor_}, &mesh);
     const InputReport& input = mesh.input;
     if (status == Status::out_of_range || status == Status::too_close || status == Status::invalid_argument) {
         const std::uint64_t a = points_.vertex(partition_.chosen()[input.row_a]).origin;
@@ -171,29 +172,32 @@ template <int D> Status ScalesJoin<D>::persist_mesh(const double* x, std::uint32
         result_->row_a = are_two && b < a ? b : a;
         result_->row_b = !are_two ? 0 : a < b ? b : a;
     }
-    if (status != Status::ok) return status;
+    *domain = AnyDomain(mesh.domain);
+    return status;
+}
+
+Status ScalesJoin::persist_mesh(const AnyMesh& whole, MeshBars* bars) {
+    const std::uint32_t n = whole.inputs, vertices = whole.vertices();
     const std::size_t behind = arena_.low_mark();
-    double* const value = arena_.take_low<double>(state.vertex_count);
+    double* const value = arena_.take_low<double>(vertices);
     if (value == nullptr) return Status::out_of_memory;
     const Work work = {arena_, monitor_};
     Evaluation filter = {value};
     if (request_.bounds) {
-        filter.interval = arena_.take_high<Interval>(state.vertex_count);
+        filter.interval = arena_.take_high<Interval>(vertices);
         if (filter.interval == nullptr) return Status::out_of_memory;
     }
     const FilterRequest which = {goal_ > 0 ? NETMESH_FILTER_COMPLETE : NETMESH_FILTER_TIGHT, request_.values};
-    const FilteredMesh<D> whole = {store, mesh.domain, n, goal_ > 0};
-    ClippedCells<D> cells;
-    status = clip_cells<D>(whole, which, work, &cells);
-    const FilteredMesh<D> filtered = cells.of(whole);
-    if (status == Status::ok) status = evaluate(filtered, which, work, &filter);
+    AnyMesh mesh = whole;
+    Status status = clip_cells(which, work, &mesh);
+    if (status == Status::ok) status = evaluate(mesh, which, work, &filter);
     CountedPairs found = {};
     if (status == Status::ok)
-        status = persist_packed<D>(store, behind, {store.view(), value, n, filtered.part},
-                                   {request_.max_degree, request_.keep_zero}, work, &found);
+        status = persist_packed(mesh.store, behind, mesh_filtration(mesh, value, n),
+                                {request_.max_degree, request_.keep_zero}, work, &found);
     if (status != Status::ok) return status;
     bars->list = found.pairs;
-    count_mesh(n, state.vertex_count, found.simplices, filter.certificate, result_);
+    count_mesh(n, vertices, found.simplices, filter.certificate, result_);
     if (!has_more()) return Status::ok;
     bars->bounds = arena_.take_low<BarBounds>(static_cast<std::size_t>(found.pairs.count));
     if (bars->bounds == nullptr) return Status::out_of_memory;
@@ -201,19 +205,25 @@ template <int D> Status ScalesJoin<D>::persist_mesh(const double* x, std::uint32
         for (const std::uint64_t piece = arena_.piece(i, found.pairs.count, 10); i < piece; ++i) {
             bars->bounds[i] = {};
         }
-    if (request_.bounds) status = bound_mesh(filtered, which, filter, *bars);
-    return status == Status::ok && request_.representatives ? find_chains(filtered, value, bars) : status;
+    if (request_.bounds) status = bound_mesh(mesh, which, filter, *bars);
+    return status == Status::ok && request_.representatives ? find_chains(mesh, value, bars) : status;
 }
 
-template <int D> Status ScalesJoin<D>::add_cluster() {
+Status ScalesJoin::add_cluster() {
     const std::size_t low = arena_.low_mark(), high = arena_.high_mark();
     const std::uint32_t n = partition_.chosen_count();
-    double* const x = arena_.take_high<double>(std::size_t{n} * D);
+    double* const x = arena_.take_high<double>(n * static_cast<std::size_t>(points_.dim));
     if (x == nullptr) return Status::out_of_memory;
     copy_points(x);
     MeshBars bars = {};
     const bool is_first = partition_.clusters() == 1;
-    const Status status = persist_mesh(x, n, &bars);
+    StoreState state = {};
+    AnyDomain domain = {};
+    Status status = with_dimension(static_cast<std::uint32_t>(points_.dim), [&](auto dimension) {
+        return make_mesh<decltype(dimension)::value>(x, n, &state, &domain);
+    });
+    if (status == Status::ok)
+        status = persist_mesh(AnyMesh(AnyStore(points_.dim, arena_, state), domain, n, goal_ > 0), &bars);
     arena_.release_high(high);
     if (status != Status::ok) return status;
     const bool room =
@@ -222,7 +232,7 @@ template <int D> Status ScalesJoin<D>::add_cluster() {
 }
 
 // Sets the ratio of each mesh: what the join leaves, with its roundings; and what bounds have to know of the clusters.
-template <int D> Status ScalesJoin<D>::divide(std::uint32_t count) {
+Status ScalesJoin::divide(std::uint32_t count) {
     const std::size_t low = arena_.low_mark();
     Status status = partition_.open(points_, count, request_.theta, arena_);
     bool stopped = false;
@@ -244,14 +254,14 @@ template <int D> Status ScalesJoin<D>::divide(std::uint32_t count) {
     return Status::ok;
 }
 
-template <int D> Status ScalesJoin<D>::finish() {
+Status ScalesJoin::finish() {
     const bool room =
         bars_.finish(arena_, &result_->cycles, &result_->pairs, request_.bounds ? &result_->bounds : nullptr) &&
         (!request_.bounds || grid_.finish(shift_, result_->ratio, arena_, &result_->curve));
     return room ? Status::ok : Status::out_of_memory;
 }
 
-template <int D> Status ScalesJoin<D>::run(std::uint32_t count) {
+Status ScalesJoin::run(std::uint32_t count) {
     Status status = request_.ratio > 0 || request_.bounds ? divide(count) : Status::ok;
     if (status == Status::ok) status = partition_.open(points_, count, request_.theta, arena_);
     bars_.open(arena_);
@@ -268,16 +278,20 @@ template <int D> Status ScalesJoin<D>::run(std::uint32_t count) {
     return Status::ok;
 }
 
+// What it takes of the stack is not there while meshes are made.
+[[gnu::noinline]] void put_in_order(const PairList& list, const Arena& arena) {
+    sort(list.pairs, list.count, CanonicalOrder{}, arena);
+}
+
 }  // namespace
 
-template <int D>
-Status persist_scales(const Store<D>& points, std::uint32_t count, const ScalesRequest& request, const Work& work,
+Status persist_scales(const AnyStore& points, std::uint32_t count, const ScalesRequest& request, const Work& work,
                       ScalesResult* result) {
     const std::size_t low = work.arena.low_mark(), high = work.arena.high_mark();
     *result = ScalesResult{};
     result->ratio = result->ratio_best = 1;
     work.monitor.begin(NETMESH_STAGE_SORT, count);
-    ScalesJoin<D> join(points, request, work, result);
+    ScalesJoin join(points, request, work, result);
     Status status = join.run(count);
     work.arena.release_low(low);
     const bool has_more = request.bounds || request.representatives;
@@ -287,13 +301,8 @@ Status persist_scales(const Store<D>& points, std::uint32_t count, const ScalesR
         work.arena.release_low(low);
         return status;
     }
-    if (!has_more) sort(result->pairs.pairs, result->pairs.count, CanonicalOrder{}, work.arena);
+    if (!has_more) put_in_order(result->pairs, work.arena);
     return Status::ok;
 }
-
-#define NETMESH_INSTANTIATE(D)                                                                                         \
-    template Status persist_scales<D>(const Store<D>&, std::uint32_t, const ScalesRequest&, const Work&, ScalesResult*);
-NETMESH_EACH_DIMENSION(NETMESH_INSTANTIATE)
-#undef NETMESH_INSTANTIATE
 
 }  // namespace netmesh

@@ -5,7 +5,7 @@
 #include <cstdint>
 
 #include "certificate/certificate.hpp"
-#include "delaunay/store.hpp"
+#include "delaunay/any_store.hpp"
 #include "homology/cycles/cycles.hpp"
 #include "jobs/bar_bounds.hpp"
 #include "memory/work.hpp"
@@ -43,8 +43,7 @@ struct ScalesResult {
 // cycles what the diagram takes of each mesh, 80 bytes a bar and themselves. Vertices of cycles are those of
 // `points`. Everything but the pairs and what is known of them is given back. out_of_memory, cancelled,
 // out_of_range, too_close, invalid_argument (coordinates do not resolve the size asked for).
-template <int D>
-Status persist_scales(const Store<D>& points, std::uint32_t count, const ScalesRequest& request, const Work& work,
+Status persist_scales(const AnyStore& points, std::uint32_t count, const ScalesRequest& request, const Work& work,
                       ScalesResult* result);
 
 }  // namespace netmesh

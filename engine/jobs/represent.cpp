@@ -1,22 +1,21 @@
 #include "jobs/represent.hpp"
 
 #include "filtration/explicit_complex.hpp"
+#include "jobs/mesh_filtration.hpp"
 #include "vocabulary/dimension.hpp"
 
 namespace netmesh {
 namespace {
 
 // The complex is listed simplex by simplex and reduced.
-template <int D>
-Status represent_listed(const FilteredMesh<D>& mesh, const RepresentRequest& request, std::uint32_t zero_born,
-                        const Work& work, Representation* out) {
-    const Store<D>& store = mesh.store;
-    const std::uint32_t dimension = request.diagram.max_degree + 1;
+Status represent_listed(const AnyMesh& mesh, const RepresentRequest& request, std::uint32_t zero_born, const Work& work,
+                        Representation* out) {
+    const std::uint32_t degree = request.diagram.max_degree + 1;
     const bool alpha = find_filter(request.filter.filter)->source == FilterSource::delaunay;
-    Status status =
-        alpha
-            ? alpha_complex<D>({store.view(), store.point(0), Store<D>::vertex_stride}, dimension, work, &out->complex)
-            : lower_star_complex<D>(store.view(), request.value, zero_born, dimension, mesh.part, work, &out->complex);
+    Status status = alpha ? alpha_complex({mesh.store.view(), mesh.store.point(0), mesh.store.point_stride()}, degree,
+                                          work, &out->complex)
+                          : lower_star_complex(mesh.store.view(), request.value, zero_born, degree,
+                                               mesh.filtered_part(), work, &out->complex);
     if (status != Status::ok) return status;
     Representatives found = {};
     status = persist_with_cycles(out->complex.filtered(), request.diagram, work, &found);
@@ -26,12 +25,11 @@ Status represent_listed(const FilteredMesh<D>& mesh, const RepresentRequest& req
 }
 
 // The cycles are found without the complex.
-template <int D>
-Status represent_lower_star(const FilteredMesh<D>& mesh, const RepresentRequest& request, std::uint32_t zero_born,
+Status represent_lower_star(const AnyMesh& mesh, const RepresentRequest& request, std::uint32_t zero_born,
                             const Work& work, Representation* out) {
     Representatives found = {};
-    const Status status = lower_star_cycles<D>({mesh.store.view(), request.value, zero_born, mesh.part},
-                                               request.diagram.max_degree, request.bars.count, work, &found);
+    const Status status = lower_star_cycles(mesh_filtration(mesh, request.value, zero_born), request.diagram.max_degree,
+                                            request.bars.count, work, &found);
     out->pairs = found.pairs;
     out->cycles = found.store;
     return status;
@@ -49,18 +47,16 @@ bool same_bars(const BarList& bars, const PairList& pairs, const Arena& arena) {
 
 }  // namespace
 
-template <int D>
-Status represent(const FilteredMesh<D>& mesh, const RepresentRequest& request, const Work& work, Representation* out) {
+Status represent(const AnyMesh& mesh, const RepresentRequest& request, const Work& work, Representation* out) {
     const std::size_t low = work.arena.low_mark(), high = work.arena.high_mark();
     const std::uint32_t zero_born = zero_born_count(request.filter.filter, request.filter.k, mesh.inputs);
     const bool alpha = find_filter(request.filter.filter)->source == FilterSource::delaunay;
     out->is_listed = alpha || request.diagram.keep_zero;
-    ClippedCells<D> cells;
-    Status status = clip_cells<D>(mesh, request.filter, work, &cells);
-    const FilteredMesh<D> filtered = cells.of(mesh);
+    AnyMesh filtered = mesh;
+    Status status = clip_cells(request.filter, work, &filtered);
     if (status == Status::ok)
-        status = out->is_listed ? represent_listed<D>(filtered, request, zero_born, work, out)
-                                : represent_lower_star<D>(filtered, request, zero_born, work, out);
+        status = out->is_listed ? represent_listed(filtered, request, zero_born, work, out)
+                                : represent_lower_star(filtered, request, zero_born, work, out);
     if (status == Status::ok && !same_bars(request.bars, out->pairs, work.arena)) status = Status::internal;
     if (status == Status::ok && work.monitor.has_stopped()) status = Status::cancelled;
     if (status == Status::ok) return status;
@@ -68,10 +64,5 @@ Status represent(const FilteredMesh<D>& mesh, const RepresentRequest& request, c
     work.arena.release_high(high);
     return status;
 }
-
-#define NETMESH_INSTANTIATE(D)                                                                                         \
-    template Status represent<D>(const FilteredMesh<D>&, const RepresentRequest&, const Work&, Representation*);
-NETMESH_EACH_DIMENSION(NETMESH_INSTANTIATE)
-#undef NETMESH_INSTANTIATE
 
 }  // namespace netmesh

@@ -24,7 +24,6 @@ struct Representation {
 // At the arena's low end stay the complex, when it is listed, and the pairs, at its high end the cycles of a listed
 // complex; without ok nothing stays. About the time and memory of the diagram; of a listed complex 40 bytes a simplex,
 // and the cycles. out_of_memory, cancelled, internal (the bars are not those of the diagram).
-template <int D>
-Status represent(const FilteredMesh<D>& mesh, const RepresentRequest& request, const Work& work, Representation* out);
+Status represent(const AnyMesh& mesh, const RepresentRequest& request, const Work& work, Representation* out);
 
 }  // namespace netmesh

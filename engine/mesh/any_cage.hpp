@@ -20,6 +20,7 @@ inline bool is_on_boundary(const AnyStore& store, const Cage& cage, std::uint32_
 inline bool is_by_shell(const AnyStore& store, const Cage& cage, std::uint32_t v) {
     return is_by_shell(cage, distance2(store.dim, store.point(v), store.point(cage.centre)));
 }
+// Does input v, in the domain of cage d, stand in the place of a vertex of its shell, which has yielded to it?
 inline bool has_yielded_to(const AnyStore& store, const Cage* cages, std::uint32_t d, std::uint32_t v) {
     return d != none && store.vertex(v).marker == Marker::input && is_by_shell(store, cages[d], v);
 }

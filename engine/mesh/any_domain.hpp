@@ -27,7 +27,7 @@ struct AnyDomain {
 };
 
 inline int sphere_crossings(const AnyDomain& domain, const double* a, const double* b, double (&z)[2][dimension_max]) {
-    return sphere_crossings(domain.dim, domain.centre, domain.radius, a, b, {z[0], z[1]});
+    return any_sphere_crossings(domain.dim, domain.centre, domain.radius, a, b, {z[0], z[1]});
 }
 
 }  // namespace netmesh

@@ -1,13 +1,14 @@
 #include "mesh/ball_lists.hpp"
 
+#include "delaunay/any_kernel.hpp"
 #include "numerics/random.hpp"
-#include "vocabulary/dimension.hpp"
 #include "vocabulary/validate.hpp"
 
 namespace netmesh {
 
-template <int D> Status BallLists<D>::open(Store<D>& store, Arena& arena, std::uint32_t inputs) {
-    store_ = &store;
+Status BallLists::open(int dim, Arena& arena, std::uint32_t inputs) {
+    dim_ = dim;
+    arena_ = &arena;
     inputs_ = inputs;
     [[maybe_unused]] const std::size_t low = arena.low_mark();
     std::uint32_t** const arrays[] = {&first_of_input_, &ply_, &waiting_next_, &stamp_, &touches_};
@@ -22,13 +23,13 @@ template <int D> Status BallLists<D>::open(Store<D>& store, Arena& arena, std::u
             ply_[p] = stamp_[p] = touches_[p] = 0;
         }
     std::size_t entries = arena.bytes_free() / 4 / sizeof(Entry);
-    const std::size_t enough = (std::size_t{inputs} + 256) << (2 * D);
+    const std::size_t enough = (std::size_t{inputs} + 256) << (2 * dim);
     if (entries > enough) entries = enough;
     if (entries >= none) entries = none - 1;
     entries_max_ = static_cast<std::uint32_t>(entries);
     Entry* const pool = arena.take_low<Entry>(entries);
-    std::size_t cells = arena.bytes_free() / (sizeof(Cell<D>) + 2 * sizeof(std::uint32_t)) + 1;
-    if (cells > Store<D>::slots_max) cells = Store<D>::slots_max;
+    std::size_t cells = arena.bytes_free() / (AnyStore::cell_bytes(dim) + 2 * sizeof(std::uint32_t)) + 1;
+    if (cells > FacetId::cells_max) cells = FacetId::cells_max;
     cells_max_ = static_cast<std::uint32_t>(cells);
     first_of_cell_ = arena.take_low<std::uint32_t>(cells);
     load_of_cell_ = arena.take_low<std::uint32_t>(cells);
@@ -37,14 +38,14 @@ template <int D> Status BallLists<D>::open(Store<D>& store, Arena& arena, std::u
     return Status::ok;
 }
 
-template <int D> bool BallLists<D>::store(CellId cell, std::uint32_t input) {
+bool BallLists::store(CellId cell, std::uint32_t input) {
     std::uint32_t e = free_;
     if (e != none)
         free_ = entries_[e].next_of_cell;
     else if (entries_used_ < entries_max_)
         e = entries_used_++;
     else {
-        store_->arena.refuse(16 * sizeof(Entry));
+        arena_->refuse(16 * sizeof(Entry));
         return false;
     }
     entries_[e] = {cell, input, first_of_cell_[cell], first_of_input_[input]};
@@ -55,15 +56,15 @@ template <int D> bool BallLists<D>::store(CellId cell, std::uint32_t input) {
 }
 
 // Stores the input in the cell's ball if that contains it.
-template <int D> bool BallLists<D>::consider(Kernel<D>& kernel, CellId cell, std::uint32_t input) {
-    store_->arena.step(++tests_, 60 * D);
-    return !kernel.in_conflict(cell, store_->point(input), VertexId(input)) || store(cell, input);
+bool BallLists::consider(const AnyStore& mesh, CellId cell, std::uint32_t input) {
+    arena_->step(++tests_, 60 * dim_);
+    return !in_conflict(mesh, cell, VertexId(input)) || store(cell, input);
 }
 
 // A new cell, with nothing in its ball yet.
-template <int D> bool BallLists<D>::open_ball(CellId cell) {
+bool BallLists::open_ball(CellId cell) {
     if (cell >= cells_max_) {
-        store_->arena.refuse(16 * sizeof(Entry));
+        arena_->refuse(16 * sizeof(Entry));
         return false;
     }
     first_of_cell_[cell] = none;
@@ -71,20 +72,20 @@ template <int D> bool BallLists<D>::open_ball(CellId cell) {
     return true;
 }
 
-template <int D> bool BallLists<D>::start(Kernel<D>& kernel) {
-    for (CellId c(0); c < store_->state.cell_slots;)
-        for (const std::uint64_t piece = store_->arena.piece(c, store_->state.cell_slots, 30); c < piece; ++c) {
+bool BallLists::start(const AnyStore& mesh) {
+    for (CellId c(0); c < mesh.state.cell_slots;)
+        for (const std::uint64_t piece = arena_->piece(c, mesh.state.cell_slots, 30); c < piece; ++c) {
             if (!open_ball(c)) return false;
-            if (!store_->is_live(c) || store_->is_ghost(c)) continue;
+            if (!mesh.is_live(c) || mesh.is_ghost(c)) continue;
             for (std::uint32_t p = 0; p < inputs_; ++p)
-                if (!consider(kernel, c, p)) return false;
+                if (!consider(mesh, c, p)) return false;
         }
     starting_ = tests_;
     tests_ = 0;
     return true;
 }
 
-template <int D> void BallLists<D>::unlink_from_input(std::uint32_t entry) {
+void BallLists::unlink_from_input(std::uint32_t entry) {
     const std::uint32_t input = entries_[entry].input;
     std::uint32_t* link = &first_of_input_[input];
     while (*link != entry) link = &entries_[*link].next_of_input;
@@ -93,12 +94,12 @@ template <int D> void BallLists<D>::unlink_from_input(std::uint32_t entry) {
 }
 
 // One touch for each insertion. Stamps: now_ for inputs out of balls that are gone, now_ + 1 for other ones looked at.
-template <int D> void BallLists<D>::touch(std::uint32_t input, std::uint32_t stamp) {
+void BallLists::touch(std::uint32_t input, std::uint32_t stamp) {
     stamp_[input] = stamp;
     ++touches_[input];
 }
 
-template <int D> void BallLists<D>::detach(const Kernel<D>& kernel, const Cavity& cavity, std::uint32_t v) {
+void BallLists::detach(const AnyStore& mesh, const Cavity& cavity, std::uint32_t v) {
     now_ += 2;
     waiting_ = none;
     if (v < inputs_) {
@@ -106,10 +107,10 @@ template <int D> void BallLists<D>::detach(const Kernel<D>& kernel, const Cavity
         ++located_;
     }
     for (std::uint32_t k = 0; k < cavity.cells; ++k) {
-        const CellId c = kernel.cavity_cell(k);
+        const CellId c = cavity_cell(mesh, k);
         for (std::uint32_t e = first_of_cell_[c]; e != none;) {
             const std::uint32_t p = entries_[e].input, next = entries_[e].next_of_cell;
-            store_->arena.step(e, 80);
+            arena_->step(e, 80);
             unlink_from_input(e);
             entries_[e].next_of_cell = free_;
             free_ = e;
@@ -124,54 +125,57 @@ template <int D> void BallLists<D>::detach(const Kernel<D>& kernel, const Cavity
     }
 }
 
-template <int D> bool BallLists<D>::attach(Kernel<D>& kernel, const Cavity& cavity, std::uint32_t v) {
+bool BallLists::attach(const AnyStore& mesh, const Cavity& cavity, std::uint32_t v) {
     for (std::uint32_t k = 0; k < cavity.facets; ++k)
-        if (!open_ball(kernel.new_cell(k))) return false;
+        if (!open_ball(new_cell(mesh, k))) return false;
     for (std::uint32_t k = 0; k < cavity.facets; ++k) {
-        const CellId c = kernel.new_cell(k);
-        const Cell<D>& cell = store_->cell(c);
+        const CellId c = new_cell(mesh, k);
+        const AnyCell cell = mesh.cell(c);
         for (std::uint32_t p = waiting_; p != none; p = waiting_next_[p])
-            if (!consider(kernel, c, p)) return false;
+            if (!consider(mesh, c, p)) return false;
         int i = 0;
         while (cell.vertex[i] != v) ++i;
         const CellId outer = cell.neighbour[i].cell();
-        if (store_->is_ghost(outer)) continue;
+        if (mesh.is_ghost(outer)) continue;
         for (std::uint32_t e = first_of_cell_[outer]; e != none; e = entries_[e].next_of_cell) {
             const std::uint32_t p = entries_[e].input;
             if (stamp_[p] == now_) continue;
             if (stamp_[p] != now_ + 1) touch(p, now_ + 1);
-            if (!consider(kernel, c, p)) return false;
+            if (!consider(mesh, c, p)) return false;
         }
     }
     return true;
 }
 
-template <int D> bool BallLists<D>::agrees(const Kernel<D>& kernel, const Cavity& cavity, std::uint32_t input) const {
+bool BallLists::agrees(const AnyStore& mesh, const Cavity& cavity, std::uint32_t input) const {
     if (ply_[input] != cavity.cells) return false;
     for (std::uint32_t e = first_of_input_[input]; e != none; e = entries_[e].next_of_input) {
         std::uint32_t k = 0;
-        while (k < cavity.cells && kernel.cavity_cell(k) != entries_[e].cell) ++k;
+        while (k < cavity.cells && cavity_cell(mesh, k) != entries_[e].cell) ++k;
         if (k == cavity.cells) return false;
     }
     return true;
 }
 
-template <int D> std::uint32_t BallLists<D>::load() const {
+std::uint32_t BallLists::load(const AnyStore& mesh) const {
     std::uint32_t most = 0;
-    for (CellId c(0); c < store_->state.cell_slots;)
-        for (const std::uint64_t piece = store_->arena.piece(c, store_->state.cell_slots, 30); c < piece; ++c) {
-            if (store_->is_live(c) && !store_->is_ghost(c) && load_of_cell_[c] > most) most = load_of_cell_[c];
+    for (CellId c(0); c < mesh.state.cell_slots;)
+        for (const std::uint64_t piece = arena_->piece(c, mesh.state.cell_slots, 30); c < piece; ++c) {
+            if (mesh.is_live(c) && !mesh.is_ghost(c) && load_of_cell_[c] > most) most = load_of_cell_[c];
         }
     return most;
 }
 
-template <int D> std::uint32_t BallLists<D>::draw_nets(std::uint32_t most, std::uint64_t seed, std::uint32_t* chosen) {
+std::uint32_t BallLists::draw_nets(const AnyStore& mesh, std::uint32_t most, std::uint64_t seed,
+                                   std::uint32_t* chosen) {
     std::uint32_t count = 0;
     std::uint64_t random = mix64(seed);
+    // From a range net of size O(D log D) (4.7.1 with epsilon = 1 / (2 D)) what is left out by chance is drawn again.
+    const std::uint32_t net_size = 4 * static_cast<std::uint32_t>(dim_);
     now_ += 2;
-    for (CellId c(0); c < store_->state.cell_slots;)
-        for (const std::uint64_t piece = store_->arena.piece(c, store_->state.cell_slots, 30); c < piece; ++c) {
-            if (!store_->is_live(c) || store_->is_ghost(c) || load_of_cell_[c] <= most) continue;
+    for (CellId c(0); c < mesh.state.cell_slots;)
+        for (const std::uint64_t piece = arena_->piece(c, mesh.state.cell_slots, 30); c < piece; ++c) {
+            if (!mesh.is_live(c) || mesh.is_ghost(c) || load_of_cell_[c] <= most) continue;
             std::uint32_t left = 0;  // not drawn yet
             for (std::uint32_t e = first_of_cell_[c]; e != none; e = entries_[e].next_of_cell)
                 left += stamp_[entries_[e].input] != now_;
@@ -190,11 +194,11 @@ template <int D> std::uint32_t BallLists<D>::draw_nets(std::uint32_t most, std::
     return count;
 }
 
-template <int D> void BallLists<D>::report(LocationAudit* audit) const {
+void BallLists::report(LocationAudit* audit) const {
     std::uint64_t touches = 0;
     audit->touches_max = 0;
     for (std::uint32_t p = 0; p < inputs_;)
-        for (const std::uint64_t piece = store_->arena.piece(p, inputs_, 100); p < piece; ++p) {
+        for (const std::uint64_t piece = arena_->piece(p, inputs_, 100); p < piece; ++p) {
             touches += touches_[p];
             if (touches_[p] > audit->touches_max) audit->touches_max = touches_[p];
         }
@@ -203,9 +207,5 @@ template <int D> void BallLists<D>::report(LocationAudit* audit) const {
     audit->touches_mean = static_cast<double>(touches) / inputs_;
     audit->tests_mean = static_cast<double>(tests_) / inputs_;
 }
-
-#define NETMESH_INSTANTIATE(D) template class BallLists<D>;
-NETMESH_EACH_DIMENSION(NETMESH_INSTANTIATE)
-#undef NETMESH_INSTANTIATE
 
 }  // namespace netmesh

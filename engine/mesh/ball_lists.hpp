@@ -3,6 +3,7 @@
 #pragma once
 #include <cstdint>
 
+#include "delaunay/any_store.hpp"
 #include "delaunay/kernel.hpp"
 
 namespace netmesh {
@@ -21,32 +22,32 @@ struct LocationAudit {
     double tests_mean;  // the same counted once for each new D-ball
 };
 
-template <int D> class BallLists {
+class BallLists {
 public:
     // Takes, at the low end, up to a quarter of what is free for the lists and 8 bytes for each cell that will fit:
     // before the store's cells are opened. out_of_memory.
-    Status open(Store<D>& store, Arena& arena, std::uint32_t inputs);
+    Status open(int dim, Arena& arena, std::uint32_t inputs);
     bool is_open() const { return entries_ != nullptr; }
     // Stores all inputs in the balls of the cells that there are. Whether the lists sufficed.
-    bool start(Kernel<D>& kernel);
+    bool start(const AnyStore& mesh);
 
     // Around each insertion, of vertex v into this cavity. Between them inputs out of balls that are gone wait; then
     // each is looked at for every new ball, and so is what the ball behind the new one's outer facet holds, as the two
     // old balls at a facet cover the new one. v is inside the hull, so neither the cavity nor what fills it has
     // infinite cells. False when the lists do not suffice; they are of no use then.
-    void detach(const Kernel<D>& kernel, const Cavity& cavity, std::uint32_t v);
-    bool attach(Kernel<D>& kernel, const Cavity& cavity, std::uint32_t v);
+    void detach(const AnyStore& mesh, const Cavity& cavity, std::uint32_t v);
+    bool attach(const AnyStore& mesh, const Cavity& cavity, std::uint32_t v);
 
     // A cell whose ball contains the input, which is not inserted yet.
     CellId ball_of(VertexId input) const { return entries_[first_of_input_[input]].cell; }
     // Is this input stored in exactly the balls of this cavity, which is its own?
-    bool agrees(const Kernel<D>& kernel, const Cavity& cavity, std::uint32_t input) const;
+    bool agrees(const AnyStore& mesh, const Cavity& cavity, std::uint32_t input) const;
 
     // Largest number of inputs in a ball. O(cells).
-    std::uint32_t load() const;
-    // A sample of every ball with more than `most` inputs, net_size of them or all; what was drawn for one ball counts
+    std::uint32_t load(const AnyStore& mesh) const;
+    // A sample of every ball with more than `most` inputs, 4 D of them or all; what was drawn for one ball counts
     // for the others. chosen[]: room for all inputs. Returns how many. O(cells + entries).
-    std::uint32_t draw_nets(std::uint32_t most, std::uint64_t seed, std::uint32_t* chosen);
+    std::uint32_t draw_nets(const AnyStore& mesh, std::uint32_t most, std::uint64_t seed, std::uint32_t* chosen);
 
     // How often an input has been compared with a D-ball, also before the first insertion.
     std::uint64_t looks() const { return starting_ + tests_; }
@@ -60,15 +61,14 @@ public:
     };
 
 private:
-    // From a range net of size O(D log D) (4.7.1 with epsilon = 1 / (2 D)) what is left out by chance is drawn again.
-    static constexpr std::uint32_t net_size = 4 * D;
     bool open_ball(CellId cell);
     bool store(CellId cell, std::uint32_t input);
-    bool consider(Kernel<D>& kernel, CellId cell, std::uint32_t input);
+    bool consider(const AnyStore& mesh, CellId cell, std::uint32_t input);
     void unlink_from_input(std::uint32_t entry);
     void touch(std::uint32_t input, std::uint32_t stamp);
 
-    Store<D>* store_ = nullptr;
+    int dim_ = 0;
+    Arena* arena_ = nullptr;
     Entry* entries_ = nullptr;
     std::uint32_t *first_of_cell_, *load_of_cell_;
     std::uint32_t *first_of_input_, *ply_, *waiting_next_, *stamp_, *touches_;  // [inputs]

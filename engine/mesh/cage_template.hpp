@@ -35,15 +35,6 @@ inline bool is_by_shell(const Cage& cage, double distance2) {
     constexpr double least = ThesisCage::shell_factor - off, most = ThesisCage::shell_factor + off;
     return d2 >= least * least && d2 <= most * most;
 }
-template <int D> inline bool is_by_shell(const Store<D>& store, const Cage& cage, std::uint32_t v) {
-    return is_by_shell(cage, distance2<D>(store.point(v), store.point(cage.centre)));
-}
-
-// Does input v, in the domain of cage d, stand in the place of a vertex of its shell, which has yielded to it?
-template <int D>
-inline bool has_yielded_to(const Store<D>& store, const Cage* cages, std::uint32_t d, std::uint32_t v) {
-    return d != none && store.vertex(v).marker == Marker::input && is_by_shell<D>(store, cages[d], v);
-}
 
 // A template that is the set of corners of a polytope around the origin covers worst where the normal of a facet meets
 // the sphere.

@@ -38,7 +38,7 @@ struct Bound {
     }
 };
 
-double smaller(double a, double b) { return a < b ? a : b; }
+double lesser(double a, double b) { return a < b ? a : b; }
 
 template <int D> class CertificateRule : public Refinement<D, CertificateRule<D>> {
     using Base = Refinement<D, CertificateRule<D>>;
@@ -56,7 +56,7 @@ public:
         : Base(store, request, work, result), goal_(request.goal), bound_(goal_.ratio),
           focus_(goal_.focus > 0 && goal_.focus < goal_.ratio ? goal_.focus : goal_.ratio),
           least_reach2_(
-              smaller(smaller(bound_.reach2, bound_.input_reach2), smaller(focus_.reach2, focus_.input_reach2))) {}
+              lesser(lesser(bound_.reach2, bound_.input_reach2), lesser(focus_.reach2, focus_.input_reach2))) {}
 
     // A Steiner point comes as near to others as `step` times its distance to the inputs.
     double finest() const { return bound_.step < 1 ? resolution / bound_.step : resolution; }
@@ -411,7 +411,7 @@ Status mesh_by_certificate(Store<D>& store, const InputRows& points, std::size_t
 #define NETMESH_INSTANTIATE(D)                                                                                         \
     template Status mesh_by_certificate<D>(Store<D>&, const InputRows&, std::size_t, const MeshRequest&, const Work&,  \
                                            MeshResult<D>*);
-NETMESH_EACH_DIMENSION(NETMESH_INSTANTIATE)
+NETMESH_EACH_INSTANCE(NETMESH_INSTANTIATE)
 #undef NETMESH_INSTANTIATE
 
 }  // namespace netmesh

@@ -67,7 +67,7 @@ struct Centre {
 
 class Reach {
 public:
-    Reach(const AnyStore& store, const AnyReachRequest& request) : dim(store.dim), store_(store), request_(request) {}
+    Reach(const AnyStore& store, const ReachRequest& request) : dim(store.dim), store_(store), request_(request) {}
 
     Status find_beyond(std::uint32_t* beyond);
 
@@ -96,7 +96,7 @@ private:
 
     const int dim;
     const AnyStore& store_;
-    const AnyReachRequest& request_;
+    const ReachRequest& request_;
 };
 
 [[gnu::cold]] Reach::HalfSpace Reach::half_space_of(VertexId v) const {
@@ -253,7 +253,7 @@ private:
 
 }  // namespace
 
-Status check_reach(const AnyStore& store, const AnyReachRequest& request, std::uint32_t* beyond) {
+Status check_reach(const AnyStore& store, const ReachRequest& request, std::uint32_t* beyond) {
     *beyond = none;
     return Reach(store, request).find_beyond(beyond);
 }

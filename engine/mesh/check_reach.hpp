@@ -8,17 +8,11 @@
 
 namespace netmesh {
 
-template <int D> struct ReachRequest {
-    Domain<D> outermost;
+struct ReachRequest {
+    AnyDomain outermost;
     const double* limit2;                    // [vertices]: squared, +infinity for vertices that may reach anywhere
     const Cage* cages = nullptr;             // with domains or neither
     const std::uint32_t* domains = nullptr;  // [vertices]: the cage to whose ball v's cell is clipped; none: outermost
-};
-struct AnyReachRequest {
-    AnyDomain outermost;
-    const double* limit2;
-    const Cage* cages;
-    const std::uint32_t* domains;
 };
 
 // Does the cell of each vertex v, clipped to its ball, stay within limit2[v] of v? Returns the first vertex found whose
@@ -32,10 +26,6 @@ struct AnyReachRequest {
 // 106 bits. A corner that those do not know belongs to a cell whose neighbours have theirs on one line: edges are
 // followed through it. No vertex with a finite limit may be on the hull. A compact store with room for the star of a
 // vertex in its gap. O(cells).
-Status check_reach(const AnyStore& store, const AnyReachRequest& request, std::uint32_t* beyond);
-template <int D> Status check_reach(Store<D>& store, const ReachRequest<D>& request, std::uint32_t* beyond) {
-    return check_reach(AnyStore(store),
-                       AnyReachRequest{request.outermost, request.limit2, request.cages, request.domains}, beyond);
-}
+Status check_reach(const AnyStore& store, const ReachRequest& request, std::uint32_t* beyond);
 
 }  // namespace netmesh

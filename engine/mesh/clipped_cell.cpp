@@ -304,14 +304,18 @@ Status measure_clipped_cells(const AnyStore& any, const AnyDomain& ball, double*
     });
 }
 
-template <int D> Status measure_worst_cells(Store<D>& store, const Domain<D>& ball, double* out2) {
-    return ClippedMeasure<D>(store, ball, 0, out2).run();
+Status measure_worst_cells(const AnyStore& any, const AnyDomain& ball, double* out2) {
+    return with_dimension(static_cast<std::uint32_t>(any.dim), [&](auto dimension) {
+        constexpr int D = decltype(dimension)::value;
+        Store<D> store = any.of_dimension<D>();
+        const Domain<D> domain = ball.of_dimension<D>();
+        return ClippedMeasure<D>(store, domain, 0, out2).run();
+    });
 }
 
 #define NETMESH_INSTANTIATE(D)                                                                                         \
     template bool raise_to_poles<D>(Store<D>&, const Domain<D>&, VertexId, double*);                                   \
-    template Status measure_clipped_cells<D>(Store<D>&, const Domain<D>&, double*);                                    \
-    template Status measure_worst_cells<D>(Store<D>&, const Domain<D>&, double*);
+    template Status measure_clipped_cells<D>(Store<D>&, const Domain<D>&, double*);
 NETMESH_EACH_DIMENSION(NETMESH_INSTANTIATE)
 #undef NETMESH_INSTANTIATE
 

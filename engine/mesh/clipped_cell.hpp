@@ -215,6 +215,6 @@ bool raise_to_poles(const AnyStore& store, const AnyDomain& ball, VertexId v, do
 template <int D> Status measure_clipped_cells(Store<D>& store, const Domain<D>& ball, double* out2);
 Status measure_clipped_cells(const AnyStore& store, const AnyDomain& ball, double* out2);
 // The same where out2[v] over nearest2 is largest; less elsewhere, perhaps. Most cells are only looked at.
-template <int D> Status measure_worst_cells(Store<D>& store, const Domain<D>& ball, double* out2);
+Status measure_worst_cells(const AnyStore& store, const AnyDomain& ball, double* out2);
 
 }  // namespace netmesh

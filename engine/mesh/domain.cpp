@@ -128,4 +128,9 @@ void smallest_enclosing_ball(int dim, const double* points, std::uint32_t count,
     *radius = square_root(best2) * (1 + 8 * unit_roundoff);
 }
 
+int any_sphere_crossings(int dim, const double* centre, double radius, const double* a, const double* b,
+                         double* const (&z)[2]) {
+    return sphere_crossings(dim, centre, radius, a, b, z);
+}
+
 }  // namespace netmesh

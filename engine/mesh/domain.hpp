@@ -97,9 +97,16 @@ inline void smallest_enclosing_ball(const double* points, std::uint32_t count, d
     return found;
 }
 
+// The same, once in the program.
+int any_sphere_crossings(int dim, const double* centre, double radius, const double* a, const double* b,
+                         double* const (&z)[2]);
+
 template <int D>
 inline int sphere_crossings(const Domain<D>& domain, const double* a, const double* b, double (&z)[2][D]) {
-    return sphere_crossings(D, domain.centre, domain.radius, a, b, {z[0], z[1]});
+    if constexpr (shared_dimension<D> == D)
+        return sphere_crossings(D, domain.centre, domain.radius, a, b, {z[0], z[1]});
+    else
+        return any_sphere_crossings(D, domain.centre, domain.radius, a, b, {z[0], z[1]});
 }
 
 }  // namespace netmesh

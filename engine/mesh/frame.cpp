@@ -1,6 +1,6 @@
 #include "mesh/frame.hpp"
 
-#include "delaunay/triangulate.hpp"
+#include "delaunay/independent_points.hpp"
 #include "numerics/vector.hpp"
 #include "vocabulary/dimension.hpp"
 
@@ -22,7 +22,7 @@ Status open_frame(Store<D>& store, Kernel<D>& kernel, const InputTree<D>& tree, 
             if (i != j && d2 < store.vertex(frame[i]).nearest2) store.vertex(frame[i]).nearest2 = d2;
         }
     VertexId ids[D + 1];
-    if (!independent_points<D>(store, frame, 2 * D, ids)) return Status::internal;
+    if (!independent_points(store, frame, 2 * D, ids)) return Status::internal;
     const Status status = kernel.start(ids);
     if (status != Status::ok) return status;
     for (int i = 0; i < 2 * D; ++i) {

@@ -122,7 +122,7 @@ template <int D> Status HierarchyRule<D>::take_turn(VertexId p) {
             path_.pop();
             continue;
         }
-        Status status = insert_input(top, observers_.start_for(store_, top), false);
+        Status status = insert_input(top, observers_.start_for(store_.state, top), false);
         if (status == Status::ok && path_.top() == top) status = this->clean();
         if (status != Status::ok) return status;
     }
@@ -466,7 +466,7 @@ Status mesh_by_hierarchy(Store<D>& store, const InputRows& points, std::size_t n
 #define NETMESH_INSTANTIATE(D)                                                                                         \
     template Status mesh_by_hierarchy<D>(Store<D>&, const InputRows&, std::size_t, const MeshRequest&, const Work&,    \
                                          MeshResult<D>*);
-NETMESH_EACH_DIMENSION(NETMESH_INSTANTIATE)
+NETMESH_EACH_INSTANCE(NETMESH_INSTANTIATE)
 #undef NETMESH_INSTANTIATE
 
 }  // namespace netmesh

@@ -3,6 +3,7 @@
 #include <cstddef>
 #include <cstdint>
 
+#include "delaunay/any_store.hpp"
 #include "mesh/cage.hpp"
 
 namespace netmesh {
@@ -30,18 +31,16 @@ private:
     std::ptrdiff_t offset(std::uint32_t v) const { return static_cast<std::ptrdiff_t>(v) * vertex_stride; }
 };
 
-template <int D>
-HierarchyView hierarchy_view(const Store<D>& store, const Cage* cages, std::uint32_t cage_count,
-                             const std::uint32_t* domains) {
-    const TriangulationView<D> view = store.view();
-    return {store.coordinate_base(),
+inline HierarchyView hierarchy_view(const AnyStore& store, const Cage* cages, std::uint32_t cage_count,
+                                    const std::uint32_t* domains) {
+    return {store.first_point(),
             reinterpret_cast<const unsigned char*>(&store.vertex(0).marker),
-            view.cells,
-            Store<D>::vertex_stride,
-            view.stride_bytes,
-            D,
-            view.vertex_count,
-            view.cell_count,
+            store.first_cell(),
+            store.point_stride(),
+            AnyStore::cell_bytes(store.dim),
+            static_cast<std::uint32_t>(store.dim),
+            store.state.vertex_count,
+            store.state.cell_slots,
             cage_count,
             cages,
             domains,

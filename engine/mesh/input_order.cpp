@@ -1,11 +1,10 @@
 #include "mesh/input_order.hpp"
 
-#include "vocabulary/dimension.hpp"
 #include "vocabulary/features.hpp"
 
 namespace netmesh {
 
-template <int D> VertexId InputOrder<D>::next() {
+VertexId InputOrder::next() {
     for (;;) {
         while (at_ < count_) {
             const VertexId input = VertexId(order_[at_++]);
@@ -16,22 +15,18 @@ template <int D> VertexId InputOrder<D>::next() {
 }
 
 // Another net of this round, or the first one of the next. False when all inputs are in.
-template <int D> bool InputOrder<D>::select_round() {
-    const std::uint32_t load = lists_.load();
+bool InputOrder::select_round() {
+    const std::uint32_t load = lists_.load(store_);
     if (load <= wanted_) {
         if (load == 0) return false;
         audit_.load[audit_.rounds++] = load;
         wanted_ = load / 2;
         nets_ = 0;
     }
-    count_ = lists_.draw_nets(wanted_, seed_ + audit_.nets++, order_);
+    count_ = lists_.draw_nets(store_, wanted_, seed_ + audit_.nets++, order_);
     at_ = 0;
     if (++nets_ > audit_.nets_max) audit_.nets_max = nets_;
     return true;
 }
-
-#define NETMESH_INSTANTIATE(D) template class InputOrder<D>;
-NETMESH_EACH_DIMENSION(NETMESH_INSTANTIATE)
-#undef NETMESH_INSTANTIATE
 
 }  // namespace netmesh

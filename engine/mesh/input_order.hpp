@@ -8,11 +8,11 @@ namespace netmesh {
 
 // The order given; or, where inputs are stored in D-balls, the rounds of SelectRound (4.7.5): a net is a sample of
 // every ball that holds more than half of the largest load, drawn again until the largest load has halved.
-template <int D> class InputOrder {
+class InputOrder {
 public:
     // order[inputs]: scratch with lists. lists that are not open: none.
-    InputOrder(const Store<D>& store, BallLists<D>& lists, std::uint32_t* order, std::uint32_t inputs,
-               std::uint64_t seed, LocationAudit* audit)
+    InputOrder(const AnyStore& store, BallLists& lists, std::uint32_t* order, std::uint32_t inputs, std::uint64_t seed,
+               LocationAudit* audit)
         : store_(store), lists_(lists), order_(order), count_(lists.is_open() ? 0 : inputs), seed_(seed),
           audit_(*audit) {}
 
@@ -22,8 +22,8 @@ public:
 private:
     bool select_round();
 
-    const Store<D>& store_;
-    BallLists<D>& lists_;
+    const AnyStore store_;
+    BallLists& lists_;
     std::uint32_t* const order_;
     std::uint32_t count_, at_ = 0;
     std::uint32_t wanted_ = none;  // the largest load at which the round at hand ends

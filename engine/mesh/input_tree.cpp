@@ -134,8 +134,8 @@ void AnyInputTree::visit(const double* x, Consider&& consider, Bound&& bound2) c
 }
 
 template <int D>
-std::uint32_t AnyInputTree::nearest_of(const double* x, std::uint32_t start, std::uint32_t except,
-                                       double* distance2) const {
+[[gnu::noinline]] std::uint32_t AnyInputTree::nearest_of(const double* x, std::uint32_t start, std::uint32_t except,
+                                                         double* distance2) const {
     std::uint32_t best = none;
     double best2 = infinity;
     const auto consider = [&](std::uint32_t v) -> double {
@@ -148,12 +148,12 @@ std::uint32_t AnyInputTree::nearest_of(const double* x, std::uint32_t start, std
         return d2;
     };
     if (start != none) consider(start);
-    visit<D>(x, consider, [&] { return best2; });
+    visit<DimensionOf<D>::most>(x, consider, [&] { return best2; });
     *distance2 = best2;
     return best;
 }
 
-template <int D> std::uint32_t InputTree<D>::nearest_within(const double* x, double bound2, double* distance2) const {
+template <int D> std::uint32_t AnyInputTree::within_of(const double* x, double bound2, double* distance2) const {
     std::uint32_t best = none;
     *distance2 = bound2;
     const auto consider = [&](std::uint32_t v) -> double {
@@ -164,7 +164,7 @@ template <int D> std::uint32_t InputTree<D>::nearest_within(const double* x, dou
         }
         return d2;
     };
-    visit<D>(x, consider, [&] { return *distance2; });
+    visit<DimensionOf<D>::most>(x, consider, [&] { return *distance2; });
     return best;
 }
 
@@ -234,13 +234,20 @@ std::uint32_t AnyInputTree::farthest_in_ring(const double* x, double inner, doub
 std::uint32_t AnyInputTree::nearest(const double* x, std::uint32_t start, std::uint32_t except,
                                     double* distance2) const {
     return with_dimension(static_cast<std::uint32_t>(dim_), [&](auto dimension) {
-        return nearest_of<decltype(dimension)::value>(x, start, except, distance2);
+        return nearest_of<shared_dimension<decltype(dimension)::value>>(x, start, except, distance2);
     });
 }
 
-#define NETMESH_INSTANTIATE(D)                                                                                         \
-    template std::uint32_t AnyInputTree::nearest_of<D>(const double*, std::uint32_t, std::uint32_t, double*) const;    \
-    template class InputTree<D>;
+template <int D>
+std::uint32_t InputTree<D>::nearest(const double* x, std::uint32_t start, std::uint32_t except,
+                                    double* distance2) const {
+    return this->template nearest_of<shared_dimension<D>>(x, start, except, distance2);
+}
+template <int D> std::uint32_t InputTree<D>::nearest_within(const double* x, double bound2, double* distance2) const {
+    return this->template within_of<shared_dimension<D>>(x, bound2, distance2);
+}
+
+#define NETMESH_INSTANTIATE(D) template class InputTree<D>;
 NETMESH_EACH_DIMENSION(NETMESH_INSTANTIATE)
 #undef NETMESH_INSTANTIATE
 

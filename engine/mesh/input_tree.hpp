@@ -82,11 +82,15 @@ protected:
     }
     template <int D> double squared_distance(const double* x, std::uint32_t v) const {
         ++touches_;
-        return netmesh::distance2<D>(x, point(v));
+        if constexpr (D == any_dimension)
+            return netmesh::distance2(dim_, x, point(v));
+        else
+            return netmesh::distance2<D>(x, point(v));
     }
-    // nearest, in dimension D.
+    // nearest and nearest_within, in dimension D or any_dimension.
     template <int D>
     std::uint32_t nearest_of(const double* x, std::uint32_t start, std::uint32_t except, double* distance2) const;
+    template <int D> std::uint32_t within_of(const double* x, double bound2, double* distance2) const;
     // Calls consider(input), which returns the squared distance or 0, for every input that can be nearer than bound2()
     // or as near, near parts first. W: the dimension or more.
     template <int W, class Consider, class Bound>
@@ -120,9 +124,7 @@ private:
 // With the searches that refinement spends its time in.
 template <int D> class InputTree : public AnyInputTree {
 public:
-    std::uint32_t nearest(const double* x, std::uint32_t start, std::uint32_t except, double* distance2) const {
-        return this->template nearest_of<D>(x, start, except, distance2);
-    }
+    std::uint32_t nearest(const double* x, std::uint32_t start, std::uint32_t except, double* distance2) const;
 
     // The same among the inputs nearer to x than bound, of which there may be `none`. Where there is none, parts of
     // the tree that are farther away are passed over at once.

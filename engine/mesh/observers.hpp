@@ -17,7 +17,7 @@ namespace netmesh {
 // which releases all cages at once, or with cages of the thesis, which FinishMesh grows, to the end; K and K' until
 // over-refinement begins, which is to break them. The mesh is byte for byte the one that is made without.
 // VoronoiRefine, which inserts all inputs first, has no quality to be audited.
-template <int D> class Observers {
+class Observers {
 public:
     explicit Observers(const MeshRequest& request)
         : terms_{request.method != MeshMethod::certificate, request.method == MeshMethod::hierarchy, true},
@@ -25,30 +25,34 @@ public:
           kind_(request.cages) {}
 
     // Memory for the lists, before the store's cells are opened; later the frame is there. out_of_memory.
-    Status open(Store<D>& store, std::uint32_t inputs);
-    Status start(const Store<D>& store, Kernel<D>& kernel);
+    Status open(int dim, Arena& arena, std::uint32_t inputs);
+    Status start(const AnyStore& mesh);
 
     // Around each insertion into a cavity, where inputs are located. Before: false when an input is stored in other
     // balls than those of its cavity. After: false when the lists do not suffice; the mesh is whole all the same.
     bool locates() const { return built::audits && lists_.is_open(); }
-    bool before_fill(const Store<D>& store, const Kernel<D>& kernel, const Cavity& cavity, VertexId v);
-    bool after_fill(Kernel<D>& kernel, const Cavity& cavity, VertexId v);
+    bool before_fill(const AnyStore& mesh, const Cavity& cavity, VertexId v);
+    bool after_fill(const AnyStore& mesh, const Cavity& cavity, VertexId v);
     bool lists_are_full() const { return full_; }
     // Where the search for an input that is not inserted starts.
-    CellId start_for(const Store<D>& store, VertexId input) const {
-        return locates() ? lists_.ball_of(input) : store.state.last_cell;
+    CellId start_for(const StoreState& state, VertexId input) const {
+        return locates() ? lists_.ball_of(input) : state.last_cell;
     }
-    BallLists<D>& lists() { return lists_; }
+    BallLists& lists() { return lists_; }
     std::uint64_t list_looks() const { return locates() ? lists_.looks() : 0; }
 
     // After each step: vertex v has been inserted, and the shell of a cage before, if one was made. `cleaning`: not
     // because an input had its turn. hierarchy: null where there are no cages. out_of_memory, internal (a cage is
     // encroached).
     bool measures() const { return built::audits && measures_; }
+    template <int D>
     Status measure(Store<D>& store, const InputTree<D>& tree, Hierarchy<D>* hierarchy, const Domain<D>& domain,
-                   VertexId v, bool cleaning);
+                   VertexId v, bool cleaning) {
+        const AnyAuditedMesh mesh = {store, tree, domain, hierarchy, terms_, kind_};
+        return measure(mesh, cage_insertion_bound<D>(kind_), v, cleaning);
+    }
     // In the step at hand; Cage::next is used until that is measured.
-    void note_released(Hierarchy<D>& hierarchy, std::uint32_t d);
+    void note_released(CageForest& hierarchy, std::uint32_t d);
     // With cages of the thesis: what an AuditNote is for.
     void note(const AuditNote& note);
     // Cage d has grown, and `shell` was of it. A shell of the step's own is looked at in any case.
@@ -65,7 +69,9 @@ public:
     void report(MeshAudit* audit) const;
 
 private:
-    BallLists<D> lists_;
+    Status measure(const AnyAuditedMesh& mesh, double bound, VertexId v, bool cleaning);
+
+    BallLists lists_;
     QualityAudit quality_ = {};
     AuditTerms terms_;
     VertexId first_new_ = none;      // of the step at hand

@@ -1,19 +1,17 @@
 #include "mesh/quality.hpp"
 
 #include "mesh/clipped_cell.hpp"
-#include "vocabulary/dimension.hpp"
 
 namespace netmesh {
 
-template <int D>
-Status worst_aspect_ratio(Store<D>& store, const Domain<D>& domain, Arena& arena, double* worst,
+Status worst_aspect_ratio(const AnyStore& store, const AnyDomain& domain, Arena& arena, double* worst,
                           std::uint32_t* vertex) {
     ArenaScope scope(arena);
     *worst = 0;
     *vertex = none;
     double* const out2 = arena.take_low<double>(store.state.vertex_count);
     if (out2 == nullptr) return Status::out_of_memory;
-    const Status status = measure_worst_cells<D>(store, domain, out2);
+    const Status status = measure_worst_cells(store, domain, out2);
     double worst2 = 0;
     for (std::uint32_t v = 0; v < store.state.vertex_count && status == Status::ok;)
         for (const std::uint64_t piece = store.arena.piece(v, store.state.vertex_count, 12);
@@ -44,10 +42,5 @@ void recomputed_nearest2(const AnyStore& store, double* nearest2) {
                 }
         }
 }
-
-#define NETMESH_INSTANTIATE(D)                                                                                         \
-    template Status worst_aspect_ratio<D>(Store<D>&, const Domain<D>&, Arena&, double*, std::uint32_t*);
-NETMESH_EACH_DIMENSION(NETMESH_INSTANTIATE)
-#undef NETMESH_INSTANTIATE
 
 }  // namespace netmesh

@@ -10,8 +10,8 @@ namespace netmesh {
 // half of vertex.nearest2's root. *worst: the largest over inserted vertices that are not exempt, +infinity where a
 // cell is not bounded; *vertex: where; 0 and `none` when there are none. Needs a compact store with spheres and
 // nearest2. Scratch: 8 bytes a vertex, the star of a vertex. out_of_memory.
-template <int D>
-Status worst_aspect_ratio(Store<D>& store, const Domain<D>& domain, Arena& arena, double* worst, std::uint32_t* vertex);
+Status worst_aspect_ratio(const AnyStore& store, const AnyDomain& domain, Arena& arena, double* worst,
+                          std::uint32_t* vertex);
 
 // nearest2[v], for every vertex: squared distance to the nearest other vertex, over the edges of cells. O(cells).
 void recomputed_nearest2(const AnyStore& store, double* nearest2);

@@ -112,7 +112,7 @@ template <int D> Status QualityRule<D>::finish_mesh() {
 template <int D> Status QualityRule<D>::take_turn(VertexId p) {
     if (is_reference()) return this->insert_input(p, store_.state.last_cell, false);
     Status status = Status::ok;
-    CellId from = observers_.start_for(store_, p);
+    CellId from = observers_.start_for(store_.state, p);
     while (status == Status::ok && store_.vertex(p).cell == none) {
         Cavity cavity;
         if (!this->find_cavity(p, from, &cavity)) return Status::out_of_memory;
@@ -289,7 +289,7 @@ Status mesh_by_quality(Store<D>& store, const InputRows& points, std::size_t n, 
 #define NETMESH_INSTANTIATE(D)                                                                                         \
     template Status mesh_by_quality<D>(Store<D>&, const InputRows&, std::size_t, const MeshRequest&, const Work&,      \
                                        MeshResult<D>*);
-NETMESH_EACH_DIMENSION(NETMESH_INSTANTIATE)
+NETMESH_EACH_INSTANCE(NETMESH_INSTANTIATE)
 #undef NETMESH_INSTANTIATE
 
 }  // namespace netmesh

@@ -61,7 +61,7 @@ public:
     Status begin() { return Status::ok; }
     // Input p has its turn: it is inserted and the quality of all cells restored.
     Status take_turn(VertexId p) {
-        const Status status = rule().insert_input(p, observers_.start_for(store_, p), false);
+        const Status status = rule().insert_input(p, observers_.start_for(store_.state, p), false);
         return status == Status::ok ? clean() : status;
     }
     // Inserts input p; `cleaning`: as a Steiner point yields to it.
@@ -153,7 +153,7 @@ protected:
     Domain<D>& domain_;
     InputTree<D> tree_;
     BucketQueue<D> queue_;
-    Observers<D> observers_;
+    Observers observers_;
     Sizes<D> sizes_;
     std::uint32_t inputs_ = 0, inserted_ = 0;
     std::uint64_t passed_ = 0;  // LocationCounts::passed without the cells that the kernel counts
@@ -168,7 +168,7 @@ private:
 template <int D, class Rule> Status Refinement<D, Rule>::open() {
     inputs_ = store_.state.vertex_count;
     Status status = tree_.build(store_, store_.arena, inputs_, Rule::searches_rings);
-    if (status == Status::ok) status = check_separation<D>(store_, tree_, rule().finest(), &result_.input);
+    if (status == Status::ok) status = check_separation(store_, tree_, rule().finest(), &result_.input);
     if (status != Status::ok) return status;
     smallest_enclosing_ball<D>(store_, inputs_, domain_);
     const double reach = rule().choose_domain();
@@ -176,16 +176,16 @@ template <int D, class Rule> Status Refinement<D, Rule>::open() {
     if (status != Status::ok) return status;
     // Squared distances are measured down from that of the frame.
     if (queue_.open(store_, store_.arena, 16 * reach * reach) != Status::ok) return Status::out_of_memory;
-    if (observers_.open(store_, inputs_) != Status::ok) return Status::out_of_memory;
+    if (observers_.open(D, store_.arena, inputs_) != Status::ok) return Status::out_of_memory;
     if (store_.open_cells() != Status::ok) return Status::out_of_memory;
     status = open_frame<D>(store_, kernel_, tree_, domain_, reach);
-    return status == Status::ok ? observers_.start(store_, kernel_) : status;
+    return status == Status::ok ? observers_.start(store_) : status;
 }
 
 template <int D, class Rule> Status Refinement<D, Rule>::run(std::uint32_t* order) {
     monitor_.begin(NETMESH_STAGE_REFINE, inputs_);
     Status status = rule().begin();
-    InputOrder<D> turns(store_, observers_.lists(), order, inputs_, request_.seed, &result_.audit.location);
+    InputOrder turns(store_, observers_.lists(), order, inputs_, request_.seed, &result_.audit.location);
     while (status == Status::ok) {
         const VertexId input = turns.next();
         if (input == none) break;
@@ -209,7 +209,7 @@ template <int D, class Rule> Status Refinement<D, Rule>::close(std::size_t low, 
 
 template <int D, class Rule> Status Refinement<D, Rule>::fill(VertexId v, const Cavity& cavity) {
     if (!kernel_.can_fill(cavity, 0)) return Status::out_of_memory;
-    if (observers_.locates() && !observers_.before_fill(store_, kernel_, cavity, v)) return Status::internal;
+    if (observers_.locates() && !observers_.before_fill(store_, cavity, v)) return Status::internal;
     kernel_.fill(cavity, v);
     if (store_.vertex(v).marker == Marker::input) ++inserted_;
     rule().update_distances(cavity, v);
@@ -217,7 +217,7 @@ template <int D, class Rule> Status Refinement<D, Rule>::fill(VertexId v, const 
     rule().queue_new(cavity, v);
     NETMESH_VALIDATE_WHOLE(insertion_violation());
     // The mesh is whole, only the lists are not: the job stops as if it had been asked to.
-    if (observers_.locates() && !observers_.after_fill(kernel_, cavity, v)) return Status::cancelled;
+    if (observers_.locates() && !observers_.after_fill(store_, cavity, v)) return Status::cancelled;
     monitor_.mesh_size(store_.state.vertex_count - inputs_ + inserted_, store_.live_cells());
     return monitor_.advance(inserted_, 4 + 4 * cavity.facets) ? Status::cancelled : Status::ok;
 }

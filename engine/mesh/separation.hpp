@@ -22,7 +22,6 @@ template <int D> double finest_distance(double tau) {
 // The store holds inputs alone, `tree` is over them. out_of_range: a coordinate above 2^500 or two inputs closer than
 // 2^-500; too_close: two inputs closer than `finest` times the magnitude of their coordinates. Rows in *input. O(n log
 // n).
-template <int D>
-Status check_separation(const Store<D>& store, const InputTree<D>& tree, double finest, InputReport* input);
+Status check_separation(const AnyStore& store, const AnyInputTree& tree, double finest, InputReport* input);
 
 }  // namespace netmesh

@@ -23,7 +23,7 @@ public:
     // Evaluates the rule at v for the first time. invalid_argument: the size is not positive or below `finest` times
     // the magnitude of v's coordinates.
     Status note(VertexId v, double finest) {
-        const double size = wanted_size<D>(store_, tree_, rule_, v);
+        const double size = wanted_size(store_, tree_, rule_, v);
         double magnitude = 0;
         for (int k = 0; k < D; ++k)
             if (absolute(store_.point(v)[k]) > magnitude) magnitude = absolute(store_.point(v)[k]);
@@ -39,7 +39,7 @@ public:
     // What bound2 is a lower bound of. Evaluates the rule, once sizes are asked for.
     double limit2(VertexId v) const {
         if (!have_started()) return infinity;
-        const double size = wanted_size<D>(store_, tree_, rule_, v) * (1 - margin_);
+        const double size = wanted_size(store_, tree_, rule_, v) * (1 - margin_);
         return size * size;
     }
     // Is a corner at this squared distance too far for v?

@@ -3,7 +3,7 @@
 #include <cstdint>
 
 #include "certificate/cells.hpp"
-#include "mesh/domain.hpp"
+#include "mesh/any_domain.hpp"
 #include "mesh/input_tree.hpp"
 #include "vocabulary/callback.hpp"
 
@@ -26,21 +26,21 @@ struct SizeRule {
 
 // Distance from vertex v to its second nearest input, v itself counted when it is one (3.3): +infinity when there is
 // only one input. Inputs have the smallest indices, origin is final. Expected O(log n).
-template <int D> double feature_size(const Store<D>& store, const InputTree<D>& tree, std::uint32_t v) {
-    const Vertex<D>& vertex = store.vertex(v);
+template <class StoreType, class Tree> double feature_size(const StoreType& store, const Tree& tree, std::uint32_t v) {
+    const auto& vertex = store.vertex(v);
     double d2;
     tree.nearest(vertex.x, none, vertex.marker == Marker::input ? v : vertex.origin, &d2);
     return square_root(d2);
 }
 
 // f(v), +infinity when nothing is asked. What the caller's function says is passed on as it is.
-template <int D>
-double wanted_size(const Store<D>& store, const InputTree<D>& tree, const SizeRule& rule, std::uint32_t v) {
-    double size = rule.eps > 0 ? rule.eps * feature_size<D>(store, tree, v) : infinity;
+template <class StoreType, class Tree>
+double wanted_size(const StoreType& store, const Tree& tree, const SizeRule& rule, std::uint32_t v) {
+    double size = rule.eps > 0 ? rule.eps * feature_size(store, tree, v) : infinity;
     const double asked_by_caller = rule.by_caller(store.point(v));
     if (!(asked_by_caller >= size)) size = asked_by_caller;
     if (rule.at_inputs > 0) {
-        const double asked = rule.at_inputs + rule.growth * distance_to_inputs<D>(store, VertexId(v));
+        const double asked = rule.at_inputs + rule.growth * distance_to_inputs(store, VertexId(v));
         if (asked < size) size = asked;
     }
     return size;
@@ -50,8 +50,8 @@ double wanted_size(const Store<D>& store, const InputTree<D>& tree, const SizeRu
 inline std::uint16_t size_hint_of(double x) { return static_cast<std::uint16_t>(bits_of(x) >> 47); }
 inline double value_of_size_hint(std::uint16_t hint) { return double_of_bits(static_cast<std::uint64_t>(hint) << 47); }
 
-template <int D> struct SizeRatioRequest {
-    Domain<D> domain;
+struct SizeRatioRequest {
+    AnyDomain domain;
     std::uint32_t inputs;  // vertices 0..inputs-1
     SizeRule rule;
 };
@@ -62,7 +62,6 @@ struct SizeRatio {
 
 // Largest R_v / f(v) over inserted vertices that are not exempt. 0 when the rule asks for nothing; +infinity when f is
 // not positive. O(cells + v log n); scratch: 8 bytes a vertex, 5 an input. out_of_memory.
-template <int D>
-Status worst_size_ratio(Store<D>& store, const SizeRatioRequest<D>& request, Arena& arena, SizeRatio* ratio);
+Status worst_size_ratio(const AnyStore& store, const SizeRatioRequest& request, Arena& arena, SizeRatio* ratio);
 
 }  // namespace netmesh

@@ -132,11 +132,29 @@ template <int N, int K, int L> void minors_of_order(const double (&a)[N][N], con
         minors_of_order<N, K + 1, L>(a, minors, out);
     }
 }
+// The same by loops, which take less code from 6 rows on. a: [n][n].
+inline void minors_by_loops(int n, int order, const double* a, double* out) {
+    double column[minor_rows_max][minor_rows_max], level[2][widest_level(minor_rows_max)];
+    for (int i = 0; i < n; ++i)
+        for (int c = 0; c < order; ++c) column[c][i] = a[i * n + c];
+    const double* const minors = minors_of_columns<2, minor_rows_max>(n, order, column, column[0], level);
+    for (int s = 0; s < binomial(n, order); ++s) out[s] = minors[s];
+}
+#ifdef __OPTIMIZE_SIZE__
+constexpr int straight_rows_max = 5;
+#else
+constexpr int straight_rows_max = minor_rows_max;
+#endif
+
 // The minors of order L of the first L columns.
 template <int L, int N> void minors_of_order(const double (&a)[N][N], double* out) {
-    double first[N];
-    for (int i = 0; i < N; ++i) first[i] = a[i][0];
-    minors_of_order<N, 2, L>(a, first, out);
+    if constexpr (N > straight_rows_max) {
+        minors_by_loops(N, L, a[0], out);
+    } else {
+        double first[N];
+        for (int i = 0; i < N; ++i) first[i] = a[i][0];
+        minors_of_order<N, 2, L>(a, first, out);
+    }
 }
 
 }  // namespace netmesh

@@ -19,9 +19,9 @@ template <int D> Sign orient(const double* const* p, PredicateCounts& counts) {
 namespace {
 
 // orient_projected for k >= K.
-template <int K, int D> Sign orient_from(int k, const double* const* p, const int* axes, PredicateCounts& counts) {
-    if constexpr (K < D)
-        if (k > K) return orient_from<K + 1, D>(k, p, axes, counts);
+template <int K> Sign orient_from(int k, const double* const* p, const int* axes, PredicateCounts& counts) {
+    if constexpr (K < dimension_most())
+        if (k > K) return orient_from<K + 1>(k, p, axes, counts);
     double x[K + 1][K];
     const double* rows[K + 1];
     for (int i = 0; i <= K; ++i) {
@@ -33,8 +33,8 @@ template <int K, int D> Sign orient_from(int k, const double* const* p, const in
 
 }  // namespace
 
-template <int D> Sign orient_projected(int k, const double* const* p, const int* axes, PredicateCounts& counts) {
-    return orient_from<1, D>(k, p, axes, counts);
+Sign orient_projected(int k, const double* const* p, const int* axes, PredicateCounts& counts) {
+    return orient_from<1>(k, p, axes, counts);
 }
 
 // A question about one cell and one point, and what the float stage found out on the way.
@@ -109,7 +109,6 @@ Sign in_ball_perturbed(const double* const* cell, const VertexId* ids, const dou
 
 #define NETMESH_INSTANTIATE(D)                                                                                         \
     template Sign orient<D>(const double* const*, PredicateCounts&);                                                   \
-    template Sign orient_projected<D>(int, const double* const*, const int*, PredicateCounts&);                        \
     template Sign in_ball<D>(const double* const*, const double*, PredicateCounts&);                                   \
     template Sign in_ball_perturbed<D>(const double* const*, const VertexId*, const double*, VertexId,                 \
                                        PredicateCounts&);

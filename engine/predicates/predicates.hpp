@@ -21,7 +21,7 @@ struct PredicateCounts {
 template <int D> Sign orient(const double* const* p, PredicateCounts& counts);
 
 // orient<k> of k+1 points in R^D when only their coordinates axes[0..k) are looked at, 1 <= k <= D.
-template <int D> Sign orient_projected(int k, const double* const* p, const int* axes, PredicateCounts& counts);
+Sign orient_projected(int k, const double* const* p, const int* axes, PredicateCounts& counts);
 
 // Where q lies: positive strictly inside the ball that cell circumscribes, negative outside, zero on the sphere.
 // cell: D+1 points, positively oriented (for negatively oriented ones the sign is the opposite).

@@ -9,6 +9,12 @@
 
 #include "vocabulary/netmesh_config.h"
 
+// The dimensions that a source makes its templates for: all, but where the build compiles it twice, for low ones to be
+// fast and for high ones to be small (engine/archive.cmake).
+#ifndef NETMESH_EACH_INSTANCE
+#define NETMESH_EACH_INSTANCE(DO) NETMESH_EACH_DIMENSION(DO)
+#endif
+
 namespace netmesh {
 
 template <int D> using Dimension = std::integral_constant<int, D>;
@@ -28,6 +34,29 @@ constexpr int dimension_most() {
 #undef NETMESH_RAISE
     return most;
 }
+
+// A template made for D = any_dimension has its dimension as a number: it is in the program once, for all dimensions.
+// DimensionOf<D> is what such a template keeps, and no more than the constant D where it is made for one.
+constexpr int any_dimension = 0;
+template <int D> struct DimensionOf {
+    static constexpr int most = D;  // for the bounds of arrays
+    constexpr DimensionOf(std::uint32_t = D) {}
+    constexpr operator std::uint32_t() const { return D; }
+};
+template <> struct DimensionOf<any_dimension> {
+    static constexpr int most = dimension_most();
+    constexpr DimensionOf(std::uint32_t dim = 0) : value(dim) {}
+    constexpr operator std::uint32_t() const { return value; }
+    std::uint32_t value;
+};
+// D, or any_dimension where size counts and D is not the only one: for templates that jobs spend their time in.
+#ifdef __OPTIMIZE_SIZE__
+#define NETMESH_COUNT(D) +1
+template <int D> constexpr int shared_dimension = 0 NETMESH_EACH_DIMENSION(NETMESH_COUNT) > 1 ? any_dimension : D;
+#undef NETMESH_COUNT
+#else
+template <int D> constexpr int shared_dimension = D;
+#endif
 
 // Figures that depend on the dimension and come from measuring or choosing, not from a formula.
 struct Figures {

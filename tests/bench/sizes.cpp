@@ -101,7 +101,7 @@ template <int D> Trial mesh(const inputs::Points& points, double tau, std::uint6
     trial.cells = state.cell_slots;
     std::uint32_t vertex;
     if (trial.status == Status::ok)
-        trial.status = worst_aspect_ratio<D>(store, result.domain, arena, &trial.worst, &vertex);
+        trial.status = worst_aspect_ratio(store, result.domain, arena, &trial.worst, &vertex);
     return trial;
 }
 

@@ -13,6 +13,7 @@
 #include "common/dimensions.hpp"
 #include "common/inputs.hpp"
 #include "delaunay/check.hpp"
+#include "delaunay/independent_points.hpp"
 #include "delaunay/load.hpp"
 #include "delaunay/spatial_order.hpp"
 #include "delaunay/triangulate.hpp"
@@ -29,7 +30,7 @@ template <int D> void insert_all(Store<D>& store, const inputs::Points& points, 
     REQUIRE(take_input<D>(store, points.data(), points.size() / D, 1, monitor, &input, &order) == Status::ok);
     const std::uint32_t count = store.state.vertex_count;
     VertexId ids[D + 1];
-    REQUIRE(independent_points<D>(store, order, count, ids));
+    REQUIRE(independent_points(store, order, count, ids));
     REQUIRE(store.open_cells() == Status::ok);
     Kernel<D> kernel(store, error_max, VertexCells::kept);
     REQUIRE(kernel.start(ids) == Status::ok);
@@ -323,7 +324,7 @@ TEST_CASE_TEMPLATE_DEFINE("a star that the gap is too small for is refused, and 
     REQUIRE(store.open_cells() == Status::ok);
     Kernel<D> kernel(store, corner_error_max, VertexCells::kept);
     VertexId ids[D + 1];
-    REQUIRE(independent_points<D>(store, order, 4 * D, ids));
+    REQUIRE(independent_points(store, order, 4 * D, ids));
     REQUIRE(kernel.start(ids) == Status::ok);
     for (std::uint32_t k = 0; k < 4 * D; ++k) {
         const VertexId v(order[k]);
@@ -367,7 +368,7 @@ TEST_CASE_TEMPLATE_DEFINE("a cavity's list is the same in any gap that it fits, 
     REQUIRE(store.open_cells() == Status::ok);
     Kernel<D> kernel(store, corner_error_max, VertexCells::kept);
     VertexId ids[D + 1];
-    REQUIRE(independent_points<D>(store, order, 4 * D, ids));
+    REQUIRE(independent_points(store, order, 4 * D, ids));
     REQUIRE(kernel.start(ids) == Status::ok);
     for (std::uint32_t k = 0; k < 4 * D; ++k) {
         const VertexId v(order[k]);
@@ -528,7 +529,7 @@ TEST_CASE_TEMPLATE_DEFINE("stamps that run out begin anew, and the triangulation
         REQUIRE(store.open_cells() == Status::ok);
         Kernel<D> kernel(store, corner_error_max, VertexCells::ignored);
         VertexId ids[D + 1];
-        REQUIRE(independent_points<D>(store, order, 6 * D, ids));
+        REQUIRE(independent_points(store, order, 6 * D, ids));
         REQUIRE(kernel.start(ids) == Status::ok);
         state.stamp = first_stamp;
         for (std::uint32_t k = 0; k < 6 * D; ++k) {

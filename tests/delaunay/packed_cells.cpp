@@ -68,11 +68,11 @@ TEST_CASE_TEMPLATE_DEFINE("packed cells: the gap grows by their balls, tables fo
     Packable<D> p;
     const std::vector<unsigned char> before = p.add_table();
     const std::size_t low = p.block.arena.low_mark(), high = p.block.arena.high_mark();
-    PackedCells<D> packed(p.store, p.behind);
+    PackedCells packed(p.store, p.behind);
     const std::size_t given = low - p.block.arena.low_mark(), balls = p.state.cell_slots * (8 * D + 16);
     CHECK(given <= balls);
     CHECK(given + Arena::alignment > balls);
-    CHECK(are_alike<D>(packed.view(), before));
+    CHECK(are_alike<D>(packed.view().template of_dimension<D>({}), before));
     CHECK(p.has_table(packed.packed_place(p.table)));
     // What a job leaves at the low end, and at the other for a time.
     double* const more = p.block.arena.template take_low<double>(3);
@@ -97,7 +97,7 @@ TEST_CASE_TEMPLATE_DEFINE("packed cells: where what has been made meanwhile leav
     constexpr int D = Dim::value;
     Packable<D> p;
     const std::vector<unsigned char> before = p.add_table();
-    PackedCells<D> packed(p.store, p.behind);
+    PackedCells packed(p.store, p.behind);
     {
         const HighScope scope(p.block.arena);
         while (p.block.arena.bytes_free() > 1024) REQUIRE(p.block.arena.template take_low<double>(64) != nullptr);
@@ -117,9 +117,9 @@ TEST_CASE_TEMPLATE_DEFINE("packed cells: nothing is packed when something else s
     const std::size_t behind = p.block.arena.low_mark();
     const std::vector<unsigned char> before = p.add_table();
     const std::size_t low = p.block.arena.low_mark();
-    PackedCells<D> packed(p.store, behind);
+    PackedCells packed(p.store, behind);
     CHECK(p.block.arena.low_mark() == low);
-    CHECK(are_alike<D>(packed.view(), before));
+    CHECK(are_alike<D>(packed.view().template of_dimension<D>({}), before));
     CHECK(packed.packed_place(p.table) == p.table);
     CHECK(packed.unpack());
     CHECK(packed.place(p.table) == p.table);

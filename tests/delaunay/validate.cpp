@@ -7,6 +7,7 @@
 #include "common/inputs.hpp"
 #include "common/last_words.hpp"
 #include "delaunay/check.hpp"
+#include "delaunay/independent_points.hpp"
 #include "delaunay/triangulate.hpp"
 
 using namespace netmesh;
@@ -24,7 +25,7 @@ template <int D> struct InUse {
         REQUIRE(take_input<D>(store, points.data(), count, 1, monitor, &input, &order) == Status::ok);
         REQUIRE(store.open_cells() == Status::ok);
         VertexId ids[D + 1];
-        REQUIRE(independent_points<D>(store, order, count, ids));
+        REQUIRE(independent_points(store, order, count, ids));
         REQUIRE(kernel.start(ids) == Status::ok);
         for (VertexId v(0); v + 1 < count; ++v)
             if (store.vertex(v).cell == none) insert(v);

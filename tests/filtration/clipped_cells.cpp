@@ -8,7 +8,9 @@
 
 #include "certificate/cells.hpp"
 #include "common/dimensions.hpp"
+#include "common/filtered_mesh.hpp"
 #include "common/meshed.hpp"
+#include "common/nerve.hpp"
 #include "delaunay/cell_list.hpp"
 #include "filtration/clipped_nerve.hpp"
 #include "filtration/filters.hpp"
@@ -116,7 +118,7 @@ public:
         const Work work = {this->block.arena, this->monitor};
         Subcomplex<D> there = {};
         bool found = false;
-        REQUIRE(choose_clipped_nerve<D>(store, &ball_, work, &there, &found) == Status::ok);
+        REQUIRE(choose_nerve<D>(store, &ball_, work, &there, &found) == Status::ok);
         REQUIRE(found);
         const std::uint8_t* const part = there.vertex;
         for (const Sample<D>& s : samples_)

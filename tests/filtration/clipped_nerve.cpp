@@ -11,6 +11,7 @@
 #include "certificate/rounding.hpp"
 #include "common/dimensions.hpp"
 #include "common/meshed.hpp"
+#include "common/nerve.hpp"
 #include "common/simplices.hpp"
 
 using namespace netmesh;
@@ -93,8 +94,7 @@ template <int D> void check_nerve(const std::string& name, const inputs::Points&
     Subcomplex<D> part;
     bool found = false;
     const std::size_t high = mesh.block.arena.high_mark();
-    REQUIRE(choose_clipped_nerve<D>(mesh.store, &domain, {mesh.block.arena, mesh.monitor}, &part, &found) ==
-            Status::ok);
+    REQUIRE(choose_nerve<D>(mesh.store, &domain, {mesh.block.arena, mesh.monitor}, &part, &found) == Status::ok);
     REQUIRE(found);
     CHECK(mesh.block.arena.high_mark() == high);
     CHECK(domain.radius <= clip * domain.enclosing_radius * up);
@@ -133,7 +133,7 @@ template <int D> void check_nerve(const std::string& name, const inputs::Points&
     // The radius that was chosen is the first to be tried next time.
     Domain<D> again = domain;
     Subcomplex<D> same;
-    REQUIRE(choose_clipped_nerve<D>(mesh.store, &again, {mesh.block.arena, mesh.monitor}, &same, &found) == Status::ok);
+    REQUIRE(choose_nerve<D>(mesh.store, &again, {mesh.block.arena, mesh.monitor}, &same, &found) == Status::ok);
     CHECK(found);
     CHECK(again.radius == domain.radius);
     CHECK(same.faces.count() == part.faces.count());
@@ -192,8 +192,7 @@ TEST_CASE_TEMPLATE_DEFINE("nasty inputs have a nerve, at the first radius", T, n
         const double radius = domain.radius;
         Subcomplex<D> part;
         bool found = false;
-        REQUIRE(choose_clipped_nerve<D>(mesh.store, &domain, {mesh.block.arena, mesh.monitor}, &part, &found) ==
-                Status::ok);
+        REQUIRE(choose_nerve<D>(mesh.store, &domain, {mesh.block.arena, mesh.monitor}, &part, &found) == Status::ok);
         CHECK(found);
         CHECK(domain.radius == radius);
     }
@@ -207,10 +206,10 @@ TEST_CASE("a radius at which the nerve changes is left out") {
     Subcomplex<2> part;
     bool certain = true;
     const std::size_t low = square.block.arena.low_mark();
-    REQUIRE(find_clipped_nerve<2>(square.store, domain, work, &part, &certain) == Status::ok);
+    REQUIRE(find_nerve<2>(square.store, domain, work, &part, &certain) == Status::ok);
     CHECK(!certain);
     CHECK(square.block.arena.low_mark() == low);
-    REQUIRE(choose_clipped_nerve<2>(square.store, &domain, work, &part, &certain) == Status::ok);
+    REQUIRE(choose_nerve<2>(square.store, &domain, work, &part, &certain) == Status::ok);
     CHECK(certain);
     CHECK(domain.radius == 3 * (1 - 0x1p-16));
     // Only the corners on the right, and the edge between them.
@@ -220,12 +219,12 @@ TEST_CASE("a radius at which the nerve changes is left out") {
     CHECK(part.vertex[1] == VertexPart::cut);
 
     domain = {{3, 0}, 3, 3 * (1 - 0x1p-17)};
-    REQUIRE(choose_clipped_nerve<2>(square.store, &domain, work, &part, &certain) == Status::ok);
+    REQUIRE(choose_nerve<2>(square.store, &domain, work, &part, &certain) == Status::ok);
     CHECK(!certain);
     CHECK(domain.radius == 3);
 
     domain = {{3, 0}, 3.0000000000000004, 1};
-    REQUIRE(find_clipped_nerve<2>(square.store, domain, work, &part, &certain) == Status::ok);
+    REQUIRE(find_nerve<2>(square.store, domain, work, &part, &certain) == Status::ok);
     CHECK(certain);
     CHECK(simplices_of<2>(square.store, part, all) == all);
 }
@@ -252,7 +251,7 @@ TEST_CASE_TEMPLATE_DEFINE("memory that ends anywhere leaves the mesh as it is", 
         const std::size_t top = arena.high_mark();
         Subcomplex<D> part;
         bool certain = false;
-        const Status status = find_clipped_nerve<D>(mesh.store, ball, {arena, mesh.monitor}, &part, &certain);
+        const Status status = find_nerve<D>(mesh.store, ball, {arena, mesh.monitor}, &part, &certain);
         CHECK(arena.high_mark() == top);
         if (status == Status::ok) {
             CHECK(certain);

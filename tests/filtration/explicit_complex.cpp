@@ -28,8 +28,9 @@ void check_listed(const LowerStarFiltration<D>& filtration, const Simplices& sim
     Block block(std::size_t{1} << 22);
     Monitor monitor;
     ListedComplex complex;
-    REQUIRE(lower_star_complex<D>(filtration.complex, filtration.value, filtration.zero_born_count, dimension,
-                                  filtration.part, {block.arena, monitor}, &complex) == Status::ok);
+    const auto any = filtration.template of_dimension<any_dimension>(D);
+    REQUIRE(lower_star_complex(any.get().complex, filtration.value, filtration.zero_born_count, dimension,
+                               any.get().part, {block.arena, monitor}, &complex) == Status::ok);
     const FilteredComplex filtered = complex.filtered();
     Simplices seen;
     for (std::uint32_t k = 0; k <= dimension; ++k)
@@ -109,7 +110,9 @@ TEST_CASE_TEMPLATE_DEFINE("what is in a part is listed whole or not at all", T, 
     disturbed::by_size(std::size_t{1} << 22, 4096, [&](const Work& work) {
         const ArenaScope scope(work.arena);
         ListedComplex complex;
-        const Status status = lower_star_complex<D>(ball.view(), value.data(), 0, D, &part.view, work, &complex);
+        const AnyPart any = part.view.template of_dimension<any_dimension>(D);
+        const Status status = lower_star_complex(ball.view().template of_dimension<any_dimension>(D), value.data(), 0,
+                                                 D, &any, work, &complex);
         std::size_t count = 0;
         for (std::uint32_t k = 0; k <= D && status == Status::ok; ++k) count += complex.count[k];
         if (status == Status::ok) REQUIRE(count == part.simplices.size());

@@ -8,6 +8,7 @@
 #include <string>
 #include <vector>
 
+#include "common/filtered_mesh.hpp"
 #include "common/meshed.hpp"
 
 using namespace netmesh;

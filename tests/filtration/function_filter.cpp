@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "common/dimensions.hpp"
+#include "common/filtered_mesh.hpp"
 #include "common/meshed.hpp"
 #include "delaunay/sphere.hpp"
 #include "delaunay/triangulate.hpp"

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "common/dimensions.hpp"
+#include "common/filtered_mesh.hpp"
 #include "common/meshed.hpp"
 
 using namespace netmesh;

@@ -45,8 +45,9 @@ TEST_CASE_TEMPLATE_DEFINE("points of three scales", T, three) {
         const inputs::Points points = clumps<D>(0x1p-20);
         Held<D> held(points);
         Monitor monitor;
-        ScalePartition<D> partition;
-        REQUIRE(partition.open(held.store, held.count, theta, held.block.arena) == Status::ok);
+        const AnyStore any(held.store);
+        ScalePartition partition;
+        REQUIRE(partition.open(any, held.count, theta, held.block.arena) == Status::ok);
         std::vector<int> chosen(held.count, 0);
         bool stopped = true;
         std::uint32_t clusters = 0;
@@ -107,8 +108,9 @@ TEST_CASE_TEMPLATE_DEFINE("clusters are chosen, left and set apart as they are d
         for (std::uint32_t i = 1; i < held.count; ++i) cluster[0].push_back(i);
         double separation = HUGE_VAL;
         Monitor monitor;
-        ScalePartition<D> partition;
-        REQUIRE(partition.open(held.store, held.count, theta, held.block.arena) == Status::ok);
+        const AnyStore any(held.store);
+        ScalePartition partition;
+        REQUIRE(partition.open(any, held.count, theta, held.block.arena) == Status::ok);
         for (bool stopped; partition.next(monitor, &stopped);) {
             const std::vector<std::uint32_t> p(partition.chosen(), partition.chosen() + partition.chosen_count());
             std::vector<std::uint32_t> left;
@@ -154,8 +156,9 @@ TEST_CASE_TEMPLATE_DEFINE("one scale, what does not fit, and what is stopped", T
     const inputs::Points points = inputs::uniform(D, 1800);
     Held<D> held(points);
     Monitor monitor;
-    ScalePartition<D> partition;
-    REQUIRE(partition.open(held.store, 10, 1.0 / 9, held.block.arena) == Status::ok);
+    const AnyStore any(held.store);
+    ScalePartition partition;
+    REQUIRE(partition.open(any, 10, 1.0 / 9, held.block.arena) == Status::ok);
     bool stopped;
     REQUIRE(partition.next(monitor, &stopped));
     CHECK(partition.chosen_count() == 10);
@@ -164,11 +167,11 @@ TEST_CASE_TEMPLATE_DEFINE("one scale, what does not fit, and what is stopped", T
 
     const std::size_t low = held.block.arena.low_mark();
     REQUIRE(held.block.arena.template take_low<unsigned char>(held.block.arena.bytes_free() - 64) != nullptr);
-    CHECK(partition.open(held.store, held.count, 1.0 / 9, held.block.arena) == Status::out_of_memory);
+    CHECK(partition.open(any, held.count, 1.0 / 9, held.block.arena) == Status::out_of_memory);
     held.block.arena.release_low(low);
 
     Monitor stopping([](void*, const netmesh_progress*) { return 1; }, nullptr);
-    REQUIRE(partition.open(held.store, held.count, 1.0 / 9, held.block.arena) == Status::ok);
+    REQUIRE(partition.open(any, held.count, 1.0 / 9, held.block.arena) == Status::ok);
     CHECK(!partition.next(stopping, &stopped));
     CHECK(stopped);
 }

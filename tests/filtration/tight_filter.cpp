@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "common/dimensions.hpp"
+#include "common/filtered_mesh.hpp"
 #include "common/meshed.hpp"
 #include "filtration/filters.hpp"
 #include "filtration/sides.hpp"

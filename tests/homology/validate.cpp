@@ -205,7 +205,7 @@ TEST_CASE("a vineyard whose matrices do not agree") {
 
 TEST_CASE("columns of the sweep that wait in a wrong place") {
     Block block(1 << 14);
-    Front<4> front;
+    Front front;
     REQUIRE(front.reserve(16, block.arena));
     const std::uint32_t c = front.new_column(1, 12, 2);
     const auto violation = [&front](std::uint32_t r) {

@@ -56,8 +56,9 @@ std::vector<BarBounds> bounded(const Cells<D>& cells, const std::vector<double>&
     REQUIRE(bound_by_scale(filter, bars, spacing, block.arena, bounds.data(), &curve) == Status::ok);
     const std::size_t used = block.arena.bytes_used();
     const std::vector<BarBounds> before = bounds;
-    REQUIRE(find_certified_bars<D>({cells.view(), filter, 0, bars, nullptr, spacing}, {block.arena, monitor},
-                                   bounds.data()) == Status::ok);
+    REQUIRE(
+        find_certified_bars({cells.view().template of_dimension<any_dimension>(D), filter, 0, bars, nullptr, spacing},
+                            {block.arena, monitor}, bounds.data()) == Status::ok);
     CHECK(block.arena.bytes_used() == used);
     // A bar that dies after certain_after stays certain.
     bool kept = true;
@@ -207,8 +208,9 @@ template <int D> std::size_t certified_in_join(std::uint64_t seed, bool has_join
     REQUIRE(bound_in_join(filter, bars, join, block.arena, bounds.data(), &grid) == Status::ok);
     std::size_t by_interleaving = 0, certified = 0;
     for (std::size_t i = 0; i < pairs.size(); ++i) by_interleaving += bounds[i].certain;
-    REQUIRE(find_certified_bars<D>({cells.view(), filter, 0, bars, nullptr, {}, &join}, {block.arena, monitor},
-                                   bounds.data()) == Status::ok);
+    REQUIRE(
+        find_certified_bars({cells.view().template of_dimension<any_dimension>(D), filter, 0, bars, nullptr, {}, &join},
+                            {block.arena, monitor}, bounds.data()) == Status::ok);
     for (std::size_t i = 0; i < pairs.size(); ++i) {
         if (bounds[i].certain == 0) continue;
         ++certified;
@@ -222,8 +224,9 @@ template <int D> void no_bars() {
     Block block(64);
     Monitor monitor;
     const Cells<D> cells(D + 1);
-    CHECK(find_certified_bars<D>({cells.view(), {nullptr, nullptr, D + 1}, 0, {nullptr, 0}}, {block.arena, monitor},
-                                 nullptr) == Status::ok);
+    CHECK(find_certified_bars(
+              {cells.view().template of_dimension<any_dimension>(D), {nullptr, nullptr, D + 1}, 0, {nullptr, 0}},
+              {block.arena, monitor}, nullptr) == Status::ok);
     CHECK(block.arena.bytes_used() == 0);
 }
 

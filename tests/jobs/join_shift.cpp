@@ -124,11 +124,12 @@ TEST_CASE_TEMPLATE_DEFINE("a scale's points are no farther than the join says", 
         REQUIRE(store.open_vertices(count) == Status::ok);
         for (std::uint32_t v = 0; v < count; ++v) std::copy_n(&points[std::size_t{v} * D], D, store.vertex(v).x);
         Monitor monitor;
-        ScalePartition<D> partition;
+        const AnyStore any(store);
+        ScalePartition partition;
         JoinShift join;
         std::vector<Scale> scales;
         bool stopped = false;
-        REQUIRE(partition.open(store, count, 1.0 / 9, block.arena) == Status::ok);
+        REQUIRE(partition.open(any, count, 1.0 / 9, block.arena) == Status::ok);
         while (partition.next(monitor, &stopped)) {
             const std::uint32_t* const p = partition.chosen();
             scales.push_back({{p, p + partition.chosen_count()}, scales.empty() ? HUGE_VAL : partition.gap() / 2});

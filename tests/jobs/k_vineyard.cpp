@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "common/dimensions.hpp"
+#include "common/filtered_mesh.hpp"
 #include "common/meshed.hpp"
 #include "homology/lower_star/lower_star.hpp"
 
@@ -47,9 +48,9 @@ template <int D> int check_vines(const inputs::Points& points, std::uint32_t k_f
         const std::uint32_t degree = D - 1;
         VineList out;
         const std::size_t low = mesh.block.arena.low_mark();
-        REQUIRE(k_vineyard<D>({mesh.store, mesh.result.domain, mesh.inputs()},
-                              {filter, k_first, k_last, FilterValues::certified, degree},
-                              {mesh.block.arena, mesh.monitor}, &out) == Status::ok);
+        REQUIRE(k_vineyard(FilteredMesh<D>{mesh.store, mesh.result.domain, mesh.inputs()},
+                           {filter, k_first, k_last, FilterValues::certified, degree}, {mesh.block.arena, mesh.monitor},
+                           &out) == Status::ok);
         const std::vector<VinePoint> all(out.points, out.points + out.count);
         const std::vector<double> ratio(out.ratio, out.ratio + (k_last - k_first + 1));
         mesh.block.arena.release_low(low);

@@ -67,7 +67,8 @@ TEST_CASE_TEMPLATE_DEFINE("persist_packed: bars as of the mesh as it stands, whi
         REQUIRE(persist_lower_star<D>(filtration, {D - 1}, work, &plain) == Status::ok);
         const std::vector<Pair> bars = pairs_of(plain.pairs);
         m.block.arena.release_low(low);
-        REQUIRE(persist_packed<D>(m.store, behind, filtration, {D - 1}, work, &packed) == Status::ok);
+        REQUIRE(persist_packed(m.store, behind, filtration.template of_dimension<any_dimension>(D).get(), {D - 1}, work,
+                               &packed) == Status::ok);
         CHECK(are_same(bars, pairs_of(packed.pairs)));
         CHECK(packed.simplices == plain.simplices);
         CHECK(are_same<D>(cells, cells_of(m.store)));
@@ -99,7 +100,7 @@ TEST_CASE_TEMPLATE_DEFINE("persist_packed: any gap leaves the mesh whole", Dim, 
         m.block.arena.release_high(low + gap);
         CountedPairs found = {};
         const Status status =
-            persist_packed<D>(m.store, behind, {m.store.view(), value, m.inputs()}, {D - 1}, work, &found);
+            persist_packed(m.store, behind, {AnyStore(m.store).view(), value, m.inputs()}, {D - 1}, work, &found);
         REQUIRE((status == Status::ok || status == Status::out_of_memory));
         (status == Status::ok ? made : refused)++;
         if (status == Status::ok && bars.empty()) bars = pairs_of(found.pairs);

@@ -31,12 +31,12 @@ template <int D> struct Stored {
         REQUIRE(take_input<D>(store, points.data(), count, 1, monitor, &input, &order) == Status::ok);
         REQUIRE(tree.build(store, block.arena, count) == Status::ok);
         CHECK_FALSE(lists.is_open());
-        REQUIRE(lists.open(store, block.arena, count) == Status::ok);
+        REQUIRE(lists.open(D, block.arena, count) == Status::ok);
         REQUIRE(store.open_cells() == Status::ok);
         smallest_enclosing_ball<D>(store, count, domain);
         REQUIRE(open_frame<D>(store, kernel, tree, domain, 8 * domain.enclosing_radius) == Status::ok);
-        REQUIRE(lists.start(kernel));
-        CHECK(lists.load() == count);
+        REQUIRE(lists.start(store));
+        CHECK(lists.load(store) == count);
     }
     Cavity find(VertexId v) {
         Cavity cavity;
@@ -45,10 +45,10 @@ template <int D> struct Stored {
     }
     void insert(VertexId v) {
         const Cavity cavity = find(v);
-        REQUIRE(lists.agrees(kernel, cavity, v));
-        lists.detach(kernel, cavity, v);
+        REQUIRE(lists.agrees(store, cavity, v));
+        lists.detach(store, cavity, v);
         kernel.fill(cavity, v);
-        REQUIRE(lists.attach(kernel, cavity, v));
+        REQUIRE(lists.attach(store, cavity, v));
     }
     // Inputs from `first` on that a cell's ball contains.
     std::vector<std::uint32_t> in_ball(CellId c, std::uint32_t first) {
@@ -62,7 +62,7 @@ template <int D> struct Stored {
     StoreState state = {};
     Store<D> store;
     InputTree<D> tree;
-    BallLists<D> lists;
+    BallLists lists;
     Kernel<D> kernel;
     Domain<D> domain;
 };
@@ -232,14 +232,14 @@ TEST_CASE_TEMPLATE_DEFINE("lists that miss an insertion disagree with the balls"
         for (VertexId w(half); w < n; ++w) {
             const std::uint32_t own = s.find(v).cells;
             const Cavity other = s.find(w);
-            if (v == w) CHECK(s.lists.agrees(s.kernel, other, v));
-            if (own != other.cells) CHECK_FALSE(s.lists.agrees(s.kernel, other, v));
-            as_many += own == other.cells && !s.lists.agrees(s.kernel, other, v);
+            if (v == w) CHECK(s.lists.agrees(s.store, other, v));
+            if (own != other.cells) CHECK_FALSE(s.lists.agrees(s.store, other, v));
+            as_many += own == other.cells && !s.lists.agrees(s.store, other, v);
         }
     CHECK(as_many > 2);
     for (VertexId v(half); v < half + 10; ++v) s.kernel.fill(s.find(v), v);
     std::uint32_t disagree = 0;
-    for (VertexId v(half + 10); v < n; ++v) disagree += !s.lists.agrees(s.kernel, s.find(v), v);
+    for (VertexId v(half + 10); v < n; ++v) disagree += !s.lists.agrees(s.store, s.find(v), v);
     CHECK(disagree > 5);
     CHECK(disagree < (D < 4 ? half - 10 : half));
 }
@@ -252,14 +252,14 @@ TEST_CASE_TEMPLATE_DEFINE("nets reach every ball that is too full, and no ball i
     Stored<D> s(inputs::uniform(D, n), std::size_t{1} << 24);
     std::vector<std::uint32_t> chosen(n);
     // All of the frame's balls hold all inputs.
-    CHECK(s.lists.draw_nets(n / 2, 1, chosen.data()) == 4 * D);
+    CHECK(s.lists.draw_nets(s.store, n / 2, 1, chosen.data()) == 4 * D);
     std::sort(chosen.begin(), chosen.begin() + 4 * D);
     CHECK(std::adjacent_find(chosen.begin(), chosen.begin() + 4 * D) == chosen.begin() + 4 * D);
-    CHECK(s.lists.draw_nets(n, 1, chosen.data()) == 0);
+    CHECK(s.lists.draw_nets(s.store, n, 1, chosen.data()) == 0);
     // After some insertions each ball has as many in the net as are asked for, or all it holds.
     for (VertexId v(0); v < first; ++v) s.insert(v);
-    for (const std::uint32_t most : {s.lists.load() / 2, std::uint32_t{4}, std::uint32_t{0}}) {
-        const std::uint32_t drawn = s.lists.draw_nets(most, 7, chosen.data());
+    for (const std::uint32_t most : {s.lists.load(s.store) / 2, std::uint32_t{4}, std::uint32_t{0}}) {
+        const std::uint32_t drawn = s.lists.draw_nets(s.store, most, 7, chosen.data());
         std::sort(chosen.begin(), chosen.begin() + drawn);
         CHECK(std::adjacent_find(chosen.begin(), chosen.begin() + drawn) == chosen.begin() + drawn);
         std::size_t lacking = 0, load = 0;
@@ -274,7 +274,7 @@ TEST_CASE_TEMPLATE_DEFINE("nets reach every ball that is too full, and no ball i
             lacking += in_net < std::min<std::size_t>(4 * D, inside.size());
         }
         CHECK(lacking == 0);
-        CHECK(load == s.lists.load());
+        CHECK(load == s.lists.load(s.store));
     }
 }
 TEST_CASE_TEMPLATE_APPLY(nets, Dimensions<>);
@@ -289,8 +289,8 @@ TEST_CASE_TEMPLATE_DEFINE("lists are refused where they do not fit", T, refused_
     bool fits = false;
     for (std::size_t bytes = 0; bytes < 4000; bytes += 16) {
         block.arena.release_low(top - bytes);
-        BallLists<D> lists;
-        const Status status = lists.open(store, block.arena, 20);
+        BallLists lists;
+        const Status status = lists.open(D, block.arena, 20);
         REQUIRE((status == Status::ok || (status == Status::out_of_memory && !fits)));
         CHECK(lists.is_open() == (status == Status::ok));
         fits = status == Status::ok;

@@ -34,7 +34,7 @@ template <int D> void sample(const inputs::Points& points, double share, int sam
     std::uint32_t vertex;
     for (std::uint32_t v = 0; v < count; ++v)
         worst2 = std::max(worst2, 4 * measured[v] / mesh.store.vertex(v).nearest2);
-    REQUIRE(worst_aspect_ratio<D>(mesh.store, ball, mesh.block.arena, &worst, &vertex) == Status::ok);
+    REQUIRE(worst_aspect_ratio(mesh.store, ball, mesh.block.arena, &worst, &vertex) == Status::ok);
     CHECK(worst == std::sqrt(worst2));
     CHECK(4 * measured[vertex] / mesh.store.vertex(vertex).nearest2 == worst2);
     const std::size_t high = mesh.block.arena.high_mark();

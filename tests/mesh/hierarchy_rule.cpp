@@ -138,7 +138,7 @@ TEST_CASE_TEMPLATE_DEFINE("finished meshes are of quality tau and no larger than
         CHECK(delaunay_violation<D>(m.store) == "");
         double worst;
         std::uint32_t v;
-        REQUIRE(worst_aspect_ratio<D>(m.store, m.result.domain, m.block.arena, &worst, &v) == Status::ok);
+        REQUIRE(worst_aspect_ratio(m.store, m.result.domain, m.block.arena, &worst, &v) == Status::ok);
         CHECK(worst <= 3);
         hierarchical += m.state.vertex_count;
         plain += plain_size<D>(points, 3);

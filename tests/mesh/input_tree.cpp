@@ -195,7 +195,7 @@ TEST_CASE_TEMPLATE_DEFINE("inputs out of range or below the resolution are named
     const auto check = [&] {
         Planted<D> p(points, false);
         REQUIRE(p.status == Status::ok);
-        return std::make_pair(check_separation<D>(p.store, p.tree, resolution, &p.input), p.input);
+        return std::make_pair(check_separation(p.store, p.tree, resolution, &p.input), p.input);
     };
     CHECK(check().first == Status::ok);
     SUBCASE("too large") {

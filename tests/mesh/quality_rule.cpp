@@ -21,7 +21,7 @@ constexpr std::size_t large = std::size_t{1} << 27;
 template <int D> double worst_of(Meshed<D>& m) {
     double ratio;
     std::uint32_t v;
-    REQUIRE(worst_aspect_ratio<D>(m.store, m.result.domain, m.block.arena, &ratio, &v) == Status::ok);
+    REQUIRE(worst_aspect_ratio(m.store, m.result.domain, m.block.arena, &ratio, &v) == Status::ok);
     return ratio;
 }
 

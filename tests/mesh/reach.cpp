@@ -122,15 +122,15 @@ TEST_CASE_TEMPLATE_DEFINE("measured and checked reach agree with sampling, on ce
                 if (n < 4) CHECK(out2[v] <= sampled2[v] * 1.3);  // half of the ball and more: it is sampled densely
                 limit2[v] = out2[v] * (1 + 1e-7);
             }
-            REQUIRE(check_reach<D>(m.store, {ball, limit2.data()}, &beyond) == Status::ok);
+            REQUIRE(check_reach(m.store, {ball, limit2.data()}, &beyond) == Status::ok);
             CHECK(beyond == none);
             std::fill(limit2.begin(), limit2.end(), infinity);
             for (std::uint32_t v = 0; v < n; v += D < 6 ? 1 : 3) {
                 limit2[v] = out2[v] * (1 - 1e-6);
-                REQUIRE(check_reach<D>(m.store, {ball, limit2.data()}, &beyond) == Status::ok);
+                REQUIRE(check_reach(m.store, {ball, limit2.data()}, &beyond) == Status::ok);
                 CHECK(beyond == v);
                 limit2[v] = sampled2[v] * (1 - 1e-9);
-                REQUIRE(check_reach<D>(m.store, {ball, limit2.data()}, &beyond) == Status::ok);
+                REQUIRE(check_reach(m.store, {ball, limit2.data()}, &beyond) == Status::ok);
                 if (sampled2[v] > 0) CHECK(beyond == v);
                 limit2[v] = infinity;
             }
@@ -204,16 +204,16 @@ TEST_CASE("quality does not depend on the scale, to the ends of the range") {
         CHECK(m.state.vertex_count == plain.state.vertex_count);
         double worst;
         std::uint32_t v, beyond;
-        REQUIRE(worst_aspect_ratio<3>(m.store, m.result.domain, m.block.arena, &worst, &v) == Status::ok);
+        REQUIRE(worst_aspect_ratio(m.store, m.result.domain, m.block.arena, &worst, &v) == Status::ok);
         CHECK(worst <= 2.5);
         CHECK(worst > 2);
         std::vector<double> limit2(m.state.vertex_count, infinity);
         for (std::uint32_t w = 0; w < m.state.vertex_count; ++w)
             if (m.store.vertex(w).marker != Marker::exempt) limit2[w] = 1.25 * 1.25 * m.store.vertex(w).nearest2;
-        REQUIRE(check_reach<3>(m.store, {m.result.domain, limit2.data()}, &beyond) == Status::ok);
+        REQUIRE(check_reach(m.store, {m.result.domain, limit2.data()}, &beyond) == Status::ok);
         CHECK(beyond == none);
         limit2[v] = 0.9 * 0.25 * worst * worst * m.store.vertex(v).nearest2;
-        REQUIRE(check_reach<3>(m.store, {m.result.domain, limit2.data()}, &beyond) == Status::ok);
+        REQUIRE(check_reach(m.store, {m.result.domain, limit2.data()}, &beyond) == Status::ok);
         CHECK(beyond == v);
     }
 }
@@ -250,11 +250,11 @@ TEST_CASE_TEMPLATE_DEFINE("reach in any gap: the same figure, or none", T, gaps)
     rule.eps = 0.5;
     const std::uint32_t n = m.inputs();
     SizeRatio expected, sized;
-    REQUIRE(worst_size_ratio<D>(m.store, {m.result.domain, n, rule}, m.block.arena, &expected) == Status::ok);
+    REQUIRE(worst_size_ratio(m.store, {m.result.domain, n, rule}, m.block.arena, &expected) == Status::ok);
     CHECK(expected.worst > 0);
     double expected_worst, worst;
     std::uint32_t v, beyond;
-    REQUIRE(worst_aspect_ratio<D>(m.store, m.result.domain, m.block.arena, &expected_worst, &v) == Status::ok);
+    REQUIRE(worst_aspect_ratio(m.store, m.result.domain, m.block.arena, &expected_worst, &v) == Status::ok);
     std::vector<double> limit2(m.state.vertex_count, infinity);
     for (std::uint32_t p = 0; p < n; ++p) limit2[p] = 0.25 * m.store.vertex(p).nearest2;
     const std::size_t low = m.block.arena.low_mark(), top = m.block.arena.high_mark();
@@ -262,9 +262,9 @@ TEST_CASE_TEMPLATE_DEFINE("reach in any gap: the same figure, or none", T, gaps)
     for (std::size_t bytes = 0; bytes < top - low; bytes += 16) {
         m.block.arena.release_low(top - bytes);
         const Status status[3] = {
-            worst_size_ratio<D>(m.store, {m.result.domain, n, rule}, m.block.arena, &sized),
-            worst_aspect_ratio<D>(m.store, m.result.domain, m.block.arena, &worst, &v),
-            check_reach<D>(m.store, {m.result.domain, limit2.data()}, &beyond),
+            worst_size_ratio(m.store, {m.result.domain, n, rule}, m.block.arena, &sized),
+            worst_aspect_ratio(m.store, m.result.domain, m.block.arena, &worst, &v),
+            check_reach(m.store, {m.result.domain, limit2.data()}, &beyond),
         };
         m.block.arena.release_low(low);
         for (int i = 0; i < 3; ++i) {

@@ -133,7 +133,7 @@ TEST_CASE("feature sizes are the distances to the second nearest input") {
     InputTree<3> tree;
     REQUIRE(tree.build(m.store, m.block.arena, 150) == Status::ok);
     for (std::uint32_t v = 0; v < m.state.vertex_count; v += 3)
-        CHECK(feature_size<3>(m.store, tree, v) ==
+        CHECK(feature_size(m.store, tree, v) ==
               doctest::Approx(feature_size_by_scan(points, 3, m.store.point(v))).epsilon(1e-12));
 }
 

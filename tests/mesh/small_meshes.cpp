@@ -35,7 +35,7 @@ template <int D> void check_mesh(Hierarchical<D>& m, const MeshRequest& request)
         CHECK(m.result.hierarchy.cages == 0);
         double worst;
         std::uint32_t v;
-        REQUIRE(worst_aspect_ratio<D>(m.store, m.result.domain, m.block.arena, &worst, &v) == Status::ok);
+        REQUIRE(worst_aspect_ratio(m.store, m.result.domain, m.block.arena, &worst, &v) == Status::ok);
         CHECK(worst <= request.tau);
     }
     if (request.audit_location) {

@@ -9,6 +9,7 @@
 #include "cage_lemmas.hpp"
 #include "common/dimensions.hpp"
 #include "common/meshed.hpp"
+#include "mesh/any_cage.hpp"
 #include "mesh/thesis_cages.hpp"
 #include "numerics/random.hpp"
 
@@ -284,7 +285,7 @@ private:
                     std::find(cell.vertex, cell.vertex + D + 1, VertexId(v)) == cell.vertex + D + 1)
                     continue;
                 for (const VertexId w : cell.vertex)
-                    if (w == none || w >= first_ || is_by_shell<D>(store, cage, w) ||
+                    if (w == none || w >= first_ || is_by_shell(AnyStore(store), cage, w) ||
                         !is_inside<D>(store, cage, store.point(w)))
                         return false;
             }

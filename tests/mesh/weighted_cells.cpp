@@ -354,7 +354,7 @@ TEST_CASE_TEMPLATE_DEFINE("weighted cells of meshes pass, and shells that are mo
     constexpr int D = T::value;
     for (const inputs::Points& points : {inputs::nested(D, 3, 6, 1e3), inputs::geometric(D, 20, 8)}) {
         Hierarchical<D> m(points);
-        const HierarchyView view = hierarchy_view<D>(m.store, m.cages, m.report.cages, m.domains.data());
+        const HierarchyView view = hierarchy_view(m.store, m.cages, m.report.cages, m.domains.data());
         std::vector<CageFigures> figures(m.report.cages);
         std::vector<WeightedCell> cells(m.report.cages);
         CHECK(check_weighted_cells(view, figures.data()).violation == nullptr);

@@ -7,6 +7,7 @@
 #include <string>
 
 #include "common/dimensions.hpp"
+#include "common/filtered_mesh.hpp"
 #include "common/meshed.hpp"
 #include "common/session.hpp"
 #include "filtration/filters.hpp"
@@ -45,9 +46,9 @@ void claims_hold(const std::string& name, const inputs::Points& points, double t
     const PairList& list = counted.pairs;
     std::vector<BarBounds> bounds(list.count);
     const std::size_t low = block.arena.low_mark(), high = block.arena.high_mark();
-    const CertifiedBarsRequest<D> request = {
-        store.view(), {value.data(), interval.data(), state.vertex_count}, inputs, {list.pairs, list.count}};
-    REQUIRE(find_certified_bars<D>(request, {block.arena, monitor}, bounds.data()) == Status::ok);
+    const CertifiedBarsRequest request = {
+        AnyStore(store).view(), {value.data(), interval.data(), state.vertex_count}, inputs, {list.pairs, list.count}};
+    REQUIRE(find_certified_bars(request, {block.arena, monitor}, bounds.data()) == Status::ok);
     CHECK(block.arena.low_mark() == low);
     CHECK(block.arena.high_mark() == high);
     std::vector<Claim> claims;

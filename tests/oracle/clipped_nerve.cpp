@@ -19,6 +19,7 @@
 #include "common/block.hpp"
 #include "common/dimensions.hpp"
 #include "common/inputs.hpp"
+#include "common/nerve.hpp"
 #include "common/simplices.hpp"
 #include "delaunay/sphere.hpp"
 #include "delaunay/triangulate.hpp"
@@ -150,7 +151,7 @@ void compare(Store<D>& store, const Domain<D>& ball, const Work& work, const Sim
     const std::size_t low = work.arena.low_mark(), high = work.arena.high_mark();
     Subcomplex<D> part;
     bool certain = false;
-    REQUIRE(find_clipped_nerve<D>(store, ball, work, &part, &certain) == Status::ok);
+    REQUIRE(find_nerve<D>(store, ball, work, &part, &certain) == Status::ok);
     ++count->balls;
     if (tie) {
         ++count->ties;

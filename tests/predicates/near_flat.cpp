@@ -58,7 +58,7 @@ TEST_CASE_TEMPLATE_DEFINE("orientations in projections", T, projections) {
                 projected.back().push_back(p[static_cast<std::size_t>(v)][static_cast<std::size_t>(axes[j])]);
         }
         for (const oracle::Point& x : p) pointers.push_back(x.data());
-        CHECK(static_cast<int>(orient_projected<D>(k, pointers.data(), axes, counts)) == oracle::orient(projected));
+        CHECK(static_cast<int>(orient_projected(k, pointers.data(), axes, counts)) == oracle::orient(projected));
     }
 }
 TEST_CASE_TEMPLATE_APPLY(projections, Dimensions<2, 4>);

@@ -46,6 +46,8 @@ Cycle cycle_of(const FilteredComplex& complex, const CycleStore& store, const Ar
 template <int D>
 Status lower_star_cycles(const LowerStarFiltration<D>& filtration, std::uint32_t max_degree, std::uint64_t pair_count,
                          const Work& work, Representatives* out);
+Status lower_star_cycles(const LowerStarFiltration<any_dimension>& filtration, std::uint32_t max_degree,
+                         std::uint64_t pair_count, const Work& work, Representatives* out);
 // The cycle of a pair that lower_star_cycles made. O(1).
 Cycle lower_star_cycle(const CycleStore& store, const Arena& arena, const Pair& pair);
 

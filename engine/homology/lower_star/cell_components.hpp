@@ -41,13 +41,14 @@ private:
 template <int D> std::uint32_t CellComponents<D>::component_of(CellId cell, VertexId v) {
     while (cell != none && ball_.has(cell)) {
         const VertexId* p = ball_.complex.vertices(cell);
-        std::uint32_t labels[D + 1] = {};
+        std::uint32_t labels[DimensionOf<D>::most + 1] = {};
         std::uint32_t k = 0;
-        for (std::uint32_t j = 0; j <= D; ++j) {
+        for (std::uint32_t j = 0; j <= ball_.dim(); ++j) {
             if (ball_.rank[p[j]] > ball_.rank[v]) return find_root(above_, p[j]);
             if (p[j] != v) labels[k++] = ball_.slot[p[j]];
         }
-        const std::uint32_t facet = star_.partner(star_.simplex_of_any_order(labels, D));  // the cell is in the star
+        const std::uint32_t facet =
+            star_.partner(star_.simplex_of_any_order(labels, ball_.dim()));  // the cell is in the star
         if (facet == none) return find_root(above_, v);
         cell = cell_beyond(cell, facet, v);
     }
@@ -57,10 +58,10 @@ template <int D> std::uint32_t CellComponents<D>::component_of(CellId cell, Vert
 // A cell at `facet` of the star.
 template <int D> CellId CellComponents<D>::cell_of(std::uint32_t facet, VertexId v) const {
     CellId cell = star_.cell(facet);
-    if constexpr (D == 2) {  // facets are edges, and of these the star notes the vertex, not a cell
+    if (ball_.dim() == 2) {  // facets are edges, and of these the star notes the vertex, not a cell
         for (std::uint32_t t = ball_.begin[v + 1]; t-- > ball_.begin[v];) {
             const VertexId* const p = ball_.complex.vertices(ball_.incidence[t].cell());
-            for (int j = 0; j <= D; ++j) {
+            for (std::uint32_t j = 0; j <= ball_.dim(); ++j) {
                 if (p[j] == star_.vertex(facet)) cell = ball_.incidence[t].cell();
             }
         }
@@ -71,8 +72,8 @@ template <int D> CellId CellComponents<D>::cell_of(std::uint32_t facet, VertexId
 // The cell on the other side of `facet` of the star, `none` outside.
 template <int D> CellId CellComponents<D>::cell_beyond(CellId cell, std::uint32_t facet, VertexId v) const {
     const VertexId* p = ball_.complex.vertices(cell);
-    int opposite = 0;
-    for (int j = 0; j <= D; ++j) {
+    std::uint32_t opposite = 0;
+    for (std::uint32_t j = 0; j <= ball_.dim(); ++j) {
         const std::uint32_t label = ball_.slot[p[j]];
         std::uint32_t i = facet;
         while (i != 0 && star_.label(i) != label) i = star_.parent(i);
@@ -84,7 +85,7 @@ template <int D> CellId CellComponents<D>::cell_beyond(CellId cell, std::uint32_
 template <int D> Status CellComponents<D>::unite_critical_facets(VertexId v) {
     for (std::uint32_t p = star_.count(); p-- > 0;) {
         const std::uint32_t i = star_.at(p);
-        if (star_.partner(i) != none || star_.dimension(i) != D - 1) continue;
+        if (star_.partner(i) != none || star_.dimension(i) != ball_.dim() - 1) continue;
         CellId cell = cell_of(i, v);
         const CellId beyond = cell_beyond(cell, i, v);
         std::uint32_t a = component_of(beyond, v), b = component_of(cell, v);
@@ -99,11 +100,11 @@ template <int D> Status CellComponents<D>::unite_critical_facets(VertexId v) {
         star_.owner(i) = 0;
         const double birth = ball_.value[v], death = ball_.value[b];
         std::uint32_t cycle = 0;
-        if (cycles_ != nullptr && writer_.keeps(birth, death, D - 1)) {
+        if (cycles_ != nullptr && writer_.keeps(birth, death, ball_.dim() - 1)) {
             const Status status = cycles_->write_piece(cell, i, v, &cycle);
             if (status != Status::ok) return status;
         }
-        if (!writer_.add(birth, death, D - 1, cycle)) return Status::out_of_memory;
+        if (!writer_.add(birth, death, ball_.dim() - 1, cycle)) return Status::out_of_memory;
     }
     return Status::ok;
 }

@@ -20,6 +20,7 @@
 
 #include "homology/bit_tree.hpp"
 #include "memory/arena.hpp"
+#include "vocabulary/dimension.hpp"
 
 namespace netmesh {
 
@@ -28,9 +29,9 @@ struct Run {
 };
 constexpr Run no_run = {none, none, 0};
 
-template <int D> class Front {
+class Front {
 public:
-    static constexpr std::uint32_t ranks_max = D - 1;
+    static constexpr std::uint32_t ranks_max = dimension_most() - 1;
 
     // Takes a word a vertex at the arena's high end; from then on that end is the front's until it is done.
     bool reserve(std::uint32_t vertex_count, Arena& arena) {
@@ -305,7 +306,7 @@ private:
             free_ = next(i);
             return i;
         }
-        if (taken_ == none - 1 || arena_->template take_high<std::uint32_t>(block_words) == nullptr) return none;
+        if (taken_ == none - 1 || arena_->take_high<std::uint32_t>(block_words) == nullptr) return none;
         return taken_++;
     }
     void give_back(std::uint32_t i) {

@@ -16,10 +16,14 @@ namespace netmesh {
 
 template <int D> class Link {
 public:
-    static std::size_t labels_max(const TriangulatedBall<D>& ball) { return std::size_t{ball.degree_max} + 2 * D + 2; }
+    static std::size_t labels_max(const TriangulatedBall<D>& ball) {
+        return std::size_t{ball.degree_max} + 2 * ball.dim() + 2;
+    }
     // What a small link is asked for needs no more than adjacency in these dimensions (surfaces are walked around
     // instead).
-    static constexpr bool tells_all = D == 3 || D == 4;
+    static bool tells_all(DimensionOf<D> dim) { return dim == 3 || dim == 4; }
+
+    explicit Link(DimensionOf<D> dim) : dim_(dim) {}
 
     // vertices: scratch [labels_max]. False when the link has more vertices than a ball's can have.
     bool read(const TriangulatedBall<D>& ball, VertexId v, std::uint32_t* vertices);
@@ -46,23 +50,23 @@ public:
     // Simplices of the lower star by dimension, counts[D+1]; small links of D <= 4 only, after lower_pieces().
     void count_simplices(std::uint32_t* counts) const;
     // At least as many as the lower star has simplices.
-    std::uint64_t bound() const { return simplices_bound<D>(lower_count_, with_lower_); }
+    std::uint64_t bound() const { return simplices_bound<D>(dim_, lower_count_, with_lower_); }
 
 private:
     std::uint64_t piece_of(std::uint64_t seed, std::uint64_t within, std::uint64_t* edges) const;
     std::uint32_t count_pieces(std::uint64_t set, std::uint32_t* edges) const;
     std::uint32_t label(const TriangulatedBall<D>& ball, std::uint32_t u, std::uint32_t r, std::uint32_t* vertices);
     void add_cell(std::uint64_t mask, const std::uint32_t* slots) {
-        if constexpr (tells_all) {
-            for (int j = 0; j < D; ++j) adjacent_[slots[j] >> 1 & 63] |= mask;
-        }
+        if (!tells_all(dim_)) return;
+        for (std::uint32_t j = 0; j < dim_; ++j) adjacent_[slots[j] >> 1 & 63] |= mask;
     }
 
+    const DimensionOf<D> dim_;
     std::uint64_t adjacent_[64];  // by label; bit i: the cells of this label have label i too. Label 0 is outside
     std::uint64_t lower_, upper_;
     std::uint32_t label_count_, lower_count_, lower_edges_;
     std::uint32_t lowest_, highest_, lowest_rank_, highest_rank_;
-    std::uint32_t with_lower_[D + 1];  // link cells with so many lower vertices
+    std::uint32_t with_lower_[DimensionOf<D>::most + 1];  // link cells with so many lower vertices
 };
 
 template <int D>
@@ -99,21 +103,21 @@ template <int D> bool Link<D>::read(const TriangulatedBall<D>& ball, VertexId v,
     lowest_ = highest_ = none;
     lowest_rank_ = none;
     highest_rank_ = 0;
-    for (int k = 0; k <= D; ++k) with_lower_[k] = 0;
+    for (std::uint32_t k = 0; k <= dim_; ++k) with_lower_[k] = 0;
     bool sound = true;
     for (std::uint32_t t = ball.begin[v]; t < ball.begin[v + 1]; ++t) {
         ball.prefetch(t + ahead);
         const CellId c = ball.incidence[t].cell();
         const std::uint32_t i = ball.incidence[t].position();
         const VertexId* p = ball.complex.vertices(c);
-        std::uint32_t s[D];
+        std::uint32_t s[DimensionOf<D>::most];
         std::uint32_t k = 0;
         std::uint64_t mask = 0;
-        if (label_count_ + D > label_limit) {
+        if (label_count_ + dim_ > label_limit) {
             sound = false;
             break;
         }
-        for (std::uint32_t j = 0; j < D; ++j) {
+        for (std::uint32_t j = 0; j < dim_; ++j) {
             const std::uint32_t u = p[j + (j >= i ? 1 : 0)];
             s[j] = ball.slot[u];
             if (s[j] == 0) s[j] = label(ball, u, r, vertices);
@@ -123,7 +127,7 @@ template <int D> bool Link<D>::read(const TriangulatedBall<D>& ball, VertexId v,
         ++with_lower_[k];
         add_cell(mask, s);
         if (!hull) continue;
-        for (std::uint32_t j = 0; j < D; ++j) {
+        for (std::uint32_t j = 0; j < dim_; ++j) {
             if (ball.complex.facet_beyond(c, j + (j >= i ? 1 : 0)) != none) continue;
             const std::uint64_t cone = (mask & ~(std::uint64_t{1} << (s[j] >> 1 & 63))) | 1;
             const std::uint32_t kept = s[j];
@@ -142,16 +146,16 @@ template <int D> bool Link<D>::read(const TriangulatedBall<D>& ball, VertexId v,
 template <int D> void Link<D>::count(const TriangulatedBall<D>& ball, VertexId v) {
     const std::uint32_t r = ball.rank[v];
     lower_count_ = 0;
-    for (int k = 0; k <= D; ++k) with_lower_[k] = 0;
+    for (std::uint32_t k = 0; k <= dim_; ++k) with_lower_[k] = 0;
     for (std::uint32_t t = ball.begin[v]; t < ball.begin[v + 1]; ++t) {
         ball.prefetch(t + 16);
         const VertexId* p = ball.complex.vertices(ball.incidence[t].cell());
         std::uint32_t k = 0;
-        for (int j = 0; j <= D; ++j) k += ball.rank[p[j]] < r ? 1 : 0;
+        for (std::uint32_t j = 0; j <= dim_; ++j) k += ball.rank[p[j]] < r ? 1 : 0;
         ++with_lower_[k];
         lower_count_ += k;
     }
-    lower_count_ /= D;
+    lower_count_ /= dim_;
 }
 
 // The piece of `within` that holds the label set `seed`; adds its number of edges, counted from both ends, to *edges.
@@ -189,12 +193,12 @@ std::uint32_t Link<D>::next_piece(const TriangulatedBall<D>& ball, const std::ui
 }
 
 template <int D> void Link<D>::count_simplices(std::uint32_t* counts) const {
-    static_assert(tells_all, "the counts of higher links need more than adjacency");
+    NETMESH_ASSERT(tells_all(dim_));  // the counts of higher links need more than adjacency
     counts[0] = 1;
     counts[1] = lower_count_;
     counts[2] = lower_edges_;
-    counts[D] = with_lower_[D];
-    counts[D - 1] = (D * with_lower_[D] + with_lower_[D - 1]) / 2;
+    counts[dim_] = with_lower_[dim_];
+    counts[dim_ - 1] = (dim_ * with_lower_[dim_] + with_lower_[dim_ - 1]) / 2;
 }
 
 }  // namespace netmesh

@@ -32,9 +32,7 @@ public:
 private:
     bool reserve();
     bool reserve_star() {
-        if constexpr (Link<D>::tells_all) {
-            if (!sweeps_ && !any_large_) return true;
-        }
+        if (Link<D>::tells_all(ball_.dim()) && !sweeps_ && !any_large_) return true;
         return star_.reserve(ball_, star_bound_, arena_);
     }
     Status classify_links(JoinList& joins);
@@ -72,13 +70,13 @@ template <int D> bool LowerStars<D>::reserve() {
 // Counts a star; the pairs within a regular one are known from its counts: simplices pair with the next dimension, up
 // from the vertex with one edge.
 template <int D> bool LowerStars<D>::count_star(VertexId v, const std::uint32_t* counts, bool regular) {
-    for (int k = 0; k <= D; ++k) simplex_count_ += counts[k];
+    for (std::uint32_t k = 0; k <= ball_.dim(); ++k) simplex_count_ += counts[k];
     if (!regular) {
         ball_.flags[v] |= TriangulatedBall<D>::irregular;
         return true;
     }
     std::uint32_t paired = 1;
-    for (std::uint32_t k = 1; k < D && writer_.keeps_zero(); ++k) {
+    for (std::uint32_t k = 1; k < ball_.dim() && writer_.keeps_zero(); ++k) {
         paired = counts[k] - paired;
         for (std::uint32_t i = 0; i < paired; ++i) {
             if (!writer_.add(ball_.value[v], ball_.value[v], k)) return false;
@@ -96,15 +94,15 @@ template <int D> bool LowerStars<D>::classify_small_link(Link<D>& link, VertexId
             if (u != link.lowest() && !joins.add(ball_.rank[v], u)) return false;
         }
     }
-    std::uint32_t counts[D + 1];
+    std::uint32_t counts[DimensionOf<D>::most + 1];
     link.count_simplices(counts);
     bool regular = pieces == 1 && link.upper_pieces() == 1;
-    if constexpr (D == 4) regular = regular && counts[1] + counts[3] == counts[2] + counts[4] + 1;
+    if (ball_.dim() == 4) regular = regular && counts[1] + counts[3] == counts[2] + counts[4] + 1;
     return count_star(v, counts, regular);
 }
 
 template <int D> Status LowerStars<D>::classify_links(JoinList& joins) {
-    Link<D> link;
+    Link<D> link(ball_.dim());
     monitor_.begin(NETMESH_STAGE_GRADIENT, ball_.vertex_count);
     for (VertexId v(0); v < ball_.vertex_count;)
         for (const std::uint64_t piece = arena_.piece(v, ball_.vertex_count, 10); v < piece; ++v) {
@@ -123,7 +121,7 @@ template <int D> Status LowerStars<D>::classify_links(JoinList& joins) {
             }
             if (link.bound() > star_bound_) star_bound_ = link.bound();
             if (cut) above_[v] = ball_.outside;
-            if constexpr (Link<D>::tells_all) {
+            if (Link<D>::tells_all(ball_.dim())) {
                 if (cut || !link.small()) {
                     ball_.flags[v] |= TriangulatedBall<D>::large;
                     any_large_ = true;
@@ -150,7 +148,7 @@ template <int D> std::uint32_t LowerStars<D>::lowest_neighbour() const {
 // Where Link does not tell enough: lower stars in full.
 template <int D> Status LowerStars<D>::classify_stars(JoinList& joins) {
     for (VertexId v(0); v < ball_.vertex_count; ++v) {
-        if constexpr (Link<D>::tells_all) {
+        if (Link<D>::tells_all(ball_.dim())) {
             arena_.step(v, 6);
             if ((ball_.flags[v] & TriangulatedBall<D>::large) == 0) continue;
         }
@@ -162,7 +160,7 @@ template <int D> Status LowerStars<D>::classify_stars(JoinList& joins) {
             if (star_.dimension(i) != 1 || star_.piece(i) != i || i == first) continue;
             if (!joins.add(ball_.rank[v], star_.vertex(i))) return Status::out_of_memory;
         }
-        std::uint32_t counts[D + 1] = {};
+        std::uint32_t counts[DimensionOf<D>::most + 1] = {};
         for (std::uint32_t i = 0; i < star_.count(); ++i) ++counts[star_.dimension(i)];
         const bool regular = sweeps_ && star_.match() == 0;
         if (regular) NETMESH_VALIDATE_WHOLE(star_.gradient_violation(0));
@@ -211,6 +209,26 @@ Status persist_with(const LowerStarFiltration<D>& filtration, DiagramRequest req
     return status;
 }
 
+template <int D>
+Status cycles_with(const LowerStarFiltration<D>& filtration, std::uint32_t max_degree, std::uint64_t pair_count,
+                   const Work& work, Representatives* out) {
+    ArenaScope scope(work.arena);
+    LowerStars<D> stars(filtration, {max_degree}, work);
+    const Status status = stars.run_with_cycles(pair_count, &out->store);
+    if (status != Status::ok) return status;
+    out->pairs = stars.finish();
+    scope.keep_low_from_now();
+    return Status::ok;
+}
+
+// Calls f with the filtration, for D or for all dimensions.
+template <int D, class F> Status with_shared(const LowerStarFiltration<D>& filtration, F&& f) {
+    if constexpr (shared_dimension<D> == D)
+        return f(filtration);
+    else
+        return f(filtration.template of_dimension<any_dimension>(D).get());
+}
+
 }  // namespace
 
 template <int D>
@@ -222,7 +240,9 @@ Status persist_lower_star(const LowerStarFiltration<D>& filtration, DiagramReque
         if (!built::certificate || filtration.part == nullptr)
             return persist_with<Surface>(filtration, request, work, out);
     }
-    return persist_with<LowerStars<D>>(filtration, request, work, out);
+    return with_shared(filtration, [&](const auto& shared) {
+        return persist_with<LowerStars<shared_dimension<D>>>(shared, request, work, out);
+    });
 }
 
 template <int D>
@@ -230,20 +250,15 @@ Status lower_star_cycles(const LowerStarFiltration<D>& filtration, std::uint32_t
                          const Work& work, Representatives* out) {
     if (filtration.complex.vertex_count == 0 || filtration.complex.cell_count == 0) return Status::invalid_argument;
     if (max_degree > D - 1) max_degree = D - 1;
-    ArenaScope scope(work.arena);
-    LowerStars<D> stars(filtration, {max_degree}, work);
-    const Status status = stars.run_with_cycles(pair_count, &out->store);
-    if (status != Status::ok) return status;
-    out->pairs = stars.finish();
-    scope.keep_low_from_now();
-    return Status::ok;
+    return with_shared(filtration,
+                       [&](const auto& shared) { return cycles_with(shared, max_degree, pair_count, work, out); });
 }
 
 #define NETMESH_INSTANTIATE(D)                                                                                         \
     template Status persist_lower_star<D>(const LowerStarFiltration<D>&, DiagramRequest, const Work&, CountedPairs*);  \
     template Status lower_star_cycles<D>(const LowerStarFiltration<D>&, std::uint32_t, std::uint64_t, const Work&,     \
                                          Representatives*);
-NETMESH_EACH_DIMENSION(NETMESH_INSTANTIATE)
+NETMESH_EACH_INSTANCE(NETMESH_INSTANTIATE)
 #undef NETMESH_INSTANTIATE
 
 }  // namespace netmesh

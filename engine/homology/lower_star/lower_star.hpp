@@ -19,6 +19,30 @@ template <int D> struct LowerStarFiltration {
     // The simplices that there are; null: all of the complex. An absent vertex has a value too, of which only its being
     // a number matters.
     const Subcomplex<D>* part = nullptr;
+
+    // The same, its dimension a number or not.
+    template <int E> class Converted;
+    template <int E> Converted<E> of_dimension(DimensionOf<E> dim) const { return Converted<E>(*this, dim); }
+};
+
+template <int D> template <int E> class LowerStarFiltration<D>::Converted {
+public:
+    Converted(const LowerStarFiltration& from, DimensionOf<E> dim) {
+        filtration_.complex = from.complex.template of_dimension<E>(dim);
+        filtration_.value = from.value;
+        filtration_.zero_born_count = from.zero_born_count;
+        if (from.part != nullptr) {
+            part_ = from.part->template of_dimension<E>(dim);
+            filtration_.part = &part_;
+        }
+    }
+    Converted(const Converted&) = delete;
+    Converted& operator=(const Converted&) = delete;
+    const LowerStarFiltration<E>& get() const { return filtration_; }
+
+private:
+    LowerStarFiltration<E> filtration_;
+    Subcomplex<E> part_;
 };
 
 // The diagram in degrees 0..max_degree (larger counts as D-1); all simplices are counted.
@@ -32,5 +56,7 @@ template <int D> struct LowerStarFiltration {
 template <int D>
 Status persist_lower_star(const LowerStarFiltration<D>& filtration, DiagramRequest request, const Work& work,
                           CountedPairs* out);
+Status persist_lower_star(const LowerStarFiltration<any_dimension>& filtration, DiagramRequest request,
+                          const Work& work, CountedPairs* out);
 
 }  // namespace netmesh

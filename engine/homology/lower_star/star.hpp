@@ -34,9 +34,9 @@ public:
     std::uint32_t count() const { return count_; }
     std::uint32_t vertex(std::uint32_t label) const { return origin_[label]; }
     std::uint32_t dimension(std::uint32_t i) const { return form_[i] & 7; }
-    std::uint32_t label(std::uint32_t i) const { return form_[i] >> 3; }                         // of its lowest vertex
-    std::uint32_t parent(std::uint32_t i) const { return facets_[std::size_t{i} * D]; }          // without it
-    const std::uint32_t* facets(std::uint32_t i) const { return facets_ + std::size_t{i} * D; }  // [dimension(i)]
+    std::uint32_t label(std::uint32_t i) const { return form_[i] >> 3; }                    // of its lowest vertex
+    std::uint32_t parent(std::uint32_t i) const { return facets_[std::size_t{i} * dim_]; }  // without it
+    const std::uint32_t* facets(std::uint32_t i) const { return facets_ + std::size_t{i} * dim_; }  // [dimension(i)]
     CellId cell(std::uint32_t i) const { return FacetId::from_word(origin_[i]).cell(); }  // with the face i, no vertex
     std::uint32_t partner(std::uint32_t i) const { return partner_[i]; }                  // none: critical
     // Whether i is the face of its pair.
@@ -66,7 +66,7 @@ public:
 
 private:
     // For the vertices of one more cell.
-    bool has_room() const { return count_ + D <= capacity_ && seen_count_ + D <= seen_max_; }
+    bool has_room() const { return count_ + dim_ <= capacity_ && seen_count_ + dim_ <= seen_max_; }
     std::uint32_t label_of(const TriangulatedBall<D>& ball, std::uint32_t u);
     void clear_table(std::uint32_t cell_count, bool hull);
     template <bool only_listed>
@@ -88,6 +88,7 @@ private:
         if (a != b) position_[a > b ? a : b] = a > b ? b : a;
     }
 
+    DimensionOf<D> dim_;
     std::uint32_t *facets_, *form_, *origin_, *cofaces_, *sum_, *partner_, *position_, *at_, *queue_;
     std::uint32_t *seen_, *table_;
     std::uint32_t capacity_, count_, seen_max_, seen_count_, rank_;
@@ -97,10 +98,11 @@ private:
 
 template <int D> bool Star<D>::reserve(const TriangulatedBall<D>& ball, std::uint64_t simplices_max, Arena& arena) {
     if (simplices_max >= 0x10000000u) return false;
-    capacity_ = static_cast<std::uint32_t>(simplices_max) + D;
+    dim_ = ball.dim();
+    capacity_ = static_cast<std::uint32_t>(simplices_max) + dim_;
     table_bits_max_ = 6;
     while ((std::uint64_t{1} << table_bits_max_) < 2 * simplices_max) ++table_bits_max_;
-    facets_ = arena.take_high<std::uint32_t>(std::size_t{capacity_} * D);
+    facets_ = arena.take_high<std::uint32_t>(std::size_t{capacity_} * dim_);
     seen_max_ = static_cast<std::uint32_t>(Link<D>::labels_max(ball));
     seen_ = arena.take_high<std::uint32_t>(seen_max_);
     table_ = arena.take_high<std::uint32_t>(std::size_t{1} << table_bits_max_);
@@ -119,7 +121,7 @@ template <int D> std::uint32_t Star<D>::label_of(const TriangulatedBall<D>& ball
     if (ball.rank[u] > rank_) return ball.slot[u] = upper;
     const std::uint32_t i = add(1, count_, u);
     position_[i] = i;
-    facets_[std::size_t{i} * D] = 0;
+    facets_[std::size_t{i} * dim_] = 0;
     ++cofaces_[0];
     sum_[0] ^= i;
     return ball.slot[u] = i;
@@ -128,8 +130,8 @@ template <int D> std::uint32_t Star<D>::label_of(const TriangulatedBall<D>& ball
 // An empty table for the faces of so many cells: a face of n vertices of the link sphere is in at least D+1-n cells.
 template <int D> void Star<D>::clear_table(std::uint32_t cell_count, bool hull) {
     std::uint32_t per_cell_12 = 0;  // in twelfths, rounded up
-    for (std::uint32_t n = 1, choose = D; n <= D; choose = choose * (D - n) / (n + 1), ++n) {
-        per_cell_12 += hull ? 12 * choose : (12 * choose + D - n) / (D + 1 - n);
+    for (std::uint32_t n = 1, choose = dim_; n <= dim_; choose = choose * (dim_ - n) / (n + 1), ++n) {
+        per_cell_12 += hull ? 12 * choose : (12 * choose + dim_ - n) / (dim_ + 1 - n);
     }
     const std::uint64_t bound = (std::uint64_t{cell_count} * per_cell_12 + 11) / 12;
     std::uint32_t bits = 6;
@@ -154,16 +156,19 @@ template <int D> bool Star<D>::open(const TriangulatedBall<D>& ball, VertexId v)
         const std::uint32_t at = ball.incidence[t].position();
         if (cut && !ball.has(ball.incidence[t].cell())) continue;
         if (!has_room()) return false;
-        std::uint32_t labels[D], k = 0;
-        for (std::uint32_t j = 0; j < D; ++j) {
+        std::uint32_t labels[DimensionOf<D>::most], k = 0;
+        for (std::uint32_t j = 0; j < dim_; ++j) {
             const std::uint32_t u = p[j + (j >= at ? 1 : 0)];
             const std::uint32_t slot = ball.slot[u];
             labels[k] = slot != 0 ? slot : label_of(ball, u);
             k += labels[k] != upper ? 1 : 0;
         }
         if (k < 2) continue;
-        for (std::uint32_t j = k; j < D; ++j) labels[j] = upper;
-        sort_small<D>(labels);
+        for (std::uint32_t j = k; j < dim_; ++j) labels[j] = upper;
+        if constexpr (D == any_dimension)
+            insertion_sort(labels, dim_, Ascending{});
+        else
+            sort_small<D>(labels);
         if (!add_faces<false>(ball, ball.incidence[t], labels, k)) return false;
     }
     return !cut || add_listed_faces(ball, v);
@@ -178,8 +183,8 @@ template <int D> bool Star<D>::add_listed_faces(const TriangulatedBall<D>& ball,
         if (ball.has(cell)) continue;
         if (!has_room()) return false;
         const VertexId* p = ball.complex.vertices(cell);
-        std::uint32_t labels[D], k = 0;
-        for (int j = 0; j <= D; ++j) {
+        std::uint32_t labels[DimensionOf<D>::most], k = 0;
+        for (std::uint32_t j = 0; j <= dim_; ++j) {
             std::uint32_t& slot = ball.slot[p[j]];
             if (p[j] == v || ball.rank[p[j]] > rank_) continue;
             if (slot == 0) {
@@ -203,12 +208,12 @@ template <int D> bool Star<D>::add_listed_faces(const TriangulatedBall<D>& ball,
 template <int D>
 bool Star<D>::is_listed(const TriangulatedBall<D>& ball, VertexId v, const std::uint32_t* labels,
                         std::uint32_t which) const {
-    std::uint32_t vertices[D + 1] = {v}, n = 1;
-    for (std::uint32_t j = 0; j < D; ++j) {
+    std::uint32_t vertices[DimensionOf<D>::most + 1] = {v}, n = 1;
+    for (std::uint32_t j = 0; j < dim_; ++j) {
         if ((which >> j & 1) != 0) vertices[n++] = vertex(labels[j]);
     }
     insertion_sort(vertices, n, Ascending{});
-    return n <= D && ball.part->faces.contains(vertices, n);
+    return n <= dim_ && ball.part->faces.contains(vertices, n);
 }
 
 template <int D> void Star<D>::close(const TriangulatedBall<D>& ball) {
@@ -239,7 +244,7 @@ template <int D>
 template <bool only_listed>
 bool Star<D>::add_faces(const TriangulatedBall<D>& ball, FacetId incidence, const std::uint32_t* labels,
                         std::uint32_t k) {
-    std::uint32_t ids[1u << D];  // `none`: not in
+    std::uint32_t ids[1u << DimensionOf<D>::most];  // `none`: not in
     ids[0] = 0;
     for (std::uint32_t j = 0; j < k; ++j) {
         const std::uint32_t bit = 1u << j;
@@ -259,7 +264,7 @@ bool Star<D>::add_faces(const TriangulatedBall<D>& ball, FacetId incidence, cons
                 if (count_ == capacity_ || count_ > table_mask_ - (table_mask_ >> 3)) return false;
                 const std::uint32_t i = add(dimension(parent) + 1, labels[j], incidence.word());
                 *place = i;
-                std::uint32_t* facet = facets_ + std::size_t{i} * D;
+                std::uint32_t* facet = facets_ + std::size_t{i} * dim_;
                 *facet++ = parent;
                 for (std::uint32_t b = 0; b < j; ++b) {
                     if ((rest >> b & 1) == 0) continue;
@@ -293,14 +298,14 @@ template <int D> void Star<D>::remove(std::uint32_t i) {
 
 template <int D> std::uint32_t Star<D>::match() {
     constexpr std::uint32_t present = none - 1;
-    std::uint32_t critical = 0, scan[D + 1];
+    std::uint32_t critical = 0, scan[DimensionOf<D>::most + 1];
     queue_begin_ = queue_end_ = 0;
     next_position_ = count_;
     for (std::uint32_t i = 0; i < count_; ++i) {
         partner_[i] = present;
         if (cofaces_[i] == 1) queue_[queue_end_++] = i;
     }
-    for (std::uint32_t k = 0; k <= D; ++k) scan[k] = 0;
+    for (std::uint32_t k = 0; k <= dim_; ++k) scan[k] = 0;
     while (next_position_ > 0) {
         while (queue_begin_ < queue_end_) {
             const std::uint32_t i = queue_[queue_begin_++];
@@ -312,7 +317,7 @@ template <int D> std::uint32_t Star<D>::match() {
             remove(i);
         }
         if (next_position_ == 0) break;
-        std::uint32_t k = D;  // some are left, so the search ends
+        std::uint32_t k = dim_;  // some are left, so the search ends
         for (;; --k) {
             while (scan[k] < count_ && (dimension(scan[k]) != k || partner_[scan[k]] != present)) ++scan[k];
             if (scan[k] < count_) break;

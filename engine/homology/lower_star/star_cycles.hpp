@@ -11,7 +11,7 @@ namespace netmesh {
 
 template <int D> class StarCycles {
 public:
-    StarCycles(const TriangulatedBall<D>& ball, const Star<D>& star, const Front<D>& front, CycleWriter* writer,
+    StarCycles(const TriangulatedBall<D>& ball, const Star<D>& star, const Front& front, CycleWriter* writer,
                Monitor& monitor)
         : ball_(ball), star_(star), front_(front), writer_(writer), monitor_(monitor) {}
 
@@ -32,13 +32,13 @@ public:
     Status write_piece(CellId cell, std::uint32_t i, VertexId v, std::uint32_t* handle);
 
 private:
-    bool is_later(CellId cell, int j, VertexId v, std::uint32_t position) const;
+    bool is_later(CellId cell, std::uint32_t j, VertexId v, std::uint32_t position) const;
     Status collect(CellId cell, VertexId v, std::uint32_t position);
     template <class F> void each_boundary_facet(F f) const;
 
     const TriangulatedBall<D>& ball_;
     const Star<D>& star_;
-    const Front<D>& front_;
+    const Front& front_;
     CycleWriter* writer_;
     Monitor& monitor_;
     BitSet inside_;  // cells
@@ -63,16 +63,16 @@ template <int D> bool StarCycles<D>::write_column(std::uint32_t c, VertexId v, s
 }
 
 // Whether the facet opposite vertex j of the cell comes after that position in the star of v.
-template <int D> bool StarCycles<D>::is_later(CellId cell, int j, VertexId v, std::uint32_t position) const {
+template <int D> bool StarCycles<D>::is_later(CellId cell, std::uint32_t j, VertexId v, std::uint32_t position) const {
     const VertexId* const p = ball_.complex.vertices(cell);
     const std::uint32_t r = ball_.rank[v];
-    std::uint32_t labels[D] = {}, count = 0;
-    for (int i = 0; i <= D; ++i) {
+    std::uint32_t labels[DimensionOf<D>::most] = {}, count = 0;
+    for (std::uint32_t i = 0; i <= ball_.dim(); ++i) {
         if (i == j) continue;
         if (ball_.rank[p[i]] > r) return true;
         if (p[i] != v) labels[count++] = ball_.slot[p[i]];
     }
-    if (count == D) return false;  // v is not among them
+    if (count == ball_.dim()) return false;  // v is not among them
     return star_.position(star_.simplex_of_any_order(labels, count)) > position;
 }
 
@@ -82,7 +82,7 @@ template <int D> Status StarCycles<D>::collect(CellId cell, VertexId v, std::uin
     piece_[piece_count_++] = cell;
     for (std::uint32_t at = 0; at < piece_count_; ++at) {
         if (monitor_.advance(ball_.rank[v], 1)) return Status::cancelled;
-        for (int j = 0; j <= D; ++j) {
+        for (std::uint32_t j = 0; j <= ball_.dim(); ++j) {
             const CellId next = ball_.complex.neighbour(piece_[at], j);
             if (next == none || inside_.has(next) || !is_later(piece_[at], j, v, position)) continue;
             inside_.insert(next);
@@ -94,7 +94,7 @@ template <int D> Status StarCycles<D>::collect(CellId cell, VertexId v, std::uin
 
 template <int D> template <class F> void StarCycles<D>::each_boundary_facet(F f) const {
     for (std::uint32_t at = 0; at < piece_count_; ++at) {
-        for (int j = 0; j <= D; ++j) {
+        for (std::uint32_t j = 0; j <= ball_.dim(); ++j) {
             const CellId next = ball_.complex.neighbour(piece_[at], j);
             if (next == none || !inside_.has(next)) f(ball_.complex.vertices(piece_[at]), j);
         }
@@ -105,11 +105,11 @@ template <int D> Status StarCycles<D>::write_piece(CellId cell, std::uint32_t i,
     const Status status = collect(cell, v, star_.position(i));
     if (status != Status::ok) return status;
     std::uint64_t count = 0;
-    each_boundary_facet([&count](const VertexId*, int) { ++count; });
-    std::uint32_t* out = writer_->append(count, D - 1, handle);
+    each_boundary_facet([&count](const VertexId*, std::uint32_t) { ++count; });
+    std::uint32_t* out = writer_->append(count, ball_.dim() - 1, handle);
     if (out == nullptr) return Status::out_of_memory;
-    each_boundary_facet([&out](const VertexId* p, int opposite) {
-        for (int j = 0; j <= D; ++j) {
+    each_boundary_facet([&out, this](const VertexId* p, std::uint32_t opposite) {
+        for (std::uint32_t j = 0; j <= ball_.dim(); ++j) {
             if (j != opposite) *out++ = p[j];
         }
     });

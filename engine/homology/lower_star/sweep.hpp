@@ -78,7 +78,7 @@ private:
     Star<D>& star_;
     PairWriter& writer_;
     Monitor& monitor_;
-    Front<D> front_;
+    Front front_;
     CycleWriter* cycles_;
     StarCycles<D> star_cycles_;
     CellComponents<D> components_;
@@ -95,9 +95,7 @@ private:
 
 template <int D> Status Sweep<D>::run(Arena& arena) {
     if (cycles_ != nullptr && !star_cycles_.reserve(arena)) return Status::out_of_memory;
-    if constexpr (D > 2) {
-        if (!reserve_columns(arena)) return Status::out_of_memory;
-    }
+    if (ball_.dim() > 2 && !reserve_columns(arena)) return Status::out_of_memory;
     if (!front_.reserve(ball_.vertex_count, arena)) return Status::out_of_memory;
     for (std::uint32_t r = 0; r < ball_.vertex_count;)
         for (const std::uint64_t piece = arena.piece(r, ball_.vertex_count, 8); r < piece; ++r) {
@@ -112,15 +110,12 @@ template <int D> Status Sweep<D>::run(Arena& arena) {
         NETMESH_VALIDATE_WHOLE(front_.violation(ball_.vertex_count, r));
         if (monitor_.advance(ball_.vertex_count - r, work_)) return Status::cancelled;
     }
-    if constexpr (D > 2) {
-        if (front_.column_count() != 0) return Status::internal;
-    }
-    return Status::ok;
+    return ball_.dim() > 2 && front_.column_count() != 0 ? Status::internal : Status::ok;
 }
 
 template <int D> bool Sweep<D>::reserve_columns(Arena& arena) {
     column_words_ = arena.take_high<std::uint64_t>(BitTree::words_needed(star_.capacity()));
-    outer_ = arena.take_high<std::uint32_t>(std::size_t{star_.capacity()} * (D - 1));
+    outer_ = arena.take_high<std::uint32_t>(std::size_t{star_.capacity()} * (ball_.dim() - 1));
     return column_words_ != nullptr && outer_ != nullptr;
 }
 
@@ -136,9 +131,7 @@ template <int D> Status Sweep<D>::visit(std::uint32_t r) {
     for (std::uint32_t i = 0; i < star_.count(); ++i) star_.owner(i) = none;
     Status status = critical_ > 0 ? components_.unite_critical_facets(v) : Status::ok;
     if (status == Status::ok && !add_zero_pairs(ball_.value[v])) status = Status::out_of_memory;
-    if constexpr (D > 2) {
-        if (status == Status::ok) status = reduce_columns_at(r);
-    }
+    if (ball_.dim() > 2 && status == Status::ok) status = reduce_columns_at(r);
     star_.close(ball_);
     return status;
 }
@@ -148,7 +141,7 @@ template <int D> Status Sweep<D>::reduce_columns_at(std::uint32_t r) {
     const VertexId v(ball_.order[r]);
     column_.adopt(column_words_, star_.count());
     std::uint32_t c = sorted(front_.arrive(r));
-    for (std::uint32_t k = D - 1; k >= 2; --k) {
+    for (std::uint32_t k = ball_.dim() - 1; k >= 2; --k) {
         if (critical_ > 0 && !start_columns(k, v)) return Status::out_of_memory;
         while (c != none && front_.dimension(c) == k) {
             const std::uint32_t following = front_.next(c);
@@ -196,7 +189,7 @@ template <int D> void Sweep<D>::prefetch_star(std::uint32_t r) {
     if (r == none) return;
     const VertexId v(ball_.order[r]);
     for (std::uint32_t t = ball_.begin[v]; t < ball_.begin[v + 1]; ++t) ball_.prefetch(t);
-    if constexpr (D > 2) front_.prefetch(r);
+    if (ball_.dim() > 2) front_.prefetch(r);
 }
 
 // Pairs of the gradient in an irregular star; those of regular ones are counted elsewhere, and so is degree 0.
@@ -243,7 +236,7 @@ template <int D> std::uint32_t Sweep<D>::merge(std::uint32_t a, std::uint32_t b)
 // Moves what a column has in the star of rank r into column_, where equal simplices cancel. False: not in the star.
 template <int D> bool Sweep<D>::gather(std::uint32_t c, std::uint32_t r) {
     const std::uint32_t n = front_.dimension(c) - 1;
-    std::uint32_t ranks[D] = {};
+    std::uint32_t ranks[DimensionOf<D>::most] = {};
     while (front_.take_entry(c, r, ranks)) {
         for (std::uint32_t j = 0; j < n; ++j) ranks[j] = ball_.slot[ball_.order[ranks[j + 1]]];
         const std::uint32_t i = star_.simplex_of_any_order(ranks, n);
@@ -294,13 +287,13 @@ template <int D> template <std::uint32_t N> [[gnu::cold]] bool Sweep<D>::add_out
 
 template <int D> bool Sweep<D>::flush(std::uint32_t c) {
     const std::uint32_t n = front_.dimension(c);  // 2..D-1
-    if constexpr (D > 5) {
+    if constexpr (DimensionOf<D>::most > 5) {
         if (n == 5) return add_outer_facets<5>(c);
     }
-    if constexpr (D > 4) {
+    if constexpr (DimensionOf<D>::most > 4) {
         if (n == 4) return add_outer_facets<4>(c);
     }
-    if constexpr (D > 3) {
+    if constexpr (DimensionOf<D>::most > 3) {
         if (n == 3) return add_outer_facets<3>(c);
     }
     return add_outer_facets<2>(c);
@@ -356,9 +349,7 @@ template <int D> bool Sweep<D>::write_pair(std::uint32_t c, std::uint32_t degree
     const std::uint32_t r = front_.creator_rank(c);
     // A regular star has critical simplices only where it was found regular without its gradient, and none at D = 3,
     // where every lower link collapses as far as it can. Its pairs are counted already.
-    if constexpr (D == 4) {
-        if (r == ball_.rank[v] && !irregular_) return true;
-    }
+    if (ball_.dim() == 4 && r == ball_.rank[v] && !irregular_) return true;
     const double birth = ball_.value[v], death = ball_.value[ball_.order[r]];
     std::uint32_t cycle = 0;
     if (cycles_ != nullptr && writer_.keeps(birth, death, degree) && !star_cycles_.write_column(c, v, &cycle))

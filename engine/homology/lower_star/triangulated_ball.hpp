@@ -26,16 +26,17 @@ namespace netmesh {
 
 // At least as many simplices as a lower star has whose vertex has `lower` lower neighbours and whose link sphere has
 // with_lower[k] cells with k lower vertices: a face of n vertices is in at least D+1-n cells of the sphere.
-template <int D> std::uint64_t simplices_bound(std::uint32_t lower, const std::uint32_t* with_lower) {
+template <int D>
+std::uint64_t simplices_bound(DimensionOf<D> dim, std::uint32_t lower, const std::uint32_t* with_lower) {
     std::uint64_t bound = 1 + std::uint64_t{lower};
-    for (std::uint32_t n = 2; n <= D; ++n) {
+    for (std::uint32_t n = 2; n <= dim; ++n) {
         std::uint64_t occurrences = 0;
-        for (std::uint32_t k = n; k <= D; ++k) {
+        for (std::uint32_t k = n; k <= dim; ++k) {
             std::uint64_t choose = 1;
             for (std::uint32_t i = 0; i < n; ++i) choose = choose * (k - i) / (i + 1);
             occurrences += choose * with_lower[k];
         }
-        bound += occurrences / (D + 1 - n);
+        bound += occurrences / (dim + 1 - n);
     }
     return bound;
 }
@@ -52,10 +53,11 @@ template <int D> struct TriangulatedBall {
     std::uint32_t* order;      // [vertex_count] vertices by rank
     std::uint32_t* rank;       // [vertex_count]
     std::uint32_t* begin;      // [vertex_count + 1] into incidence
-    FacetId* incidence;        // [(D+1) * cells] by vertex: a cell and the position of the vertex in it
+    FacetId* incidence;        // [(dim+1) * cells] by vertex: a cell and the position of the vertex in it
     std::uint8_t* flags;       // [vertex_count]
     std::uint32_t* slot;       // [vertex_count] labels in the star at work; all 0 between stars
 
+    DimensionOf<D> dim() const { return complex.dim; }
     // Whether the cell is in the part.
     bool has(CellId cell) const { return part == nullptr || part->cell[cell] != 0; }
     // Asks for the vertices of the cell of incidence t, or of the last one.
@@ -66,7 +68,7 @@ template <int D> struct TriangulatedBall {
     // Lists the incidences; the arrays taken stay at the arena's high end. False: out of memory.
     bool list_incidences(Arena& arena) {
         const std::size_t n = vertex_count;
-        const std::size_t m = std::size_t{complex.cell_count} * (D + 1);
+        const std::size_t m = std::size_t{complex.cell_count} * (dim() + 1);
         begin = arena.take_high<std::uint32_t>(n + 1);
         incidence = arena.take_high<FacetId>(m);
         flags = arena.take_high<std::uint8_t>(n);
@@ -80,9 +82,9 @@ template <int D> struct TriangulatedBall {
         NETMESH_VALIDATE_WHOLE(part_violation());
         begin[n] = 0;
         for (CellId c(0); c < complex.cell_count;)
-            for (const std::uint64_t piece = arena.piece(c, complex.cell_count, 5 * (D + 1)); c < piece; ++c) {
+            for (const std::uint64_t piece = arena.piece(c, complex.cell_count, 5 * (dim() + 1)); c < piece; ++c) {
                 const VertexId* p = complex.vertices(c);
-                for (int i = 0; i <= D; ++i) ++begin[p[i] + 1];
+                for (std::uint32_t i = 0; i <= dim(); ++i) ++begin[p[i] + 1];
             }
         degree_max = 0;
         std::uint32_t sum = 0;
@@ -94,7 +96,7 @@ template <int D> struct TriangulatedBall {
             sum += count;
         }
         for (CellId c(0); c < complex.cell_count;)
-            for (const std::uint64_t piece = arena.piece(c, complex.cell_count, 12 * (D + 1)); c < piece; ++c) {
+            for (const std::uint64_t piece = arena.piece(c, complex.cell_count, 12 * (dim() + 1)); c < piece; ++c) {
                 place(c);
             }
         return true;
@@ -104,7 +106,7 @@ template <int D> struct TriangulatedBall {
     // Whether no cell that is in has an absent vertex, and none that is not in has one that is whole.
     const char* part_violation() const {
         for (CellId c(0); part != nullptr && c < complex.cell_count; ++c) {
-            for (int i = 0; i <= D; ++i) {
+            for (std::uint32_t i = 0; i <= dim(); ++i) {
                 const std::uint8_t vertex = part->vertex[complex.vertices(c)[i]];
                 if (vertex > VertexPart::whole) return "a vertex is neither absent, cut nor whole";
                 if (vertex == (has(c) ? VertexPart::absent : VertexPart::whole))
@@ -125,10 +127,10 @@ private:
     }
     void place(CellId c) {
         const VertexId* p = complex.vertices(c);
-        for (std::uint32_t i = 0; i <= D; ++i) {
+        for (std::uint32_t i = 0; i <= dim(); ++i) {
             incidence[begin[p[i] + 1]++] = FacetId(c, i);
             if (complex.facet_beyond(c, i) != none) continue;
-            for (std::uint32_t j = 0; j <= D; ++j) {
+            for (std::uint32_t j = 0; j <= dim(); ++j) {
                 if (j != i) flags[p[j]] |= on_hull;
             }
         }
