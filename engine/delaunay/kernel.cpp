@@ -1,9 +1,17 @@
 #include "delaunay/kernel.hpp"
 
 #include "delaunay/check.hpp"
+#include "delaunay/pencils.hpp"
 #include "delaunay/planar.hpp"
+#include "delaunay/ridges.hpp"
 #include "delaunay/spatial.hpp"
 #include "vocabulary/dimension.hpp"
+
+#ifdef __OPTIMIZE_SIZE__
+#define NETMESH_APART
+#else
+#define NETMESH_APART [[gnu::noinline]]  // inlined it would spill registers of its caller and deepen its stack
+#endif
 
 namespace netmesh {
 namespace {
@@ -13,16 +21,6 @@ template <int D> std::uint32_t position_in(const Cell<D>& cell, VertexId v) {
     std::uint32_t position = 0;
     for (std::uint32_t j = 1; j <= D; ++j) position += cell.vertex[j] == v ? j : 0;
     return position;
-}
-
-// This and link() are most of what filling costs; inlined they would spill its registers.
-template <int D>
-[[gnu::noinline]] void make_sphere(const Store<D>& store, const Cell<D>& inside, const Cell<D>& outside,
-                                   const double* q, double error_max, Cell<D>& cell) {
-    if (pencil_sphere<D>(inside, outside, q, error_max, cell)) return;
-    const double* p[D + 1];
-    for (int i = 0; i <= D; ++i) p[i] = store.point(cell.vertex[i]);
-    solve_sphere<D>(p, error_max, cell);
 }
 
 // Links new cell `made` to its neighbours at the new vertex. `origin`: the facet of the old cell that it was made for.
@@ -49,6 +47,138 @@ template <int D> [[gnu::noinline]] void link(Cell<D>* cells, std::uint32_t stamp
         cells[other].neighbour[enter] = FacetId(made, j);
     }
 }
+
+template <int D> void link_all(const Store<D>& store, const Cavity& cavity, const CavityLine* end) {
+    for (std::ptrdiff_t k = 0; k < std::ptrdiff_t{cavity.facets}; ++k) {
+        if (k % 256 == 255) store.arena.pass(256 * (D - 1));
+        link<D>(&store.cell(0), cavity.stamp, end[-k].made, end[-k].facet);
+    }
+}
+
+template <int D>
+NETMESH_APART void make_sphere(const Store<D>& store, const Cell<D>& inside, const Cell<D>& outside, const double* q,
+                               double error_max, Cell<D>& cell) {
+    if (!pencil_sphere<D>(inside, outside, q, error_max, cell)) solve_cell<D>(store, error_max, cell);
+}
+
+// Makes the new cells of a cavity one by one, each a copy of the cell in conflict behind its facet with one vertex
+// replaced, which keeps the orientation. That cell's neighbour across the facet becomes the new cell. end: line 0 of
+// the cavity's list.
+template <int D>
+NETMESH_APART void make_one_by_one(Store<D>& store, const Cavity& cavity, VertexId id, double error_max,
+                                   CavityLine* end, CellSupply<D>& supply) {
+    Cell<D>* const cells = &store.cell(0);
+    const double* const q = store.point(id);
+    const std::ptrdiff_t facets = cavity.facets;
+    for (std::ptrdiff_t k = 0; k < facets; ++k) {
+        if (k % 256 == 255) store.arena.pass(256 * (D - 1));  // of thousands of facets, about a hull or a shell
+        const CellId n = end[-k].made = supply.take();
+        const std::uint32_t i = end[-k].facet.position();
+        Cell<D>& old = cells[end[-k].facet.cell()];
+        Cell<D>& fresh = cells[n];
+        bool ghost = false;
+        for (std::uint32_t j = 0; j <= D; ++j) {
+            const VertexId v = j == i ? id : old.vertex[j];
+            ghost |= v == none;
+            fresh.vertex[j] = v;
+            fresh.neighbour[j] = none;
+        }
+        const FacetId outer = old.neighbour[i];
+        Cell<D>& beyond = cells[outer.cell()];
+        fresh.neighbour[i] = outer;
+        fresh.mark = 0;
+        if (ghost)
+            make_ghost<D>(fresh);
+        else
+            make_sphere<D>(store, old, beyond, q, error_max, fresh);
+        old.neighbour[i] = FacetId(n, i);
+        beyond.neighbour[outer.position()] = FacetId(n, i);
+    }
+    link_all<D>(store, cavity, end);
+}
+
+#ifndef __OPTIMIZE_SIZE__
+// Asks for the two balls of facets that stand some lines after line k of the cavity's list. The one beyond a facet is
+// found by way of the one inside, which is asked for earlier.
+template <int D>
+void ask_for_balls(const Cell<D>* cells, const CavityLine* end, std::ptrdiff_t k, std::ptrdiff_t facets) {
+    constexpr std::ptrdiff_t beyond_ahead = 6, inside_ahead = 14;
+    if (k + beyond_ahead >= facets) return;
+    const FacetId facet = end[-(k + beyond_ahead)].facet;
+    const Cell<D>& beyond = cells[cells[facet.cell()].neighbour[facet.position()].cell()];
+    __builtin_prefetch(&beyond.centre);
+    __builtin_prefetch(&beyond.mark);
+    if (k + inside_ahead >= facets) return;
+    const Cell<D>& inside = cells[end[-(k + inside_ahead)].facet.cell()];
+    __builtin_prefetch(&inside);
+    __builtin_prefetch(&inside.mark);
+}
+
+// make_one_by_one for `count` cells behind facets from line 0 of `lines` on, of which `left` are there, but for their
+// balls: what these are made of goes into columns. Links them. A function of its own for its registers and stack.
+template <int D, std::uint32_t most>
+[[gnu::noinline]] void gather_batch(Store<D>& store, CavityLine* lines, std::uint32_t count, std::ptrdiff_t left,
+                                    VertexId id, Pencils<D, most>& pencils, RidgeTable<D>& ridges,
+                                    CellSupply<D>& supply) {
+    Cell<D>* const cells = &store.cell(0);
+    for (std::uint32_t b = 0; b < count; ++b) {
+        ask_for_balls<D>(cells, lines, b, left);
+        CavityLine& line = lines[-std::ptrdiff_t{b}];
+        const CellId n = line.made = supply.take();
+        const std::uint32_t i = line.facet.position();
+        Cell<D>& old = cells[line.facet.cell()];
+        Cell<D>& fresh = cells[n];
+        const FacetId outer = old.neighbour[i];
+        Cell<D>& beyond = cells[outer.cell()];
+        __builtin_memcpy(fresh.vertex, old.vertex, sizeof fresh.vertex);
+        fresh.vertex[i] = id;
+        fresh.neighbour[i] = outer;
+        fresh.mark = 0;
+        pencils.in.put(old, b);
+        pencils.out.put(beyond, b);
+        old.neighbour[i] = FacetId(n, i);
+        beyond.neighbour[outer.position()] = FacetId(n, i);
+        ridges.join(cells, n, i);
+    }
+}
+
+// make_one_by_one in batches, whose columns stand in the gap below the cavity's list, above a table of ridges. False:
+// the gap is too small for them, and nothing is made.
+template <int D>
+[[gnu::noinline]] bool make_in_batches(Store<D>& store, const Cavity& cavity, VertexId id, double error_max,
+                                       CavityLine* end, CellSupply<D>& supply) {
+    constexpr std::uint32_t batch = 16;
+    using Columns = Pencils<D, batch>;
+    const std::size_t lines = cavity.cells > cavity.facets ? cavity.cells : cavity.facets;
+    const std::size_t below = (lines * sizeof(CavityLine) + 7) / 8 * 8 + sizeof(Columns);
+    RidgeTable<D> ridges(store, cavity.facets, below);
+    if (!ridges.is_there()) return false;
+    Columns* const pencils = reinterpret_cast<Columns*>(store.arena.at(store.arena.high_mark() - below));
+    CavityLine* line = end;
+    for (std::uint32_t left = cavity.facets; left > 0;) {
+        const std::uint32_t count = left < batch ? left : batch;
+        gather_batch<D>(store, line, count, left, id, *pencils, ridges, supply);
+        pencils->measure(store.point(id), count);
+        pencils->mix(store.point(id), count);
+        for (std::uint32_t b = 0; b < count; ++b, --line) {
+            Cell<D>& fresh = store.cell(line->made);
+            if (pencils->get(b, error_max * error_max, fresh)) continue;
+            if (store.is_ghost(line->made))
+                make_ghost<D>(fresh);
+            else
+                solve_cell<D>(store, error_max, fresh);
+        }
+        left -= count;
+        if ((cavity.facets - left) % 256 == 0) store.arena.pass(256 * (D - 1));  // see make_one_by_one
+    }
+    if (ridges.is_sound()) return true;
+    for (std::ptrdiff_t k = 0; k < std::ptrdiff_t{cavity.facets}; ++k)
+        for (std::uint32_t j = 0; j <= D; ++j)
+            if (j != end[-k].facet.position()) store.cell(end[-k].made).neighbour[j] = none;
+    link_all<D>(store, cavity, end);
+    return true;
+}
+#endif
 
 // Seen from outside a facet turns the other way, so the ghost behind facet i of the first cell has two of the facet's
 // vertices exchanged, those at the first two positions other than i.
@@ -217,21 +347,46 @@ template <int D> bool Kernel<D>::find_cavity(const double* q, VertexId id, CellI
             const std::size_t lines = static_cast<std::size_t>(count > facets ? count : facets) + D + 1;
             if (lines > capacity) return refuse_list(lines);
             const CellId c = end[-k].entry.cell();
-            for (std::uint32_t i = 0; i <= D; ++i) {
-                const FacetId facet = cells[c].neighbour[i];
-                Cell<D>& other = cells[facet.cell()];
-                const std::uint32_t known = other.mark - stamp;  // 0: in conflict, 1: not, else not met yet
-                if (known == 0) continue;
-                if (known > 1) {
-                    if (in_conflict(facet.cell(), q, id)) {
-                        other.mark = stamp;
-                        end[-count++].entry = facet;
-                        if constexpr (asks_ahead) ask_for_neighbours(cells, other);
-                        continue;
-                    }
-                    other.mark = stamp + 1;
+            if constexpr (asks_ahead) {
+                if (k + 2 < count) ask_for_neighbours(cells, cells[end[-(k + 2)].entry.cell()]);
+                // What cannot be predicted is no branch: first who is met for the first time, then who of them is in
+                // conflict, then which facets bound the cavity.
+                std::uint32_t outside[D + 1], fresh[D + 1], asked = 0;
+                for (std::uint32_t i = 0; i <= D; ++i) {
+                    outside[i] = cells[cells[c].neighbour[i].cell()].mark - stamp;  // 0: no, 1: yes, else fresh
+                    fresh[asked] = i;
+                    asked += outside[i] > 1;
                 }
-                end[-facets++].facet = FacetId(c, i);
+                for (std::uint32_t u = 0; u < asked; ++u) {
+                    const FacetId facet = cells[c].neighbour[fresh[u]];
+                    Cell<D>& other = cells[facet.cell()];
+                    const std::uint32_t inside = in_conflict(facet.cell(), q, id);
+                    __builtin_prefetch(&other.neighbour);
+                    other.mark = stamp + 1 - inside;
+                    end[-count].entry = facet;
+                    count += inside;
+                    outside[fresh[u]] = 1 - inside;
+                }
+                for (std::uint32_t i = 0; i <= D; ++i) {
+                    end[-facets].facet = FacetId(c, i);
+                    facets += outside[i];
+                }
+            } else {
+                for (std::uint32_t i = 0; i <= D; ++i) {
+                    const FacetId facet = cells[c].neighbour[i];
+                    Cell<D>& other = cells[facet.cell()];
+                    const std::uint32_t known = other.mark - stamp;  // 0: in conflict, 1: not, else not met yet
+                    if (known == 0) continue;
+                    if (known > 1) {
+                        if (in_conflict(facet.cell(), q, id)) {
+                            other.mark = stamp;
+                            end[-count++].entry = facet;
+                            continue;
+                        }
+                        other.mark = stamp + 1;
+                    }
+                    end[-facets++].facet = FacetId(c, i);
+                }
             }
         }
         *cavity = {static_cast<std::uint32_t>(count), static_cast<std::uint32_t>(facets), stamp, has_tables};
@@ -239,55 +394,23 @@ template <int D> bool Kernel<D>::find_cavity(const double* q, VertexId id, CellI
     }
 }
 
-// Makes the new cells one by one, each a copy of the conflicting cell behind its facet with one vertex replaced, which
-// keeps the orientation. The old cell's neighbour across the facet becomes the new cell.
 template <int D> void Kernel<D>::fill(const Cavity& cavity, VertexId id) {
     NETMESH_ASSERT(cavity.cells > 0 && cavity.facets > D);
     if constexpr (D == 2) {
         PlanarCavity<D>::fill(*this, cavity, id);
     } else {
         Cell<D>* const cells = &store_.cell(0);
-        const double* const q = store_.point(id);
         Line* const end = list_end();
         const std::ptrdiff_t facets = cavity.facets, old_cells = cavity.cells;
         CellSupply<D> supply(store_);
-#ifdef __OPTIMIZE_SIZE__
-        constexpr bool made = false;
-#else
         bool made = false;
-        if constexpr (D == 3) made = SpatialCavity<D>::make_cells(*this, cavity, id, supply);
+#ifndef __OPTIMIZE_SIZE__
+        if constexpr (D == 3)
+            made = SpatialCavity<D>::make_cells(*this, cavity, id, supply);
+        else
+            made = make_in_batches<D>(store_, cavity, id, error_max_, end, supply);
 #endif
-        if (!made) {
-            for (std::ptrdiff_t k = 0; k < facets; ++k) {
-                if (k % 256 == 255)
-                    store_.arena.pass(256 * (D - 1));  // of thousands of facets, about a hull or a shell
-                const CellId n = end[-k].made = supply.take();
-                const std::uint32_t i = end[-k].facet.position();
-                Cell<D>& old = cells[end[-k].facet.cell()];
-                Cell<D>& fresh = cells[n];
-                bool ghost = false;
-                for (std::uint32_t j = 0; j <= D; ++j) {
-                    const VertexId v = j == i ? id : old.vertex[j];
-                    ghost |= v == none;
-                    fresh.vertex[j] = v;
-                    fresh.neighbour[j] = none;
-                }
-                const FacetId outer = old.neighbour[i];
-                Cell<D>& beyond = cells[outer.cell()];
-                fresh.neighbour[i] = outer;
-                fresh.mark = 0;
-                if (ghost)
-                    make_ghost<D>(fresh);
-                else
-                    make_sphere<D>(store_, old, beyond, q, error_max_, fresh);
-                old.neighbour[i] = FacetId(n, i);
-                beyond.neighbour[outer.position()] = FacetId(n, i);
-            }
-            for (std::ptrdiff_t k = 0; k < facets; ++k) {
-                if (k % 256 == 255) store_.arena.pass(256 * (D - 1));
-                link<D>(cells, cavity.stamp, end[-k].made, end[-k].facet);
-            }
-        }
+        if (!made) make_one_by_one<D>(store_, cavity, id, error_max_, end, supply);
         for (std::ptrdiff_t k = 0; k < old_cells; ++k) supply.give_back(end[-k].entry.cell());
         if (vertex_cells_ == VertexCells::kept)
             for (std::ptrdiff_t k = 0; k < facets; ++k)
@@ -301,5 +424,6 @@ template <int D> void Kernel<D>::fill(const Cavity& cavity, VertexId id) {
 #define NETMESH_INSTANTIATE(D) template class Kernel<D>;
 NETMESH_EACH_DIMENSION(NETMESH_INSTANTIATE)
 #undef NETMESH_INSTANTIATE
+#undef NETMESH_APART
 
 }  // namespace netmesh

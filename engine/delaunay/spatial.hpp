@@ -3,6 +3,7 @@
 // sphere's edges. A part of kernel.cpp; templates, so that nothing of it is made where space is not served.
 #pragma once
 #include "delaunay/kernel.hpp"
+#include "delaunay/pencils.hpp"
 
 namespace netmesh {
 
@@ -19,12 +20,8 @@ struct SpatialTables {
     // What power() has said of each cell in conflict.
     double power[lines_max], bound[lines_max];
     std::uint8_t inside[lines_max];  // of each bounding facet: the line of its cell in conflict
-    // The balls of the pencil of each bounding facet, inside and beyond it, with what power() has said of them.
-    // Columns, so that several cells are computed at a time.
-    struct Ball {
-        double x[lines_max], y[lines_max], z[lines_max], radius2[lines_max], error[lines_max], power[lines_max],
-            bound[lines_max];
-    } in, out;
+    // Of each bounding facet: the balls inside and beyond it.
+    Pencils<3, lines_max> pencils;
 
     std::uint8_t unsolved[lines_max];  // lines of new cells whose ball is not made of others
     struct {
@@ -104,8 +101,8 @@ void SpatialCavity<D>::search(Kernel<D>& kernel, const double* point, VertexId i
             tables->bound[count] = bound;
             count += inside & fresh;
             end[-facets].facet = FacetId(c, i);
-            tables->out.power[facets] = value;
-            tables->out.bound[facets] = bound;
+            tables->pencils.out.power[facets] = value;
+            tables->pencils.out.bound[facets] = bound;
             tables->inside[facets] = static_cast<std::uint8_t>(k);
             facets += 1 - inside;
         }
@@ -114,52 +111,6 @@ void SpatialCavity<D>::search(Kernel<D>& kernel, const double* point, VertexId i
     progress->cells = count;
     progress->facets = facets;
     progress->searched = k;
-}
-
-template <int D> void put_ball(const Cell<D>& cell, std::uint32_t k, SpatialTables::Ball* ball) {
-    ball->x[k] = cell.centre[0];
-    ball->y[k] = cell.centre[1];
-    ball->z[k] = cell.centre[2];
-    ball->radius2[k] = cell.radius2;
-    ball->error[k] = cell.error;
-}
-
-// pencil_sphere of each pair of balls, operation by operation, into `in`; the square of the error bound, +infinity
-// where the powers are too uncertain, into its powers. Written so that compilers make vectors of it: no branch, no
-// inner loop, no condition before a division.
-[[gnu::noinline]] inline void mix_balls(SpatialTables* tables, const double* q, std::uint32_t count) {
-    constexpr double u = unit_roundoff;
-    SpatialTables::Ball& in = tables->in;
-    const SpatialTables::Ball& out = tables->out;
-    const double qx = q[0], qy = q[1], qz = q[2];
-    for (std::uint32_t k = 0; k < count; ++k) {
-        const double b = -in.power[k], a = out.power[k], bound_in = in.bound[k], bound_out = out.bound[k];
-        const double sum = a + b, inverse = 1 / sum;
-        const double w = a * inverse, v = b * inverse;
-        const double dx = in.x[k] - out.x[k], dy = in.y[k] - out.y[k], dz = in.z[k] - out.z[k];
-        const double x = out.x[k] + w * dx, y = out.y[k] + w * dy, z = out.z[k] + w * dz;
-        const double ex = qx - x, ey = qy - y, ez = qz - z;
-        const double apart2 = dx * dx + dy * dy + dz * dz;
-        const double size2 = x * x + y * y + z * z;
-        const double radius2 = ex * ex + ey * ey + ez * ez;
-        const double in2 = in.error[k] * in.error[k] * in.radius2[k];
-        const double out2 = out.error[k] * out.error[k] * out.radius2[k];
-        const double w_error = 1.02 * (w * bound_in + v * bound_out) * inverse + 8 * u;
-        const double distance2 = 2.3 * (w * in2 + v * out2 + w_error * w_error * apart2) + (50 * u * u) * size2;
-        const double error2 = distance2 / radius2;
-        in.x[k] = x;
-        in.y[k] = y;
-        in.z[k] = z;
-        in.radius2[k] = radius2;
-        in.error[k] = 1.01 * square_root(error2);
-        in.power[k] = bound_in + bound_out < 0x1p-6 * sum ? error2 : infinity;
-    }
-}
-
-template <int D> [[gnu::noinline]] void solve_cell(const Store<D>& store, double error_max, Cell<D>& cell) {
-    const double* p[D + 1];
-    for (int i = 0; i <= D; ++i) p[i] = store.point(cell.vertex[i]);
-    solve_sphere<D>(p, error_max, cell);
 }
 
 // Seen from the new point all triangles of the sphere turn the same way, so each edge is met once in either direction:
@@ -193,10 +144,10 @@ bool SpatialCavity<D>::make_cells(Kernel<D>& kernel, const Cavity& cavity, Verte
         fresh.mark = 0;
         Cell<D>& beyond = cells[outer.cell()];
         beyond.neighbour[outer.position()] = FacetId(n, i);
-        put_ball(old, k, &tables->in);
-        put_ball(beyond, k, &tables->out);
-        tables->in.power[k] = tables->power[tables->inside[k]];
-        tables->in.bound[k] = tables->bound[tables->inside[k]];
+        tables->pencils.in.put(old, k);
+        tables->pencils.out.put(beyond, k);
+        tables->pencils.in.power[k] = tables->power[tables->inside[k]];
+        tables->pencils.in.bound[k] = tables->bound[tables->inside[k]];
         tables->triangle[k].position = static_cast<std::uint16_t>(i);
         for (std::uint32_t r = 0; r < 3; ++r) {
             const std::uint32_t from = number[(r + 1) % 3], to = number[(r + 2) % 3];
@@ -204,7 +155,7 @@ bool SpatialCavity<D>::make_cells(Kernel<D>& kernel, const Cavity& cavity, Verte
             tables->behind[from * SpatialTables::slots + to] = static_cast<std::uint8_t>(4 * k + turn[i][r]);
         }
     }
-    mix_balls(tables, store.point(id), facets);
+    tables->pencils.mix(store.point(id), facets);
     std::uint32_t unsolved = 0;
     for (std::uint32_t k = 0; k < facets; ++k) {
         const CavityLine& line = end[-static_cast<std::ptrdiff_t>(k)];
@@ -214,14 +165,7 @@ bool SpatialCavity<D>::make_cells(Kernel<D>& kernel, const Cavity& cavity, Verte
             const std::uint32_t other = tables->behind[tables->triangle[k].edge[r]];
             fresh.neighbour[turn[i][r]] = FacetId(end[-static_cast<std::ptrdiff_t>(other / 4)].made, other % 4);
         }
-        fresh.centre[0] = tables->in.x[k];
-        fresh.centre[1] = tables->in.y[k];
-        fresh.centre[2] = tables->in.z[k];
-        fresh.radius2 = tables->in.radius2[k];
-        fresh.error = static_cast<float>(tables->in.error[k]);
-        const double error2 = tables->in.power[k];
-        const std::uint32_t solved =
-            static_cast<std::uint32_t>(error2 < error2_max) & static_cast<std::uint32_t>(fresh.radius2 > 0x1p-800);
+        const bool solved = tables->pencils.get(k, error2_max, fresh);
         tables->unsolved[unsolved] = static_cast<std::uint8_t>(k);
         unsolved += 1 - solved;
     }

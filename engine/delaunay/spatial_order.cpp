@@ -5,6 +5,12 @@
 #include "numerics/real.hpp"
 #include "vocabulary/dimension.hpp"
 
+#ifdef __OPTIMIZE_SIZE__
+#define NETMESH_UNROLL
+#else
+#define NETMESH_UNROLL _Pragma("GCC unroll 6")  // so that coordinates are in registers
+#endif
+
 namespace netmesh {
 namespace {
 
@@ -66,7 +72,7 @@ template <int D> struct Curve {
     }
 
     // Position along the Hilbert curve of the grid point x, each x[i] < 2^bits.
-    static std::uint64_t position(std::uint32_t* x, int bits) {
+    static std::uint64_t position(const std::uint32_t* x, int bits) {
         if constexpr (D == 2)
             return planar_position(x, bits);
         else
@@ -76,11 +82,14 @@ template <int D> struct Curve {
 private:
     // In any dimension (J. Skilling, Programming the Hilbert curve, 2004): undo the rotations bit plane by bit plane,
     // then Gray decode and interleave.
-    static std::uint64_t general_position(std::uint32_t* x, int bits) {
+    static std::uint64_t general_position(const std::uint32_t* point, int bits) {
+        std::uint32_t x[D];
+        for (int i = 0; i < D; ++i) x[i] = point[i];
         for (std::uint32_t q = std::uint32_t{1} << (bits - 1); q > 1; q >>= 1) {
             const std::uint32_t p = q - 1;
+            NETMESH_UNROLL
             for (int i = 0; i < D; ++i) {
-                const std::uint32_t on = (x[i] & q) ? ~std::uint32_t{0} : 0;
+                const std::uint32_t on = 0u - static_cast<std::uint32_t>((x[i] & q) != 0);
                 const std::uint32_t t = (x[0] ^ x[i]) & p & ~on;
                 x[0] ^= t | (p & on);
                 x[i] ^= t;
@@ -91,8 +100,8 @@ private:
         for (int shift = 1; shift < bits_max; shift *= 2) t ^= t >> shift;
         std::uint64_t key = 0;
         for (int i = 0; i < D; ++i) x[i] ^= t;
-        for (int b = bits - 1; b >= 0; --b)
-            for (int i = 0; i < D; ++i) key = (key << 1) | ((x[i] >> b) & 1u);
+        for (int b = bits - 1; b >= 0; --b) NETMESH_UNROLL
+        for (int i = 0; i < D; ++i) key = (key << 1) | ((x[i] >> b) & 1u);
         return key;
     }
     static std::uint64_t planar_position(const std::uint32_t* x, int bits) {
@@ -148,17 +157,19 @@ template <int D> struct Sorter {
     // Keys of order[begin, end) on a grid that covers just these points; differences are taken in halves, as the range
     // of finite doubles does not fit a double.
     void key_range(std::size_t begin, std::size_t end) {
-        double low[D], scale[D];
-        for (int k = 0; k < D; ++k) {
-            double lo = point(order[begin])[k], hi = lo;
-            for (std::size_t i = begin; i < end;)
-                for (const std::uint64_t piece = arena.piece(i, end, 9); i < piece; ++i) {
-                    const double x = point(order[i])[k];
-                    if (x < lo) lo = x;
-                    if (x > hi) hi = x;
+        double low[D], high[D], scale[D];
+        for (int k = 0; k < D; ++k) low[k] = high[k] = point(order[begin])[k];
+        for (std::size_t i = begin; i < end;)
+            for (const std::uint64_t piece = arena.piece(i, end, 9 * D); i < piece; ++i) {
+                const double* const x = point(order[i]);
+                for (int k = 0; k < D; ++k) {
+                    low[k] = x[k] < low[k] ? x[k] : low[k];
+                    high[k] = x[k] > high[k] ? x[k] : high[k];
                 }
-            low[k] = lo * 0.5;
-            scale[k] = hi * 0.5 - lo * 0.5;
+            }
+        for (int k = 0; k < D; ++k) {
+            low[k] *= 0.5;
+            scale[k] = high[k] * 0.5 - low[k];
         }
         double widest = 0;
         for (int k = 0; k < D; ++k)
@@ -276,5 +287,6 @@ Status spatial_order(const unsigned char* coordinates, std::ptrdiff_t stride_byt
                                      std::uint32_t*, bool*, bool);
 NETMESH_EACH_DIMENSION(NETMESH_INSTANTIATE)
 #undef NETMESH_INSTANTIATE
+#undef NETMESH_UNROLL
 
 }  // namespace netmesh

@@ -57,6 +57,13 @@ constexpr double corner_error_max = 0x1p-22;
 // proven.
 template <int D> void solve_sphere(const double* const* p, double error_max, Cell<D>& cell);
 
+// That of a cell of `store` by its vertices.
+template <int D> [[gnu::noinline]] void solve_cell(const Store<D>& store, double error_max, Cell<D>& cell) {
+    const double* p[D + 1];
+    for (int i = 0; i <= D; ++i) p[i] = store.point(cell.vertex[i]);
+    solve_sphere<D>(p, error_max, cell);
+}
+
 // The ball of every cell of a compact store anew, from its vertices alone: what is read off then depends neither on how
 // the triangulation was made nor on what was cached, and is the same after it has been written to a file and loaded.
 // O(cells).

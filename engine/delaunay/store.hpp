@@ -182,6 +182,8 @@ public:
         const CellId c = head_;
         if (c == none) return CellId(slots_++);
         head_ = CellId(cells_[c].neighbour[0].word());
+        if constexpr (D > 3)
+            if (head_ != none) __builtin_prefetch(&cells_[head_], 1);  // of the one after it, for its turn
         return c;
     }
     void give_back(CellId c) {

@@ -61,8 +61,13 @@ template <int D> class KernelRun {
 public:
     explicit KernelRun(Store<D>& store) : store_(store), kernel_(store, ball_error_max, VertexCells::ignored) {}
     Status open(const std::uint32_t* order, std::size_t low) {
-        order_ = order;
-        low_ = (low + Arena::alignment - 1) & ~(Arena::alignment - 1);
+        const std::uint32_t count = store_.state.vertex_count;
+        vertices_begin_ = store_.arena.high_mark();
+        std::uint32_t* const kept = store_.arena.template take_high<std::uint32_t>(count);
+        if (kept == nullptr) return Status::out_of_memory;
+        move_bytes(kept, order, count * sizeof *kept, store_.arena);
+        order_ = kept;
+        store_.arena.release_low(low);
         return store_.open_cells();
     }
     Status start(const VertexId* ids) {
@@ -87,14 +92,17 @@ public:
         *made = cavity.facets;
         return true;
     }
-    void finish() { store_.compact(low_); }
+    void finish() {
+        store_.compact(store_.state.cells_offset);
+        store_.arena.release_high(vertices_begin_);
+    }
 
 private:
     Store<D>& store_;
     Kernel<D> kernel_;
     const std::uint32_t* order_;
-    std::size_t low_;
-    VertexId first_[D + 1];  // the vertices of the first cell
+    std::size_t vertices_begin_;  // offset of the last vertex
+    VertexId first_[D + 1];       // the vertices of the first cell
 };
 template <int D> using TriangulationRun = std::conditional_t<D == 2, PlaneRun<D>, KernelRun<D>>;
 

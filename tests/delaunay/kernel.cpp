@@ -14,6 +14,7 @@
 #include "common/inputs.hpp"
 #include "delaunay/check.hpp"
 #include "delaunay/load.hpp"
+#include "delaunay/ridges.hpp"
 #include "delaunay/spatial_order.hpp"
 #include "delaunay/triangulate.hpp"
 
@@ -471,6 +472,40 @@ TEST_CASE("in space new cells border the right ones in cavities of every size, i
         }
     }
 }
+
+#ifndef __OPTIMIZE_SIZE__
+// Three new cells at vertex 7, of which the first and the last border each other. The ridge of the one between has the
+// same tag as theirs, and its search begins at the same slot.
+TEST_CASE("ridges that are taken for one another are noticed") {
+    for (const bool collides : {false, true}) {
+        Block block(std::size_t{1} << 12);
+        StoreState state = {};
+        const Store<3> store(block.arena, state);
+        RidgeTable<3> ridges(store, 3, 0);
+        REQUIRE(ridges.is_there());
+        const std::uint32_t vertices[3][4] = {
+            {115, 1277, 1, 7}, {201, collides ? 1252u : 1253u, 2, 7}, {1277, 115, 3, 7}};
+        Cell<3> cells[3];
+        for (std::uint32_t c = 0; c < 3; ++c) {
+            for (std::uint32_t i = 0; i < 4; ++i) {
+                cells[c].vertex[i] = VertexId(vertices[c][i]);
+                cells[c].neighbour[i] = FacetId(CellId(100 + c), i);
+            }
+            ridges.join(cells, CellId(c), 3);
+            CHECK(cells[c].neighbour[3] == FacetId(CellId(100 + c), 3));
+        }
+        CHECK(ridges.is_sound() == !collides);
+        if (collides) continue;
+        for (std::uint32_t c = 0; c < 3; ++c)
+            for (std::uint32_t i = 0; i < 3; ++i)
+                CHECK(cells[c].neighbour[i] == (i == 2 && c != 1 ? FacetId(CellId(2 - c), 2) : FacetId(none)));
+    }
+    Block block(64);
+    StoreState state = {};
+    const Store<3> store(block.arena, state);
+    CHECK_FALSE(RidgeTable<3>(store, 3, 0).is_there());
+}
+#endif
 
 TEST_CASE_TEMPLATE_DEFINE("a point in the plane of a hull facet: the ghost is in conflict when the cell behind is", T,
                           coplanar) {
