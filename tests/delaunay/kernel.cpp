@@ -500,11 +500,35 @@ TEST_CASE("ridges that are taken for one another are noticed") {
             for (std::uint32_t i = 0; i < 3; ++i)
                 CHECK(cells[c].neighbour[i] == (i == 2 && c != 1 ? FacetId(CellId(2 - c), 2) : FacetId(none)));
     }
-    Block block(64);
-    StoreState state = {};
-    const Store<3> store(block.arena, state);
-    CHECK_FALSE(RidgeTable<3>(store, 3, 0).is_there());
+    // 32 slots of 8 bytes and three cells.
+    for (const std::size_t bytes : {464u, 480u}) {
+        Block block(bytes);
+        StoreState state = {};
+        const Store<3> store(block.arena, state);
+        CHECK(RidgeTable<3>(store, 3, 0).is_there() == (bytes >= 32 * 8 + 3 * sizeof(Cell<3>)));
+    }
 }
+
+TEST_CASE_TEMPLATE_DEFINE("cells are the same where the gap has no room for tables", T, small_gap) {
+    constexpr int D = T::value;
+    const inputs::Points points = inputs::uniform(D, 40, 5);
+    const Triangulated<D> roomy(points, std::size_t{1} << 22);
+    REQUIRE(roomy.status == Status::ok);
+    std::uint32_t whole = 0;
+    for (std::size_t bytes = roomy.block.arena.bytes_peak() + 20000; bytes > 1000; bytes -= 400) {
+        const Triangulated<D> tight(points, bytes);
+        if (tight.status != Status::ok) break;
+        ++whole;
+        REQUIRE(tight.state.cell_slots == roomy.state.cell_slots);
+        for (std::uint32_t c = 0; c < roomy.state.cell_slots; ++c)
+            for (std::uint32_t i = 0; i <= D; ++i) {
+                REQUIRE(tight.store.cell(c).vertex[i] == roomy.store.cell(c).vertex[i]);
+                REQUIRE(tight.store.cell(c).neighbour[i] == roomy.store.cell(c).neighbour[i]);
+            }
+    }
+    CHECK(whole > 10);
+}
+TEST_CASE_TEMPLATE_APPLY(small_gap, Dimensions<3, 6>);
 #endif
 
 TEST_CASE_TEMPLATE_DEFINE("a point in the plane of a hull facet: the ghost is in conflict when the cell behind is", T,
