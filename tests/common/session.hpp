@@ -74,8 +74,8 @@ public:
         return until_it_fits(netmesh_plan_scales(&r), [&] { return netmesh_persist_scales(context, &r); });
     }
 
-    bool bounds = false;  // mesh_and_persist goes on to netmesh_bound_bars
-    bool checks = false;  // and to netmesh_check, which may want a larger block than the diagram
+    bool bounds = false;                         // mesh_and_persist goes on to netmesh_bound_bars
+    bool checks = false;                         // and to netmesh_check, which may want a larger block than the diagram
     netmesh_status checked = NETMESH_NO_RESULT;  // what that check said
 
 private:
