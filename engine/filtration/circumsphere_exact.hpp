@@ -4,8 +4,8 @@
 // centre is vertex 0 + sum of beta_i e_i with G beta = b / 2. So by Cramer, with G_i for G with b as column i,
 //     beta_i = det G_i / (2 det G),   beta_0 = (2 det G - sum of det G_i) / (2 det G),
 //     squared radius = (b . G^-1 b) / 4 = (sum of b_i det G_i) / (4 det G)   squared quanta.
-// All of these determinants are residues (residues.hpp). det G is positive, as no cell of a triangulation is flat; it is
-// 0 for simplices that are, as those of a triangulation from elsewhere may be.
+// All of these determinants are residues (residues.hpp). det G is positive, as no cell of a triangulation is flat; it
+// is 0 for simplices that are, as those of a triangulation from elsewhere may be.
 #pragma once
 #include <cstddef>
 #include <cstdint>
