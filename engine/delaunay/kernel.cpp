@@ -49,7 +49,7 @@ template <int D> [[gnu::noinline]] void link(Cell<D>* cells, std::uint32_t stamp
 }
 
 template <int D> void link_all(const Store<D>& store, const Cavity& cavity, const CavityLine* end) {
-    for (std::ptrdiff_t k = 0; k < std::ptrdiff_t{cavity.facets}; ++k) {
+    for (std::ptrdiff_t k = 0; k < static_cast<std::ptrdiff_t>(cavity.facets); ++k) {
         if (k % 256 == 255) store.arena.pass(256 * (D - 1));
         link<D>(&store.cell(0), cavity.stamp, end[-k].made, end[-k].facet);
     }
@@ -123,7 +123,7 @@ template <int D, std::uint32_t most>
     Cell<D>* const cells = &store.cell(0);
     for (std::uint32_t b = 0; b < count; ++b) {
         ask_for_balls<D>(cells, lines, b, left);
-        CavityLine& line = lines[-std::ptrdiff_t{b}];
+        CavityLine& line = lines[-static_cast<std::ptrdiff_t>(b)];
         const CellId n = line.made = supply.take();
         const std::uint32_t i = line.facet.position();
         Cell<D>& old = cells[line.facet.cell()];
@@ -172,7 +172,7 @@ template <int D>
         if ((cavity.facets - left) % 256 == 0) store.arena.pass(256 * (D - 1));  // see make_one_by_one
     }
     if (ridges.is_sound()) return true;
-    for (std::ptrdiff_t k = 0; k < std::ptrdiff_t{cavity.facets}; ++k)
+    for (std::ptrdiff_t k = 0; k < static_cast<std::ptrdiff_t>(cavity.facets); ++k)
         for (std::uint32_t j = 0; j <= D; ++j)
             if (j != end[-k].facet.position()) store.cell(end[-k].made).neighbour[j] = none;
     link_all<D>(store, cavity, end);
