@@ -75,35 +75,36 @@ template <int D> struct Curve {
 
     // Position along the Hilbert curve of the grid point x, each x[i] < 2^bits.
     std::uint64_t position(const std::uint32_t* x, int bits) const {
-        if constexpr (D == 2 || D == any_dimension) {
-            if (dim == 2) return planar_position(x, bits);
-        }
-        return general_position(x, bits);
+        if constexpr (D == 2)
+            return planar_position(x, bits);
+        else
+            return D == any_dimension && dim == 2 ? planar_position(x, bits) : general_position(x, bits);
     }
 
 private:
     // In any dimension (J. Skilling, Programming the Hilbert curve, 2004): undo the rotations bit plane by bit plane,
     // then Gray decode and interleave.
     std::uint64_t general_position(const std::uint32_t* point, int bits) const {
+        const std::uint32_t axes = dim;  // what a loop that is unrolled can be bounded by
         std::uint32_t x[DimensionOf<D>::most];
-        for (std::uint32_t i = 0; i < dim; ++i) x[i] = point[i];
+        for (std::uint32_t i = 0; i < axes; ++i) x[i] = point[i];
         for (std::uint32_t q = std::uint32_t{1} << (bits - 1); q > 1; q >>= 1) {
             const std::uint32_t p = q - 1;
             NETMESH_UNROLL
-            for (std::uint32_t i = 0; i < dim; ++i) {
+            for (std::uint32_t i = 0; i < axes; ++i) {
                 const std::uint32_t on = 0u - static_cast<std::uint32_t>((x[i] & q) != 0);
                 const std::uint32_t t = (x[0] ^ x[i]) & p & ~on;
                 x[0] ^= t | (p & on);
                 x[i] ^= t;
             }
         }
-        for (std::uint32_t i = 1; i < dim; ++i) x[i] ^= x[i - 1];
-        std::uint32_t t = x[dim - 1] >> 1;  // bit by bit the parity of the bits above
+        for (std::uint32_t i = 1; i < axes; ++i) x[i] ^= x[i - 1];
+        std::uint32_t t = x[axes - 1] >> 1;  // bit by bit the parity of the bits above
         for (int shift = 1; shift < bits_max(); shift *= 2) t ^= t >> shift;
         std::uint64_t key = 0;
-        for (std::uint32_t i = 0; i < dim; ++i) x[i] ^= t;
+        for (std::uint32_t i = 0; i < axes; ++i) x[i] ^= t;
         for (int b = bits - 1; b >= 0; --b) NETMESH_UNROLL
-        for (std::uint32_t i = 0; i < dim; ++i) key = (key << 1) | ((x[i] >> b) & 1u);
+        for (std::uint32_t i = 0; i < axes; ++i) key = (key << 1) | ((x[i] >> b) & 1u);
         return key;
     }
     static std::uint64_t planar_position(const std::uint32_t* x, int bits) {

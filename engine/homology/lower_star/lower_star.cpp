@@ -97,7 +97,9 @@ template <int D> bool LowerStars<D>::classify_small_link(Link<D>& link, VertexId
     std::uint32_t counts[DimensionOf<D>::most + 1];
     link.count_simplices(counts);
     bool regular = pieces == 1 && link.upper_pieces() == 1;
-    if (ball_.dim() == 4) regular = regular && counts[1] + counts[3] == counts[2] + counts[4] + 1;
+    if constexpr (D == 4 || D == any_dimension) {
+        if (ball_.dim() == 4) regular = regular && counts[1] + counts[3] == counts[2] + counts[4] + 1;
+    }
     return count_star(v, counts, regular);
 }
 
