@@ -71,6 +71,7 @@ ExactSphere::ExactSphere(const double* const* point, int k, int dim) : k_(k), di
             power_max_ = x_[i][c].power > power_max_ ? x_[i][c].power : power_max_;
             if (i > 0) edge_[c][i - 1] = two_difference(point[i][c], point[0][c]);
         }
+    if (widest < quantum_) widest = quantum_;  // all points are one
     length_bits_ = 2 * (widest + 1 - quantum_) + (dim > 4 ? 3 : dim > 2 ? 2 : 1);
 }
 

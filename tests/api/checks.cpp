@@ -125,17 +125,18 @@ TEST_CASE("alpha refuses cells that were loaded flat") {
         Arrays whole(s);
         whole.domain.clear();
         s.reserve(std::size_t{1} << 24);
-        Arrays flat = whole, one = whole, point = whole;
+        Arrays flat = whole, one = whole, point = whole, nothing = whole;
         for (std::size_t v = 0; v < flat.markers.size(); ++v) flat.vertices[d * v + d - 1] = 3;
-        // One vertex of a cell in the middle between two others, or where another one is.
+        // One vertex of a cell in the middle between two others, or where another one is, or all of them in one place.
         const auto at = [](Arrays& cells, std::size_t corner, std::size_t k) -> double& {
             return cells.vertices[cells.dim * cells.cells[corner] + k];
         };
         for (std::size_t k = 0; k < d; ++k) {
             at(one, 0, k) = 0.5 * (at(whole, 1, k) + at(whole, 2, k));
             at(point, 0, k) = at(whole, 1, k);
+            for (std::size_t corner = 0; corner <= d; ++corner) at(nothing, corner, k) = 0;
         }
-        for (const Arrays* const cells : {&flat, &one, &point}) {
+        for (const Arrays* const cells : {&flat, &one, &point, &nothing}) {
             REQUIRE(cells->load(s) == NETMESH_OK);
             CHECK(s.persist(NETMESH_FILTER_ALPHA) == NETMESH_CHECK_FAILED);
             CHECK(said(s).find("flat") != std::string::npos);
