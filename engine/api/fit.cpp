@@ -110,6 +110,8 @@ private:
     // are checked with: small blocks would fit no function.
     Status ended(Status status) const {
         if (status != Status::ok) return status;
+        Monitor monitor = monitor_of(request_.monitor);
+        const Watch watch(context_->arena, monitor);
         constexpr std::size_t vertex_bytes = 3 * sizeof(double) + sizeof(Interval), cell_bytes = 2, input_bytes = 72,
                               fixed = 4096;
         const StoreState& mesh = context_->mesh.store;
@@ -117,6 +119,7 @@ private:
         const std::size_t inputs = context_->mesh.tau > 0 ? context_->input.distinct : 0;
         const std::size_t needed = mesh.vertex_count * vertex_bytes + mesh.cell_slots * cell_bytes +
                                    inputs * input_bytes + largest_star() * corner_bytes + fixed;
+        if (monitor.has_stopped()) return static_cast<Status>(finish(context_, Status::cancelled));
         if (context_->arena.bytes_free() >= needed) return status;
         context_->arena.refuse(needed);
         return static_cast<Status>(finish(context_, Status::out_of_memory));
@@ -130,7 +133,7 @@ private:
         if (cells_at == nullptr) return 0;
         arena.each(vertices, 2, [&](std::uint64_t v) { cells_at[v] = 0; });
         std::uint32_t most = 0;
-        const AnyStore store(static_cast<int>(request_.dim), arena, context_->mesh.store);
+        const AnyStore store = store_of(*context_);
         arena.each(store.state.cell_slots, 10 * request_.dim, [&](std::uint64_t c) {
             for (const VertexId v : store.cell(static_cast<std::uint32_t>(c)).vertex)
                 if (++cells_at[v] > most) most = cells_at[v];
