@@ -120,8 +120,9 @@ private:
         const std::size_t needed = mesh.vertex_count * vertex_bytes + mesh.cell_slots * cell_bytes +
                                    inputs * input_bytes + largest_star() * corner_bytes + fixed;
         if (monitor.has_stopped()) return static_cast<Status>(finish(context_, Status::cancelled));
-        if (context_->arena.bytes_free() >= needed) return status;
-        context_->arena.refuse(needed);
+        // Taken and given back, so that it counts as what the call uses: in a block of that size it fits.
+        const ArenaScope scope(context_->arena);
+        if (context_->arena.take_low<unsigned char>(needed) != nullptr) return status;
         return static_cast<Status>(finish(context_, Status::out_of_memory));
     }
     // Most cells at a vertex; 0 where there is no room to count them, or for a check.

@@ -8,6 +8,8 @@ namespace {
 
 // Normals and feet that are shorter than this times what they are made from have lost their direction.
 constexpr double lost2 = 0x1p-60;
+// Those shorter than this have roundings that are not small beside them.
+constexpr double few2 = 0x1p-20;
 
 // Is x as near to v as to all other vertices of its star?
 bool is_in_cell(const AnyStore& store, VertexId v, const double* x, const CellId* star, std::uint32_t count) {
@@ -186,12 +188,16 @@ void offer_cut_corners(const AnyStore& store, const Cut& cut, VertexId w, CellId
         level += n[k] * (w[k] - u[k]);
     }
     level += 0.5 * length2;
-    for (int i = 0; i < codimension; ++i) {
-        const double along = dot(dim, n, normal[i]);
-        for (int k = 0; k < dim; ++k) n[k] -= along * normal[i][k];
-        level -= along * offset[i];
+    // A second time where the first one leaves little: its roundings are then no more small beside the rest.
+    for (int pass = 0; pass < 2; ++pass) {
+        for (int i = 0; i < codimension; ++i) {
+            const double along = dot(dim, n, normal[i]);
+            for (int k = 0; k < dim; ++k) n[k] -= along * normal[i][k];
+            level -= along * offset[i];
+        }
+        rest2 = dot(dim, n, n);
+        if (rest2 > few2 * length2) break;
     }
-    for (int k = 0; k < dim; ++k) rest2 += n[k] * n[k];
     const double rest = square_root(rest2);
     if (!(rest2 > lost2 * length2)) return false;
     for (int k = 0; k < dim; ++k) n[k] /= rest;
@@ -229,8 +235,16 @@ void offer_cut_corners(const AnyStore& store, const Cut& cut, VertexId w, CellId
     foot(centre, middle);
     foot(zero, nearest);
     for (int k = 0; k < dim; ++k) away[k] = middle[k] - nearest[k];
-    const double radius2 = ball.radius * ball.radius - distance2(dim, middle, centre), away2 = dot(dim, away, away);
+    const double radius2 = ball.radius * ball.radius - distance2(dim, middle, centre);
     if (!(radius2 > 0)) return false;
+    double away2 = dot(dim, away, away);
+    if (away2 < few2 * ball.radius * ball.radius) {  // what roundings left of the normals is not along the flat
+        for (int i = 0; i < codimension; ++i) {
+            const double along = dot(dim, away, normal[i]);
+            for (int k = 0; k < dim; ++k) away[k] -= along * normal[i][k];
+        }
+        away2 = dot(dim, away, away);
+    }
     if (away2 > lost2 * ball.radius * ball.radius)
         for (int k = 0; k < dim; ++k) away[k] /= square_root(away2);
     else

@@ -1,10 +1,13 @@
 // Points so near to one another that coordinates hardly resolve the corners of their cells.
 #include <doctest/doctest.h>
 
+#include <cmath>
+
 #include "common/dimensions.hpp"
 #include "common/inputs.hpp"
 #include "common/meshed.hpp"
 #include "common/session.hpp"
+#include "hierarchical.hpp"
 #include "mesh/separation.hpp"
 
 using namespace netmesh;
@@ -134,3 +137,49 @@ TEST_CASE("the ratio that is reported of pairs a trillionth apart is that of the
             CHECK(session.check() == NETMESH_OK);
         }
 }
+
+// Three cages, a billionth of the domain wide, about the corners of an equilateral triangle on its sphere, of radius R.
+// For x in the ball and in the cell of the cage about a corner c, x . c >= 0 seen from the centre, as the corners add up
+// to 0 and c is the nearest: |x - c|^2 <= 2 R^2, with equality at right angles to the triangle. Faces of that cell are
+// known by vertices that are far apart in some directions and near in others.
+TEST_CASE_TEMPLATE_DEFINE("cells of three small cages reach root 2 radii of the domain", T, three_cages) {
+    constexpr int D = T::value;
+    for (std::uint64_t seed = 1; seed <= 20; ++seed) {
+        CAPTURE(seed);
+        inputs::Random random(seed);
+        double u[D], v[D], uv = 0, vv = 0, uu = 0;
+        for (int k = 0; k < D; ++k) {
+            u[k] = random.uniform() - 0.5;
+            v[k] = random.uniform() - 0.5;
+            uv += u[k] * v[k];
+            uu += u[k] * u[k];
+        }
+        for (int k = 0; k < D; ++k) {
+            v[k] -= uv / uu * u[k];
+            vv += v[k] * v[k];
+        }
+        inputs::Points points;
+        for (int corner = 0; corner < 3; ++corner) {
+            const auto [c, s] = inputs::turn(120 * corner, 360);
+            for (int twin = 0; twin < 2; ++twin)
+                for (int k = 0; k < D; ++k)
+                    points.push_back(c * u[k] / std::sqrt(uu) + s * v[k] / std::sqrt(vv) +
+                                     twin * 1e-9 * (random.uniform() - 0.5));
+        }
+        Hierarchical<D> m(points, by_hierarchy(3));
+        REQUIRE(m.status == Status::ok);
+        REQUIRE(m.result.hierarchy.cages == 3);
+        CHECK(m.state.vertex_count == 6 + 2 * D + 3 * 2 * D);
+        double radii[6];
+        HierarchyRequest request = {m.result.cages, 3, m.result.domain};
+        request.cage_radii = radii;
+        HierarchyQuality quality;
+        REQUIRE(measure_hierarchy(m.store, request, m.block.arena, &quality) == Status::ok);
+        CHECK(quality.worst <= 3);
+        for (int cage = 0; cage < 3; ++cage) {
+            CHECK(radii[2 * cage] == doctest::Approx(std::sqrt(0.75)).epsilon(1e-6));
+            CHECK(radii[2 * cage + 1] == doctest::Approx(std::sqrt(2.)).epsilon(1e-6));
+        }
+    }
+}
+TEST_CASE_TEMPLATE_APPLY(three_cages, Dimensions<3, 5>);
