@@ -255,7 +255,8 @@ template <int D> void compare_along(Cells<D> cells, std::uint64_t seed) {
                 if (j > 0 && lists_follow_order<D> && place[face[j - 1]] >= place[face[j]]) ++differ;
                 if (j > 0 && !lists_follow_order<D> && face[j - 1] >= face[j]) ++differ;
             }
-            if (k == 0 && face[0] != used[i]) ++differ;
+            // Where jumps in memory do not matter (-Os) nothing follows the order.
+            if (k == 0 && jumps_matter && face[0] != used[i]) ++differ;
             std::sort(face.begin(), face.end());
             found.insert(face);
         }
@@ -276,6 +277,7 @@ TEST_CASE_TEMPLATE_DEFINE("faces along an order", T, faces_along_an_order) {
 TEST_CASE_TEMPLATE_APPLY(faces_along_an_order, Dimensions<2, 4>);
 
 TEST_CASE("faces along an order: what is no ball is found out") {
+    if (!lists_follow_order<3>) return;  // then vertices are not walked to from one another
     Cells<3> cells;
     cells.vertex_count = 8;  // two cells that are apart
     cells.list = {{0, 1, 2, 3}, {4, 5, 6, 7}};
