@@ -62,6 +62,19 @@ requests::Delaunay delaunay_request(const Options& options, std::uint32_t dim) {
     return delaunay;
 }
 
+bool wants_diagram_alone(const Options& options) {
+    return options.command == Command::persist && !options.check && options.mesh_out.empty() &&
+           options.representatives.empty();
+}
+
+requests::Alpha alpha_request(const Options& options, std::uint32_t dim) {
+    requests::Alpha request(dim);
+    request.seed = options.seed;
+    request.max_degree = max_degree_of(options, dim);
+    request.keep_zero_pairs = options.all ? 1 : 0;
+    return request;
+}
+
 requests::Auto auto_request(const Options& options, std::uint32_t dim) {
     requests::Auto request(dim);
     request.seed = options.seed;
@@ -156,7 +169,9 @@ std::size_t plan_diagram(const Options& given, netmesh_filter filter, std::uint3
     switch (about(filter).source) {
     case NETMESH_SOURCE_SCALES: return plan_for(scales_request(options, diagram, dim), point_count);
     case NETMESH_SOURCE_POINTS: return plan_for(points_request(options, diagram, dim), point_count);
-    case NETMESH_SOURCE_DELAUNAY: return plan_for(delaunay_request(options, dim), point_count);
+    case NETMESH_SOURCE_DELAUNAY:
+        return wants_diagram_alone(options) ? plan_for(alpha_request(options, dim), point_count)
+                                            : plan_for(delaunay_request(options, dim), point_count);
     default: break;
     }
     requests::Mesh mesh = mesh_request(options, dim);

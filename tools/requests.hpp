@@ -35,6 +35,9 @@ netmesh_certificate_goal goal_of(const Options& options, double ratio);
 
 requests::Mesh mesh_request(const Options& options, std::uint32_t dim);
 requests::Delaunay delaunay_request(const Options& options, std::uint32_t dim);
+// Does nobody want the triangulation of filter alpha, but its diagram? Then requests::Alpha takes less memory and time.
+bool wants_diagram_alone(const Options& options);
+requests::Alpha alpha_request(const Options& options, std::uint32_t dim);
 requests::Auto auto_request(const Options& options, std::uint32_t dim);
 requests::Persist persist_request(const Options& options, const DiagramRequest& diagram, std::uint32_t dim);
 requests::Fit fit_request(const Options& options, std::uint32_t dim);
