@@ -245,20 +245,21 @@ Status enumerate(const TriangulationView<D>& complex, int dimension_max, std::ui
 }
 
 template <int D>
-Status enumerate_along(const TriangulationView<D>& complex, std::uint32_t* order, const Work& work, std::size_t low,
-                       Faces<D>* out) {
+Status enumerate_along(const TriangulationView<D>& complex, std::uint64_t hull_facets, std::uint32_t* order,
+                       const Work& work, std::size_t low, Faces<D>* out) {
     Arena& arena = work.arena;
     const std::size_t high = arena.high_mark();
     Faces<D> faces = {};
     faces.dimension_max = D;
     FacesAlong<D> along(complex, arena);
-    if (!along.read_cells(order, faces.count)) return Status::out_of_memory;
+    Status status = along.read_cells(order, hull_facets, faces.count);
+    if (status != Status::ok) return status;
     arena.release_low(low);
     for (int k = 1; k <= D; ++k) {
         faces.facets[k] = arena.take_low<std::uint32_t>(std::size_t{faces.count[k]} * static_cast<std::size_t>(k + 1));
         if (faces.facets[k] == nullptr) return Status::out_of_memory;
     }
-    const Status status = along.run(faces.count, faces.facets, work.monitor);
+    status = along.run(faces.count, faces.facets, work.monitor);
     if (status != Status::ok) return status;
     arena.release_high(high);
     faces.last_vertex[0] = order;
@@ -305,13 +306,13 @@ Status enumerate_faces(const TriangulationView<D>& complex, int dimension_max, c
 }
 
 template <int D>
-Status enumerate_faces_along(const TriangulationView<D>& complex, std::uint32_t* order, bool drops_complex,
-                             const Work& work, Faces<D>* out) {
+Status enumerate_faces_along(const TriangulationView<D>& complex, [[maybe_unused]] std::uint64_t hull_facets,
+                             std::uint32_t* order, bool drops_complex, const Work& work, Faces<D>* out) {
     const std::size_t high = work.arena.high_mark();
     const std::size_t low = drops_complex ? work.arena.offset_of(complex.cells) : work.arena.low_mark();
     Status status;
     if constexpr (lists_follow_order<D>) {
-        status = enumerate_along(complex, order, work, low, out);
+        status = enumerate_along(complex, hull_facets, order, work, low, out);
     } else {
         status = enumerate_shared(complex, D, jumps_matter ? order : nullptr, work, low, out);
     }
@@ -324,7 +325,8 @@ Status enumerate_faces_along(const TriangulationView<D>& complex, std::uint32_t*
 
 #define NETMESH_INSTANTIATE(D)                                                                                         \
     template Status enumerate_faces<D>(const TriangulationView<D>&, int, const Work&, Faces<D>*);                      \
-    template Status enumerate_faces_along<D>(const TriangulationView<D>&, std::uint32_t*, bool, const Work&, Faces<D>*);
+    template Status enumerate_faces_along<D>(const TriangulationView<D>&, std::uint64_t, std::uint32_t*, bool,         \
+                                             const Work&, Faces<D>*);
 NETMESH_EACH_INSTANCE(NETMESH_INSTANTIATE)
 #undef NETMESH_INSTANTIATE
 

@@ -11,7 +11,7 @@
 namespace netmesh {
 
 // Whether the vertex lists of faces along an order ascend in that; otherwise they ascend by number, as all others do.
-template <int D> constexpr bool lists_follow_order = jumps_matter&& D <= 3;
+template <int D> constexpr bool lists_follow_order = jumps_matter&& D <= 4;
 
 // The faces of dimension 0..dimension_max, those of one dimension numbered densely. First, last and greatest mean the
 // order in which vertex lists ascend.
@@ -63,13 +63,25 @@ Status enumerate_faces(const TriangulationView<D>& complex, int dimension_max, c
 // All faces, numbered so that those of vertices that are near in `order` mostly have near numbers and less jumps about
 // in memory; see lists_follow_order. A 0-face is not its vertex: last_vertex[0] says which one it is. Built for small
 // size: as above.
+// hull_facets: how many facets of cells are on the hull; only where lists follow the order.
 // order: [vertex_count] all vertices, the last piece at the arena's high end, where it is taken over; without
 // Status::ok it stays. drops_complex: the cells are the last piece at the arena's low end; they are given back once
-// they are read, in any case. Cost: as above; in D = 2 and 3 a lookup for each face of each cell, and a word per vertex
-// of a cell, per cell and per vertex, in D = 3 also per edge, of scratch. As above, and internal: it is not the
+// they are read, in any case. Cost: as above; in D = 2, 3 and 4 a lookup for each face of each cell, and a word per
+// vertex of a cell, per cell and per face of up to D - 2 dimensions of scratch. As above, and internal: it is not the
 // triangulation of a ball.
 template <int D>
-Status enumerate_faces_along(const TriangulationView<D>& complex, std::uint32_t* order, bool drops_complex,
-                             const Work& work, Faces<D>* out);
+Status enumerate_faces_along(const TriangulationView<D>& complex, std::uint64_t hull_facets, std::uint32_t* order,
+                             bool drops_complex, const Work& work, Faces<D>* out);
+
+// Facets on the hull, by the neighbours of the cells; 0 where lists do not follow an order and nobody asks. O(cells).
+template <int D> std::uint64_t count_hull_facets(const TriangulationView<D>& complex, const Arena& arena) {
+    std::uint64_t count = 0;
+    if constexpr (lists_follow_order<D>)
+        arena.each(complex.cell_count, 2 * (D + 1), [&](std::uint64_t c) {
+            for (std::uint32_t i = 0; i <= D; ++i)
+                count += complex.facet_beyond(CellId(static_cast<std::uint32_t>(c)), i) == none ? 1 : 0;
+        });
+    return count;
+}
 
 }  // namespace netmesh

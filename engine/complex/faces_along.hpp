@@ -16,20 +16,22 @@
 namespace netmesh {
 
 template <int D> class FacesAlong {
-    static_assert(D == 2 || D == 3, "the numbers of faces are known beforehand from the edges alone");
+    static_assert(D >= 2 && D <= 4, "the numbers of faces are known beforehand from edges and facets alone");
 
 public:
     FacesAlong(const TriangulationView<D>& complex, Arena& arena) : complex_(complex), arena_(arena) {}
 
     // Takes all that is needed of the cells; they are not read again. order[vertex_count]: all vertices; those that are
-    // in cells stay, and are the 0-faces. Sets count[1..D]. Scratch stays at the high end. False: out of memory.
-    bool read_cells(std::uint32_t* order, std::uint32_t* count);
+    // in cells stay, and are the 0-faces. hull_facets: how many facets have one cell. Sets count[0..D]. Scratch stays
+    // at the high end. out_of_memory; internal: it is not the triangulation of a ball.
+    Status read_cells(std::uint32_t* order, std::uint64_t hull_facets, std::uint32_t* count);
     // Makes the faces into facets[k][count[k]], taken by the caller. internal: it is not the triangulation of a ball.
     Status run(const std::uint32_t* count, std::uint32_t* const* facets, Monitor& monitor);
 
 private:
     void number_vertices(std::uint32_t* order, std::uint32_t* place);
     std::uint64_t count_edges(const std::uint32_t* order, std::uint32_t* seen_from) const;
+    Status count_faces(const std::uint32_t* order, std::uint64_t hull_facets, std::uint32_t* count) const;
     template <int K> std::uint32_t cone(std::uint32_t face);
     void visit(FacetId incidence);
 
@@ -85,7 +87,30 @@ template <int D> std::uint64_t FacesAlong<D>::count_edges(const std::uint32_t* o
     return ends / 2;
 }
 
-template <int D> bool FacesAlong<D>::read_cells(std::uint32_t* order, std::uint32_t* count) {
+// A facet belongs to two cells or is on the hull; a ball has Euler characteristic 1. That leaves the edges in R^4.
+// last_cone_[0] is scratch.
+template <int D>
+Status FacesAlong<D>::count_faces(const std::uint32_t* order, std::uint64_t hull_facets, std::uint32_t* count) const {
+    const std::uint64_t vertices = vertices_, cells = complex_.cell_count, facets = ((D + 1) * cells + hull_facets) / 2;
+    std::uint64_t of[D + 1] = {vertices};
+    of[D] = cells;
+    of[D - 1] = facets;
+    if (D == 2 && facets + 1 != vertices + cells) return Status::internal;
+    if constexpr (D == 3) of[1] = vertices + facets - cells - 1;
+    if constexpr (D == 4) {
+        of[1] = count_edges(order, last_cone_[0]);
+        of[2] = 1 + of[1] + facets - vertices - cells;
+    }
+    for (int k = 0; k <= D; ++k) {
+        if (of[k] - 1 >= UINT64_MAX / 2) return Status::internal;  // none, or fewer
+        if (of[k] >= none) return Status::out_of_memory;
+        count[k] = static_cast<std::uint32_t>(of[k]);
+    }
+    return Status::ok;
+}
+
+template <int D>
+Status FacesAlong<D>::read_cells(std::uint32_t* order, std::uint64_t hull_facets, std::uint32_t* count) {
     const std::size_t n = complex_.vertex_count, cells = complex_.cell_count;
     begin_ = arena_.take_high<std::uint32_t>(n + 1);
     incidence_ = arena_.take_high<FacetId>(cells * (D + 1));
@@ -93,7 +118,7 @@ template <int D> bool FacesAlong<D>::read_cells(std::uint32_t* order, std::uint3
     last_cone_[0] = arena_.take_high<std::uint32_t>(n);
     if (begin_ == nullptr || incidence_ == nullptr || of_cell_ == nullptr || last_cone_[0] == nullptr ||
         cells * (D + 1) >= none)
-        return false;
+        return Status::out_of_memory;
     std::uint32_t* const place = last_cone_[0];  // until faces are made
     number_vertices(order, place);
     arena_.each(cells, 20 * (D + 1), [&](std::uint64_t c) {
@@ -106,19 +131,12 @@ template <int D> bool FacesAlong<D>::read_cells(std::uint32_t* order, std::uint3
             incidence_[begin_[at[i] + 1]++] = FacetId(cell, before);
         }
     });
-    // A ball has Euler characteristic 1.
-    std::uint64_t edges = std::uint64_t{vertices_} + cells - 1;
-    if constexpr (D == 3) edges = count_edges(order, last_cone_[0]);
-    count[0] = vertices_;
-    count[1] = static_cast<std::uint32_t>(edges);
-    if constexpr (D == 3) {
-        const std::uint64_t triangles = edges + cells + 1 - vertices_;
-        if (triangles >= none) return false;
-        count[2] = static_cast<std::uint32_t>(triangles);
-        last_cone_[1] = arena_.take_high<std::uint32_t>(count[1]);
+    const Status status = count_faces(order, hull_facets, count);
+    for (int k = 1; k + 1 < D && status == Status::ok; ++k) {
+        last_cone_[k] = arena_.take_high<std::uint32_t>(count[k]);
+        if (last_cone_[k] == nullptr) return Status::out_of_memory;
     }
-    count[D] = static_cast<std::uint32_t>(cells);
-    return edges < none && (D == 2 || last_cone_[D - 2] != nullptr);
+    return status;
 }
 
 // The K-face of a (K-1)-face and the vertex at work.
@@ -153,8 +171,11 @@ template <int D> inline void FacesAlong<D>::visit(FacetId incidence) {
     case 0: face = vertex_; break;
     case 1: face = cone<1>(face); break;
     case 2: face = cone<2>(face); break;
+    case 3:
+        if constexpr (D > 2) face = cone<3>(face);
+        break;
     default:
-        if constexpr (D == 3) cone<3>(face);
+        if constexpr (D > 3) cone<4>(face);
     }
 }
 

@@ -16,7 +16,8 @@ template <int D> struct AlphaFiltration {
     TriangulationView<D> complex;
     const double* coordinates;
     std::ptrdiff_t stride_bytes;
-    bool drops_cells = false;  // they are the last piece at the arena's low end, and are wanted no more
+    std::uint64_t hull_facets = 0;  // count_hull_facets
+    bool drops_cells = false;       // they are the last piece at the arena's low end, and are wanted no more
 };
 
 // Values of the alpha filtration, as radii. A simplex enters at the radius of its smallest circumsphere when no point

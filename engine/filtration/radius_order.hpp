@@ -34,12 +34,12 @@ struct PointRecords {
             faces.vertices(K, face, vertex);
         }
         if constexpr (lists_follow_order<D>) {
-            static_assert(D < 4, "a vertex and a position fit into one word: there are fewer than 2^30 vertices");
-            for (std::uint32_t i = 0; i <= K; ++i) vertex[i] = vertex[i] << 2 | i;
+            static_assert(D < 5, "a vertex and a position fit into one word: there are at most 2^28 points");
+            for (std::uint32_t i = 0; i <= K; ++i) vertex[i] = vertex[i] << 3 | i;
             sort_small<K + 1>(vertex);
             for (int i = 0; i <= K; ++i) {
-                if (facet != nullptr) facet[i] = all[vertex[i] & 3];
-                point[i] = (*this)[vertex[i] >> 2];
+                if (facet != nullptr) facet[i] = all[vertex[i] & 7];
+                point[i] = (*this)[vertex[i] >> 3];
             }
         } else {
             for (int i = 0; i <= K; ++i) {

@@ -13,6 +13,7 @@ template <int D> bool strip(Store<D>& store, AlphaFiltration<D>* out) {
     Arena& arena = store.arena;
     const std::uint32_t cells = store.state.cell_slots, vertices = store.state.vertex_count;
     const std::size_t begin = static_cast<std::size_t>(store.state.cells_offset);
+    const std::uint64_t hull_facets = count_hull_facets(store.view(), arena);
     unsigned char* rows = arena.at(begin);
     for (std::uint32_t c = 0; c < cells;)
         for (const std::uint64_t piece = arena.piece(c, cells, 12); c < piece; ++c) {
@@ -29,7 +30,11 @@ template <int D> bool strip(Store<D>& store, AlphaFiltration<D>* out) {
             __builtin_memcpy(coordinates + std::size_t{v} * D, store.point(v), sizeof(double) * D);
         }
     store.truncate_vertices(0);
-    *out = {{rows, row_bytes, cells, vertices}, coordinates, static_cast<std::ptrdiff_t>(sizeof(double) * D), true};
+    *out = {{rows, row_bytes, cells, vertices},
+            coordinates,
+            static_cast<std::ptrdiff_t>(sizeof(double) * D),
+            hull_facets,
+            true};
     return true;
 }
 

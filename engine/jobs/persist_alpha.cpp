@@ -59,7 +59,8 @@ Status diagram_of(const AlphaFiltration<D>& filtration, DiagramRequest request, 
                              filtration.complex.vertex_count, 0, work.arena, order, &repeats, false);
     }
     if (status == Status::ok)
-        status = enumerate_faces_along(filtration.complex, order, filtration.drops_cells, work, &faces);
+        status = enumerate_faces_along(filtration.complex, filtration.hull_facets, order, filtration.drops_cells, work,
+                                       &faces);
     if (status != Status::ok) return status;
     // A cell's last vertex is that of the facet opposite its first one, too.
     work.arena.release_high(work.arena.offset_of(faces.last_vertex[D - 1]));

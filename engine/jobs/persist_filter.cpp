@@ -15,8 +15,9 @@ Status persist_filter(const AnyMesh& mesh, const PersistRequest& request, const 
         const Status status = with_dimension(static_cast<std::uint32_t>(mesh.store.dim), [&](auto dimension) {
             constexpr int D = decltype(dimension)::value;
             const Store<D> store = mesh.store.of_dimension<D>();
-            return persist_alpha<D>({store.view(), store.point(0), Store<D>::vertex_stride}, request.diagram, work,
-                                    &found, &out->value_error);
+            return persist_alpha<D>(
+                {store.view(), store.point(0), Store<D>::vertex_stride, count_hull_facets(store.view(), work.arena)},
+                request.diagram, work, &found, &out->value_error);
         });
         out->pairs = found.pairs;
         out->simplices = found.simplices;

@@ -239,7 +239,7 @@ template <int D> void compare_along(Cells<D> cells, std::uint64_t seed) {
         if (is_used) used.push_back(order[i]);
     }
     const std::size_t high = block.arena.high_mark();
-    REQUIRE(enumerate_faces_along<D>(cells.view(), order, false, work, &along) == Status::ok);
+    REQUIRE(enumerate_faces_along<D>(cells.view(), cells.hull_facets(), order, false, work, &along) == Status::ok);
     CHECK(block.arena.high_mark() < high);
     for (int k = 0; k <= D; ++k) {
         REQUIRE(along.count[k] == plain.count[k]);
@@ -267,30 +267,45 @@ template <int D> void compare_along(Cells<D> cells, std::uint64_t seed) {
 
 TEST_CASE_TEMPLATE_DEFINE("faces along an order", T, faces_along_an_order) {
     constexpr int D = T::value;
-    for (std::uint64_t seed = 1; seed < 4; ++seed) compare_along<D>(freudenthal<D>(D == 4 ? 1 : 3), seed);
+    for (std::uint64_t seed = 1; seed < 4; ++seed)
+        compare_along<D>(freudenthal<D>(by_dimension<std::uint32_t>(D, {3, 3, 2, 1})), seed);
     Cells<D> one;
     one.vertex_count = D + 1;
     one.list.emplace_back();
     for (std::uint32_t i = 0; i <= D; ++i) one.list[0][i] = i;
     compare_along<D>(one, 4);
 }
-TEST_CASE_TEMPLATE_APPLY(faces_along_an_order, Dimensions<2, 4>);
+TEST_CASE_TEMPLATE_APPLY(faces_along_an_order, Dimensions<2, 5>);
 
-TEST_CASE("faces along an order: what is no ball is found out") {
-    if (!lists_follow_order<3>) return;  // then vertices are not walked to from one another
-    Cells<3> cells;
-    cells.vertex_count = 8;  // two cells that are apart
-    cells.list = {{0, 1, 2, 3}, {4, 5, 6, 7}};
-    Block block(std::size_t{1} << 20);
-    Monitor monitor;
-    std::uint32_t* const order = block.arena.take_high<std::uint32_t>(8);
-    for (std::uint32_t i = 0; i < 8; ++i) order[i] = i;
-    const std::size_t low = block.arena.low_mark(), high = block.arena.high_mark();
-    Faces<3> faces;
-    CHECK(enumerate_faces_along<3>(cells.view(), order, false, {block.arena, monitor}, &faces) == Status::internal);
-    CHECK(block.arena.low_mark() == low);
-    CHECK(block.arena.high_mark() == high);
+// Two cells that are apart, one cell twice, wrong numbers of facets.
+TEST_CASE_TEMPLATE_DEFINE("faces along an order: what is no ball is found out", T, no_ball) {
+    constexpr int D = T::value;
+    if (!lists_follow_order<D>) return;  // then vertices are not walked to from one another
+    Cells<D> apart, ball = freudenthal<D>(1), twice = ball;
+    apart.vertex_count = 2 * (D + 1);
+    apart.list.resize(2);
+    for (std::uint32_t i = 0; i <= D; ++i) {
+        apart.list[0][i] = i;
+        apart.list[1][i] = D + 1 + i;
+    }
+    twice.list.push_back(ball.list[0]);
+    const auto refuses = [](const Cells<D>& cells, std::uint64_t hull_facets) {
+        Block block(std::size_t{1} << 20);
+        Monitor monitor;
+        std::uint32_t* const order = block.arena.template take_high<std::uint32_t>(cells.vertex_count);
+        for (std::uint32_t i = 0; i < cells.vertex_count; ++i) order[i] = i;
+        const std::size_t low = block.arena.low_mark(), high = block.arena.high_mark();
+        Faces<D> faces;
+        const Status status =
+            enumerate_faces_along<D>(cells.view(), hull_facets, order, false, {block.arena, monitor}, &faces);
+        return status == Status::internal && block.arena.low_mark() == low && block.arena.high_mark() == high;
+    };
+    CHECK(refuses(apart, apart.hull_facets()));
+    CHECK(refuses(twice, twice.hull_facets()));
+    for (const std::uint64_t wrong : {0u, 1u, 2u, 4u, 100u, 10000u})
+        if (wrong / 2 != ball.hull_facets() / 2) CHECK(refuses(ball, wrong));
 }
+TEST_CASE_TEMPLATE_APPLY(no_ball, Dimensions<2, 4>);
 
 TEST_CASE("vertices of very high degree") {
     for (std::uint32_t hub : {0u, 1500u, 3001u}) {

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 #include <cstdint>
+#include <map>
 #include <numeric>
 #include <vector>
 
@@ -18,6 +19,19 @@ template <int D> struct Cells {
     netmesh::TriangulationView<D> view() const {
         return {reinterpret_cast<const unsigned char*>(list.data()), sizeof(list[0]),
                 static_cast<std::uint32_t>(list.size()), vertex_count};
+    }
+    // Facets that one cell has alone.
+    std::uint64_t hull_facets() const {
+        std::map<std::vector<std::uint32_t>, int> cells_at;
+        for (const auto& cell : list)
+            for (int i = 0; i <= D; ++i) {
+                std::vector<std::uint32_t> facet(cell.begin(), cell.begin() + D + 1);
+                facet.erase(facet.begin() + i);
+                std::sort(facet.begin(), facet.end());
+                ++cells_at[facet];
+            }
+        return static_cast<std::uint64_t>(
+            std::count_if(cells_at.begin(), cells_at.end(), [](const auto& facet) { return facet.second == 1; }));
     }
 };
 

@@ -23,6 +23,9 @@ template <int D> struct Cloud {
     Cells<D> cells;
     std::vector<double> x;
     const double* point(std::uint32_t v) const { return x.data() + v * std::size_t{D}; }
+    AlphaFiltration<D> filtration(std::ptrdiff_t stride_bytes = sizeof(double) * D) const {
+        return {cells.view(), x.data(), stride_bytes, cells.hull_facets()};
+    }
 };
 
 template <int D> Cloud<D> cloud(std::vector<double> x, std::vector<std::array<std::uint32_t, D + 1>> cells) {
@@ -66,8 +69,8 @@ Diagram diagram(const Cloud<D>& c, std::uint32_t max_degree = D, bool keep_zero 
     CountedPairs counted;
     double error;
     Diagram out;
-    const std::ptrdiff_t stride_bytes = stride == 0 ? static_cast<std::ptrdiff_t>(D * sizeof(double)) : stride;
-    const AlphaFiltration<D> filtration = {c.cells.view(), c.x.data(), stride_bytes};
+    const AlphaFiltration<D> filtration =
+        stride == 0 ? c.filtration() : c.filtration(static_cast<std::ptrdiff_t>(stride));
     REQUIRE(persist_alpha<D>(filtration, {max_degree, keep_zero}, {block.arena, monitor}, &counted, &error) ==
             Status::ok);
     const PairList& list = counted.pairs;
@@ -455,8 +458,7 @@ TEST_CASE_TEMPLATE_DEFINE("the diagram in low degrees is that part of the whole"
     Monitor monitor;
     CountedPairs counted;
     double error;
-    REQUIRE(persist_alpha<D>({c.cells.view(), c.x.data(), D * sizeof(double)}, {D}, {block.arena, monitor}, &counted,
-                             &error) == Status::ok);
+    REQUIRE(persist_alpha<D>(c.filtration(), {D}, {block.arena, monitor}, &counted, &error) == Status::ok);
     std::size_t pairs = 0;
     for (const auto& degree : whole.degree) pairs += degree.size();
     CHECK(counted.pairs.count == pairs);
@@ -475,8 +477,7 @@ TEST_CASE_TEMPLATE_DEFINE("values can be stopped at the cells", T, stopped) {
                      nullptr);
     CountedPairs counted;
     double error;
-    CHECK(persist_alpha<D>({c.cells.view(), c.x.data(), D * sizeof(double)}, {D}, {block.arena, stopping}, &counted,
-                           &error) == Status::cancelled);
+    CHECK(persist_alpha<D>(c.filtration(), {D}, {block.arena, stopping}, &counted, &error) == Status::cancelled);
     CHECK(block.arena.bytes_used() == 0);
 }
 TEST_CASE_TEMPLATE_APPLY(stopped, Dimensions<>);
@@ -494,8 +495,7 @@ TEST_CASE("values of edges can be stopped, and may be as long as squares overflo
         &polls);
     CountedPairs counted;
     double error;
-    CHECK(persist_alpha<2>({c.cells.view(), c.x.data(), 2 * sizeof(double)}, {2}, {block.arena, second}, &counted,
-                           &error) == Status::cancelled);
+    CHECK(persist_alpha<2>(c.filtration(), {2}, {block.arena, second}, &counted, &error) == Status::cancelled);
     CHECK(polls == 2);
     const double huge = 0x1p600;
     const auto far = cloud<2>({0, 0, 6 * huge, 0, 0, 8 * huge}, {{0, 1, 2}});
@@ -547,8 +547,7 @@ TEST_CASE("any amount of memory gives the diagram or says that it is too little;
     const auto run = [&](Block& block, Monitor monitor, std::vector<double>& deaths) {
         CountedPairs counted;
         double error;
-        const Status status =
-            persist_alpha<3>({c.cells.view(), c.x.data(), 24}, {2}, {block.arena, monitor}, &counted, &error);
+        const Status status = persist_alpha<3>(c.filtration(), {2}, {block.arena, monitor}, &counted, &error);
         const PairList& list = counted.pairs;
         deaths.clear();
         for (std::uint64_t i = 0; status == Status::ok && i < list.count; ++i) deaths.push_back(list.pairs[i].death);
@@ -581,15 +580,13 @@ TEST_CASE("a caller that wants to stop stops it at any of its polls") {
     CountedPairs counted;
     double error;
     Monitor monitor(Polls::answer, &none_stopped);
-    REQUIRE(persist_alpha<3>({c.cells.view(), c.x.data(), 24}, {2}, {block.arena, monitor}, &counted, &error) ==
-            Status::ok);
+    REQUIRE(persist_alpha<3>(c.filtration(), {2}, {block.arena, monitor}, &counted, &error) == Status::ok);
     REQUIRE(none_stopped.made > 3);
     for (long stop = 0; stop < none_stopped.made; stop += 1 + none_stopped.made / 50) {
         Polls polls = {0, stop};
         Monitor stopping(Polls::answer, &polls);
         block.arena.release_low(0);
-        CHECK(persist_alpha<3>({c.cells.view(), c.x.data(), 24}, {2}, {block.arena, stopping}, &counted, &error) ==
-              Status::cancelled);
+        CHECK(persist_alpha<3>(c.filtration(), {2}, {block.arena, stopping}, &counted, &error) == Status::cancelled);
         CHECK(block.arena.bytes_used() == 0);
     }
 }

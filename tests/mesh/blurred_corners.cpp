@@ -139,9 +139,9 @@ TEST_CASE("the ratio that is reported of pairs a trillionth apart is that of the
 }
 
 // Three cages, a billionth of the domain wide, about the corners of an equilateral triangle on its sphere, of radius R.
-// For x in the ball and in the cell of the cage about a corner c, x . c >= 0 seen from the centre, as the corners add up
-// to 0 and c is the nearest: |x - c|^2 <= 2 R^2, with equality at right angles to the triangle. Faces of that cell are
-// known by vertices that are far apart in some directions and near in others.
+// For x in the ball and in the cell of the cage about a corner c, x . c >= 0 seen from the centre, as the corners add
+// up to 0 and c is the nearest: |x - c|^2 <= 2 R^2, with equality at right angles to the triangle. Faces of that cell
+// are known by vertices that are far apart in some directions and near in others.
 TEST_CASE_TEMPLATE_DEFINE("cells of three small cages reach root 2 radii of the domain", T, three_cages) {
     constexpr int D = T::value;
     for (std::uint64_t seed = 1; seed <= 20; ++seed) {
