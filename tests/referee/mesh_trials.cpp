@@ -103,6 +103,10 @@ void run_trial(const Tool& tool, const Settings& settings, const Method& method,
         account->worst_sampled = std::max(account->worst_sampled, verdict.sampled_ratio / promised_tau(mesh));
     const Outcome checked =
         tool.run({"check", tool.path("trial.node"), "--points", tool.path("trial.txt"), "--quiet"}, 120);
+    if (verdict.good() && checked.exit == out_of_time) {  // no word against the mesh
+        account->too_large++;
+        return;
+    }
     std::string what = faults_text(verdict);
     if (verdict.good() && checked.exit != done) what = "`check` refuses what the referee accepts: " + checked.message;
     if (!verdict.good())
