@@ -2,6 +2,7 @@
 #include "sweep/jobs.hpp"
 
 #include <map>
+#include <vector>
 
 #include "common/arrays.hpp"
 #include "common/dimensions.hpp"
@@ -43,6 +44,28 @@ inputs::Points close_pairs(const Job& job) { return inputs::close_pairs(job.dim,
 
 netmesh_status delaunay(Run& run) { return run.delaunay_in_block(run.points()); }
 netmesh_status repeated(Run& run) { return run.delaunay_in_block(made<repeated_points>(run.job)); }
+
+// Points as floats, each the first numbers of a record.
+template <class Request> std::vector<float> read_floats(const Run& run, Request* request) {
+    const std::size_t dim = static_cast<std::size_t>(run.job.dim), stride = dim + 2;
+    const inputs::Points& points = run.points();
+    std::vector<float> rows(points.size() / dim * stride, -1e30f);
+    for (std::size_t i = 0; i < points.size(); ++i) rows[i / dim * stride + i % dim] = static_cast<float>(points[i]);
+    request->points = rows.data();
+    request->point_format = NETMESH_POINTS_FLOAT32;
+    request->point_stride_bytes = sizeof(float) * stride;
+    return rows;
+}
+netmesh_status cells_of_floats(Run& run) {
+    netmesh_delaunay_request request = run.delaunay_request(run.points());
+    const std::vector<float> rows = read_floats(run, &request);
+    return netmesh_delaunay(run.context, &request);
+}
+netmesh_status mesh_of_floats(Run& run) {
+    netmesh_mesh_request request = run.mesh_request(run.points());
+    const std::vector<float> rows = read_floats(run, &request);
+    return netmesh_mesh(run.context, &request);
+}
 
 netmesh_status alpha(Run& run) {
     const netmesh_status status = delaunay(run);
@@ -225,6 +248,10 @@ const Job low_dimensions[] = {
     Job{"complete", 2, 30, complete}.large(),
     Job{"complete", 3, 9, complete}.large(),
     Job{"complete", 4, 4, complete}.large(),
+    {"cells-of-floats", 2, 8, cells_of_floats},
+    {"cells-of-floats", 3, 7, cells_of_floats},
+    {"mesh-of-floats", 2, 4, mesh_of_floats},
+    {"mesh-of-floats", 3, 3, mesh_of_floats},
     {"basic", 2, 6, basic},
     {"basic", 3, 4, basic},
     {"basic", 4, 2, basic},
