@@ -18,15 +18,16 @@
 namespace netmesh {
 
 constexpr double radius_max = 0x1.fffffffffffffp1023;  // stands for all above
-constexpr double radius_min = 0x1p-1021;               // smaller ones are off by 2^-1073 besides
+constexpr double radius_min = 0x1p-1021;               // smaller ones are off by half of the least double besides
 // A radius as it is kept: the least double stands for all below it.
 inline double kept_radius(double r) { return r >= radius_max ? radius_max : r > 0x1p-1074 ? r : 0x1p-1074; }
 
-// Bound on the relative error of a radius that exact arithmetic gave: a handful of roundings, one of them to a number
-// that may be denormal.
+// Bound on the error of a radius that exact arithmetic gave, relative to the true one: a handful of roundings, one of
+// them to a number that may be denormal, of n least doubles; then the true one is n - 1/2 of them or more. (That it may
+// be half of one, of which the kept radius is the double, too: no radius is less than half of a distance.)
 inline double exact_radius_error(double radius) {
     if (radius >= radius_max) return infinity;
-    return radius >= radius_min ? 0x1p-51 : 0x1p-51 + 0x1p-1073 / radius;
+    return radius >= radius_min ? 0x1p-51 : 0x1p-51 + 1.01 / (2 * (radius * 0x1p537 * 0x1p537) - 1);
 }
 
 class ExactSphere {

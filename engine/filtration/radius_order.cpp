@@ -206,7 +206,8 @@ Status RadiusOrder::pass(bool all) {
 
 // Radii that nothing is known of but that they are above all before.
 [[gnu::cold]] Status RadiusOrder::compute(std::uint32_t begin, std::uint32_t end) {
-    if (end - begin == 1) {
+    // Of small ones too little is known: another pass may have moved them by their own size.
+    if (end - begin == 1 && radius_[begin] >= radius_min) {
         settle(begin, end, radius_[begin], errors_.inner);
         return Status::ok;
     }
@@ -331,7 +332,8 @@ Status RadiusOrder::pass(bool all) {
 [[gnu::cold]] void RadiusOrder::settle(std::uint32_t begin, std::uint32_t end, double radius, double error) {
     if (radius <= last_) {
         const double above = last_ < radius_max ? next_up(last_) : last_;
-        error = above > last_ ? error + 1.01 * (above - radius) / radius : infinity;
+        // Relative to the true radius, which the error may make smaller: denormal ones may be off by their own size.
+        error = above > last_ ? error + 1.01 * (1 + error) * ((above - radius) / radius) : infinity;
         radius = above;
     }
     last_ = radius;

@@ -1,6 +1,8 @@
 // netmesh_persist_alpha: the diagram of netmesh_persist on netmesh_delaunay, in less memory and without what they keep.
 #include <doctest/doctest.h>
 
+#include <algorithm>
+#include <cmath>
 #include <cstring>
 #include <limits>
 #include <new>
@@ -83,6 +85,36 @@ TEST_CASE("it takes less memory than a triangulation that is kept") {
         if (dim == 2) CHECK(one.report().memory.peak_bytes <= 100 * 1024);
         if (dim == 3) CHECK(one.report().memory.peak_bytes <= 360 * 1024);
     }
+}
+
+// The same points a few least doubles apart: radii are kept apart by so many steps that most are wrong by their own
+// size.
+TEST_CASE("values of radii next to the least double are within the error that is said of them") {
+    double largest = 0;
+    for (std::uint64_t seed = 1; seed <= 60; ++seed) {
+        CAPTURE(seed);
+        inputs::Random random(seed);
+        inputs::Points whole, tiny;
+        for (std::size_t i = 0; i < 2 * (6 + 5 * (seed % 8)); ++i)
+            whole.push_back(static_cast<double>(random.below(4 + 2 * (seed % 11))));
+        for (const double x : whole) tiny.push_back(std::ldexp(x, -1074));
+        Session exact(2), rounded(2);
+        const netmesh_alpha_request in_units = exact.alpha_request(whole), in_doubles = rounded.alpha_request(tiny);
+        if (netmesh_persist_alpha(exact.context, &in_units) == NETMESH_FLAT) continue;
+        REQUIRE(netmesh_persist_alpha(rounded.context, &in_doubles) == NETMESH_OK);
+        const Told due = told(exact), made = told(rounded);
+        const double error = made.report.diagram.value_error * (1 + 1e-9);
+        largest = std::max(largest, error);
+        REQUIRE(made.pairs.size() == due.pairs.size());
+        for (std::size_t i = 0; i < due.pairs.size(); ++i) {
+            const auto wrong = [](double value, double radius) { return std::fabs(std::ldexp(value, 1074) - radius); };
+            CHECK(made.pairs[i].degree == due.pairs[i].degree);
+            CHECK(wrong(made.pairs[i].birth, due.pairs[i].birth) <= error * due.pairs[i].birth);
+            if (std::isfinite(due.pairs[i].death))
+                CHECK(wrong(made.pairs[i].death, due.pairs[i].death) <= error * due.pairs[i].death);
+        }
+    }
+    CHECK(largest > 1);
 }
 
 TEST_CASE("what cannot be done is said, and leaves an empty context") {
