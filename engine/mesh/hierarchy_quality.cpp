@@ -56,7 +56,8 @@ public:
     void report(const HierarchyRequest& request) const;
 
 private:
-    template <class Visit> void visit_ball(std::uint32_t centre, double radius, Visit&& visit);
+    template <class Visit> std::uint32_t visit_ball(std::uint32_t centre, double radius, Visit&& visit);
+    CageBoundary list_boundary(const Cage& cage);
     bool is_finite(std::uint32_t c) const { return store_.is_live(c) && !store_.is_ghost(c); }
     // The cell behind facet i; none outside, where a store in use has a ghost.
     std::uint32_t neighbour(std::uint32_t c, int i) const {
@@ -95,7 +96,8 @@ private:
     const AnyDomain& outermost_;
     Arena& arena_;
     const CageKind kind_;
-    std::uint32_t *order_, *domain_, *list_, *mark_;
+    std::uint32_t *order_, *domain_, *mark_;
+    CellId* list_;
     std::uint32_t stamp_ = 0;
     double *nearest2_, *out2_, *cage_out2_;
     bool *leaves_ball_, *cage_leaves_ball_;  // has the cell a corner outside of its ball, or one that is not known?
@@ -111,7 +113,7 @@ private:
     nearest2_ = arena_.take_low<double>(vertices);
     out2_ = arena_.take_low<double>(vertices);
     leaves_ball_ = arena_.take_low<bool>(vertices);
-    list_ = arena_.take_low<std::uint32_t>(cells);
+    list_ = arena_.take_low<CellId>(cells);
     mark_ = arena_.take_low<std::uint32_t>(cells);
     if (order_ == nullptr || cage_out2_ == nullptr || cage_leaves_ball_ == nullptr || domain_ == nullptr ||
         nearest2_ == nullptr || out2_ == nullptr || leaves_ball_ == nullptr || list_ == nullptr || mark_ == nullptr)
@@ -127,8 +129,9 @@ private:
 }
 
 // Calls visit(vertex, squared distance) for each vertex within the ball, perhaps several times: any vertex has a
-// Delaunay neighbour nearer to the centre, so the cells at vertices of a ball are connected.
-template <class Visit> void Measurement::visit_ball(std::uint32_t centre, double radius, Visit&& visit) {
+// Delaunay neighbour nearer to the centre, so the cells at vertices of a ball are connected. They are in list_ then,
+// as many as are returned.
+template <class Visit> std::uint32_t Measurement::visit_ball(std::uint32_t centre, double radius, Visit&& visit) {
     const double* const x = store_.point(centre);
     ++stamp_;
     std::uint32_t count = 0;
@@ -149,9 +152,10 @@ template <class Visit> void Measurement::visit_ball(std::uint32_t centre, double
                 const std::uint32_t n = (inside & ~(1u << i)) == 0 ? none : neighbour(list_[k], i);
                 if (n == none || mark_[n] == stamp_) continue;
                 mark_[n] = stamp_;
-                list_[count++] = n;
+                list_[count++] = CellId(n);
             }
         }
+    return count;
 }
 
 // From the largest cage to the smallest: each takes its vertices from the one around it.
@@ -425,6 +429,16 @@ void Measurement::measure_cells() {
 }
 
 // What lies on a sphere, but on no edge. The lists of the search for domains are not needed any more.
+// Stands in list_ until the next walk.
+CageBoundary Measurement::list_boundary(const Cage& cage) {
+    const std::uint32_t cells = visit_ball(cage.centre, cage.radius, [](std::uint32_t, double) {});
+    std::uint32_t count = 0;
+    for (std::uint32_t k = 0; k < cells;)
+        for (const std::uint64_t piece = store_.arena.piece(k, cells, 10 * dim); k < piece; ++k)
+            if (is_on_boundary(store_, cage, list_[k])) list_[count++] = list_[k];
+    return {list_ + count, count};
+}
+
 [[gnu::cold]] Status Measurement::measure_poles() {
     if (is_thesis()) return Status::ok;
     for (VertexId v(0); v < store_.state.vertex_count;)
@@ -437,7 +451,8 @@ void Measurement::measure_cells() {
         for (const std::uint64_t piece = store_.arena.piece(d, count_, 40); d < piece; ++d) {
             const AnyDomain ball = domain_ball(store_, cages_, cages_[d].parent, outermost_);
             if (!cage_leaves_ball_[d]) continue;
-            const double pole2 = distance2_of_cage_pole(store_, cages_[d], ball, cage_out2_[d] * (1 + 0x1p-40));
+            const double pole2 = distance2_of_cage_pole(store_, cages_[d], ball, list_boundary(cages_[d]),
+                                                        cage_out2_[d] * (1 + 0x1p-40));
             if (pole2 > cage_out2_[d]) cage_out2_[d] = pole2;
         }
     return Status::ok;

@@ -389,11 +389,12 @@ template <int D> Verdict HierarchyRule<D>::judge_cage(std::uint32_t d, Split<D>*
     const AnyDomain ball(ball_of(hierarchy_.parent(d)));
     AnyCorner corner(D);
     bool leaves_ball;
-    if (!find_cage_corner(store, cage, ball, &corner, &leaves_ball)) return Verdict::out_of_memory;
+    CageBoundary boundary;
+    if (!find_cage_corner(store, cage, ball, &corner, &leaves_ball, &boundary)) return Verdict::out_of_memory;
     const double inner = in_radius(cage), most = tau_ * inner;
     if (!(corner.distance2 > most * most)) {
         corner.distance2 = -1;
-        if (leaves_ball) find_cage_pole(store, cage, ball, most * most, &corner);
+        if (leaves_ball) find_cage_pole(store, cage, ball, boundary, most * most, &corner);
         if (corner.distance2 < 0) return Verdict::good;
     }
     const double whole = square_root(corner.distance2);

@@ -411,7 +411,7 @@ template <class Visit> [[gnu::cold]] bool StepAudit::visit_inside(const Cage& ca
     double out2 = bound2;
     if (!is_thesis()) {
         const AnyDomain ball = domain_ball(store_, hierarchy_->cages(), cage.parent, outermost_);
-        raise_to_cage_cell(store_, cage, ball, boundary, cells, &out2);
+        raise_to_cage_cell(store_, cage, ball, {boundary, cells}, &out2);
         return out2;
     }
     for (std::uint32_t k = 0; k < cells; ++k) {
