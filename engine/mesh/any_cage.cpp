@@ -51,9 +51,11 @@ bool list_cage_boundary(const AnyStore& store, const Cage& cage, std::uint32_t* 
     if (!fits || first == none) return fits;
     AnyCellList boundary(store);
     if (!boundary.add(first)) return false;
-    for (std::uint32_t k = 0; k < boundary.size(); ++k)
+    for (std::uint32_t k = 0; k < boundary.size(); ++k) {
+        store.arena.pass(store.dim);  // thousands of cells where the domain around is far finer
         for (const FacetId facet : store.cell(boundary[k]).neighbour)
             if (facet != none && is_on_boundary(store, cage, facet.cell()) && !boundary.add(facet.cell())) return false;
+    }
     *count = boundary.size();
     return true;
 }
