@@ -247,6 +247,7 @@ template <int D> std::uint32_t InputTree<D>::nearest_within(const double* x, dou
     return this->template within_of<shared_dimension<D>>(x, bound2, distance2);
 }
 
+template class InputTree<any_dimension>;
 #define NETMESH_INSTANTIATE(D) template class InputTree<D>;
 NETMESH_EACH_DIMENSION(NETMESH_INSTANTIATE)
 #undef NETMESH_INSTANTIATE

@@ -49,14 +49,18 @@ template <> struct DimensionOf<any_dimension> {
     constexpr operator std::uint32_t() const { return value; }
     std::uint32_t value;
 };
-// D, or any_dimension where size counts and D is not the only one: for templates that jobs spend their time in.
+// D, or any_dimension where size counts more than time does and D is not the only one: for templates that jobs spend
+// their time in. Size counts beyond D = 4, and everywhere at -Os.
 #ifdef __OPTIMIZE_SIZE__
-#define NETMESH_COUNT(D) +1
-template <int D> constexpr int shared_dimension = 0 NETMESH_EACH_DIMENSION(NETMESH_COUNT) > 1 ? any_dimension : D;
-#undef NETMESH_COUNT
+constexpr int fast_dimension_max = 0;
 #else
-template <int D> constexpr int shared_dimension = D;
+constexpr int fast_dimension_max = 4;
 #endif
+#define NETMESH_COUNT(D) +(D > fast_dimension_max)
+template <int D>
+constexpr int shared_dimension = D > fast_dimension_max && 0 NETMESH_EACH_DIMENSION(NETMESH_COUNT) > 1 ? any_dimension
+                                                                                                       : D;
+#undef NETMESH_COUNT
 
 // Figures that depend on the dimension and come from measuring or choosing, not from a formula.
 struct Figures {
@@ -116,6 +120,14 @@ template <class F> auto with_dimension(std::uint32_t dim, F&& f) {
     }
     using Result = decltype(f(Dimension<detail::first_dimension(2)>{}));
     if constexpr (!std::is_void_v<Result>) return Result{};
+}
+
+// Those of dimension dim, which is D unless that is any_dimension.
+template <int D> constexpr const Figures& figures_of(int dim) {
+    if constexpr (D == any_dimension)
+        return *with_dimension(static_cast<std::uint32_t>(dim), [](auto of) { return &figures<decltype(of)::value>; });
+    else
+        return figures<D>;
 }
 
 }  // namespace netmesh

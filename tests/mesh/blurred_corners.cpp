@@ -109,11 +109,11 @@ TEST_CASE("near 2 tau asks for more than 64 units in the last place between poin
             CHECK(session.mesh({1, 1, 1 + units * 0x1p-52, 1}) == due);
             if (due == NETMESH_OK) CHECK(session.check() == NETMESH_OK);
         }
-    CHECK(finest_distance<2>(2.5) == resolution);
-    CHECK(finest_distance<3>(2.5) == resolution);
-    CHECK(finest_distance<4>(3.08) == resolution);
-    CHECK(finest_distance<6>(4) == resolution);
-    CHECK(finest_distance<2>(2 + 0x1p-40) == 0x1p-26);
+    CHECK(finest_distance(2, 2.5) == resolution);
+    CHECK(finest_distance(3, 2.5) == resolution);
+    CHECK(finest_distance(4, 3.08) == resolution);
+    CHECK(finest_distance(6, 4) == resolution);
+    CHECK(finest_distance(2, 2 + 0x1p-40) == 0x1p-26);
 }
 
 // Cells a trillionth of the domain wide, some of them at its sphere: a pole on the far side of it, to which directions
@@ -139,9 +139,9 @@ TEST_CASE("the ratio that is reported of pairs a trillionth apart is that of the
 }
 
 // Three cages, a billionth of the domain wide, about the corners of an equilateral triangle on its sphere, of radius R.
-// For x in the ball and in the cell of the cage about a corner c, x . c >= 0 seen from the centre, as the corners add up
-// to 0 and c is the nearest: |x - c|^2 <= 2 R^2, with equality at right angles to the triangle. Faces of that cell are
-// known by vertices that are far apart in some directions and near in others.
+// For x in the ball and in the cell of the cage about a corner c, x . c >= 0 seen from the centre, as the corners add
+// up to 0 and c is the nearest: |x - c|^2 <= 2 R^2, with equality at right angles to the triangle. Faces of that cell
+// are known by vertices that are far apart in some directions and near in others.
 TEST_CASE_TEMPLATE_DEFINE("cells of three small cages reach root 2 radii of the domain", T, three_cages) {
     constexpr int D = T::value;
     for (std::uint64_t seed = 1; seed <= 20; ++seed) {

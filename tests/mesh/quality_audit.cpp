@@ -103,7 +103,8 @@ template <int D> struct ByHand {
         smallest_enclosing_ball<D>(store, count, domain);
         domain.radius = domain_factor * domain.enclosing_radius;
         REQUIRE(store.open_cells() == Status::ok);
-        REQUIRE(open_frame<D>(store, kernel, tree, domain, frame_factor<D> * domain.radius) == Status::ok);
+        std::uint64_t steps = 0;
+        REQUIRE(open_frame(store, tree, domain, frame_factor<D> * domain.radius, &steps) == Status::ok);
         // take_input may have changed the order.
         by_row.resize(count);
         for (std::uint32_t v = 0; v < count; ++v) by_row[store.vertex(v).origin] = v;
@@ -314,7 +315,7 @@ TEST_CASE_TEMPLATE_DEFINE("quality, feature sizes and insertion radii are bounde
             CHECK(audit.degree_max >= D + 1);
             CHECK(audit.feature < 6);
             CHECK(audit.feature >= std::max({audit.cage, audit.steiner, audit.input}));
-            CHECK(audit.cage <= cage_insertion_bound<D>());
+            CHECK(audit.cage <= cage_insertion_bound(D));
             CHECK((m.result.hierarchy.cages_made > 0) == (audit.cage > 0));
             CHECK(audit.input >= 1);
         }
@@ -397,7 +398,7 @@ TEST_CASE_TEMPLATE_DEFINE("planted violations of the invariants are found", T, p
         const QualityAudit sound = m.after(whole_shell);
         REQUIRE(sound.encroached == 0);
         REQUIRE(sound.worst <= m.tau);
-        REQUIRE(sound.cage <= cage_insertion_bound<D>());
+        REQUIRE(sound.cage <= cage_insertion_bound(D));
         REQUIRE(sound.feature < 10);
         REQUIRE(m.after(at_shell).encroached == 0);
     }
@@ -432,7 +433,7 @@ TEST_CASE_TEMPLATE_DEFINE("planted violations of the invariants are found", T, p
         REQUIRE(inside != none);
         m.move_to(cage.shell, m.store.point(inside), 1e-3 * cage.radius);
         const QualityAudit audit = m.after(whole_shell);
-        CHECK(audit.cage > cage_insertion_bound<D>());
+        CHECK(audit.cage > cage_insertion_bound(D));
         CHECK(audit.encroached == 1);
     }
     SUBCASE("a cage without its clearance") {
