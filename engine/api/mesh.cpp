@@ -30,7 +30,8 @@ netmesh_status finish_points(netmesh_context* context, Status status, const Inpu
 }
 
 // Aspect ratio and sizes of a mesh that was just made, as far as it goes.
-Status measure_made(netmesh_context* context, const AnyStore& store, const SizeRule& sizes, Status status) {
+[[gnu::noinline]] Status measure_made(netmesh_context* context, const AnyStore& store, const SizeRule& sizes,
+                                      Status status) {
     KeptMesh& mesh = context->mesh;
     if (!mesh.present) return status;
     HierarchyQuality quality;

@@ -1,9 +1,7 @@
-// The kernel, what it has found, whether cells are in conflict with a point, balls and input, with the dimension as a
-// number.
+// The kernel, what it has found, whether cells are in conflict with a point, and balls, with the dimension as a number.
 #pragma once
 #include "delaunay/any_store.hpp"
 #include "delaunay/kernel.hpp"
-#include "delaunay/triangulate.hpp"
 
 namespace netmesh {
 
@@ -37,25 +35,8 @@ inline void recompute_balls(const AnyStore& store) {
     });
 }
 
-// What templates on D call.
 template <> inline void recompute_balls<any_dimension>(AnyStore& store) {
     recompute_balls(static_cast<const AnyStore&>(store));
-}
-template <> inline void measure_edges<any_dimension>(AnyStore& store) {
-    with_dimension(static_cast<std::uint32_t>(store.dim), [&](auto dimension) {
-        Store<decltype(dimension)::value> of_dimension = store.of_dimension<decltype(dimension)::value>();
-        measure_edges<decltype(dimension)::value>(of_dimension);
-    });
-}
-template <>
-inline Status take_input<any_dimension>(AnyStore& store, const InputRows& points, std::size_t n, std::uint64_t seed,
-                                        Monitor& monitor, InputReport* input, std::uint32_t** order) {
-    const Status status = with_dimension(static_cast<std::uint32_t>(store.dim), [&](auto dimension) {
-        Store<decltype(dimension)::value> of_dimension = store.of_dimension<decltype(dimension)::value>();
-        return take_input<decltype(dimension)::value>(of_dimension, points, n, seed, monitor, input, order);
-    });
-    store.locate_arrays();
-    return status;
 }
 
 // Each call is made by a kernel of the dimension.

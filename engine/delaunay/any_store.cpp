@@ -17,6 +17,12 @@ std::uint32_t AnyStore::new_stamp() const {
     return state.stamp += 2;
 }
 
+Status AnyStore::open_vertices(std::uint32_t vertex_count) {
+    const Status status = open_vertices_of(arena, state, vertex_count, vertex_bytes(dim));
+    locate_arrays();
+    return status;
+}
+
 Status AnyStore::open_cells() {
     const Status status = open_cells_of(arena, state);
     locate_arrays();

@@ -49,7 +49,12 @@ public:
     }
     void locate_arrays();
     // The store itself, for what there is for each dimension anyhow; dim is D.
-    template <int D> Store<D> of_dimension() const { return Store<D>(arena, state); }
+    template <int D> Store<D> of_dimension() const {
+        if constexpr (D == any_dimension)
+            return *this;
+        else
+            return Store<D>(arena, state);
+    }
 
     AnyCell cell(std::uint32_t c) const {
         NETMESH_ASSERT(c < state.cell_slots);
@@ -102,6 +107,7 @@ public:
 
     // As those of Store<dim>.
     std::uint32_t new_stamp() const;
+    Status open_vertices(std::uint32_t vertex_count);
     Status open_cells();
     bool has_room(std::uint32_t cells, std::uint32_t vertices, std::size_t list_bytes) const {
         const StoreNeeds needs = {cells, cell_bytes(dim), vertices * vertex_bytes(dim) + list_bytes};
@@ -117,7 +123,7 @@ public:
     }
     void compact(std::size_t offset);
 
-    const int dim;
+    const AnyDimension dim;
     Arena& arena;
     StoreState& state;
 

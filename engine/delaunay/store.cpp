@@ -3,18 +3,26 @@
 
 namespace netmesh {
 
-template <int D> Status Store<D>::open_vertices(std::uint32_t vertex_count) {
-    VertexT* const vertices = arena.take_high<VertexT>(vertex_count);
+Status open_vertices_of(Arena& arena, StoreState& state, std::uint32_t vertex_count, std::size_t vertex_bytes) {
+    const bool is_size = vertex_count <= SIZE_MAX / vertex_bytes;
+    const std::size_t bytes = vertex_count * vertex_bytes;
+    double* const vertices = arena.take_high<double>(is_size ? bytes / sizeof(double) : SIZE_MAX);
     if (vertices == nullptr) return Status::out_of_memory;
     state = StoreState{};
     // The room that alignment left above the array is not worth a second offset: the array begins where it was put.
-    state.vertices_end = arena.offset_of(vertices) + vertex_count * sizeof(VertexT);
+    state.vertices_end = arena.offset_of(vertices) + bytes;
     state.free_head = none;
     state.vertex_count = vertex_count;
     state.stamp = 2;
     state.last_cell = none;
-    locate_arrays();
     return Status::ok;
+}
+
+template <int D> Status Store<D>::open_vertices(std::uint32_t vertex_count) {
+    static_assert(alignof(VertexT) == alignof(double));
+    const Status status = open_vertices_of(arena, state, vertex_count, sizeof(VertexT));
+    locate_arrays();
+    return status;
 }
 
 Status open_cells_of(Arena& arena, StoreState& state) {

@@ -60,6 +60,7 @@ struct StoreNeeds {
     std::size_t cell_bytes, other_bytes;
 };
 bool has_room_for(Arena& arena, const StoreState& state, const StoreNeeds& needs);
+Status open_vertices_of(Arena& arena, StoreState& state, std::uint32_t vertex_count, std::size_t vertex_bytes);
 Status open_cells_of(Arena& arena, StoreState& state);
 
 template <int D> class Store {

@@ -6,7 +6,7 @@
 namespace netmesh {
 
 template <> struct Corner<any_dimension> {
-    int dim;
+    AnyDimension dim;
     double x[dimension_max] = {};
     double distance2 = -1;
     CellId cell = none;

@@ -6,7 +6,7 @@
 namespace netmesh {
 
 template <> struct Domain<any_dimension> {
-    int dim;
+    AnyDimension dim;
     double centre[dimension_max];
     double radius, enclosing_radius;
 

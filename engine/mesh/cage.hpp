@@ -31,7 +31,6 @@ constexpr double cage_epsilon = 1.0 / 2;
 constexpr double cage_clearance = 2 / cage_epsilon;
 constexpr double shell_factor = 0.985;
 constexpr std::uint32_t shell_size_of(int dim) { return 2 * static_cast<std::uint32_t>(dim); }
-template <int D> constexpr std::uint32_t shell_size = shell_size_of(D);
 // Shell vertices are moved by at most this times the radius of their sphere along each axis of the cross-polytope.
 constexpr double shell_jitter = 0x1p-8;
 // They are at least so many radii from the centre. Checks and bounds go by this, for files with shells at .9 radii.

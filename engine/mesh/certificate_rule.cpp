@@ -72,7 +72,7 @@ public:
     void note_steiner(VertexId v, const NearestInput& nearest) {
         store_.vertex(v).nearest2 = nearest.distance2;  // see local_distance2
     }
-    void restore_distances() { measure_edges<D>(store_); }
+    void restore_distances() { measure_edges(store_); }
 #ifdef NETMESH_VALIDATE
     const char* clean_violation() {
         return goal_.clipped ? clipped_violation()

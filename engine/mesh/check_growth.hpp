@@ -125,7 +125,7 @@ template <int D, class BallOf> const char* aspect_violation(Store<D>& store, dou
         if (!is_in_mesh(store, v) || vertex.marker == Marker::exempt) continue;
         const double bad2 = 0.25 * tau * tau * vertex.nearest2;
         double reach2 = bad2;
-        if (raise_to_poles<D>(store, ball_of(v), v, &reach2) && reach2 > bad2) return violation;
+        if (raise_to_poles(store, ball_of(v), v, &reach2) && reach2 > bad2) return violation;
     }
     return nullptr;
 }

@@ -205,18 +205,12 @@ template <int D>
 
 // Raises *out2, the squared distance from v to the farthest corner of its clipped cell or crossing of an edge, to that
 // of its farthest pole. False when the gap is too small for v's star.
-template <int D> bool raise_to_poles(Store<D>& store, const Domain<D>& ball, VertexId v, double* out2);
 bool raise_to_poles(const AnyStore& store, const AnyDomain& ball, VertexId v, double* out2);
-template <>
-inline bool raise_to_poles<any_dimension>(AnyStore& store, const AnyDomain& ball, VertexId v, double* out2) {
-    return raise_to_poles(static_cast<const AnyStore&>(store), ball, v, out2);
-}
 
 // out2[v] := squared distance to which v's clipped cell reaches; 0 for vertices that are exempt or not in the mesh,
 // +infinity where the whole cell is not bounded. Corners that are not known are left out: neighbours have the same
 // ones. Needs a compact store, and room for the star of a vertex in its gap. O(cells) and what poles take.
 // out_of_memory.
-template <int D> Status measure_clipped_cells(Store<D>& store, const Domain<D>& ball, double* out2);
 Status measure_clipped_cells(const AnyStore& store, const AnyDomain& ball, double* out2);
 // The same where out2[v] over nearest2 is largest; less elsewhere, perhaps. Most cells are only looked at.
 Status measure_worst_cells(const AnyStore& store, const AnyDomain& ball, double* out2);

@@ -24,11 +24,6 @@ template <int D> inline VertexId make_vertex(Store<D>& store, const double* x, s
     return made;
 }
 
-// Frame distance over the radius of the domain: the frame's hull, a cross-polytope, must contain the ball of 2.2 radii
-// in which everything stays (quality_rule.hpp), so more than 2.2 sqrt(D), and 4 at least for a coarse mesh between
-// domain and frame.
-template <int D> constexpr double frame_factor = figures<D>.frame_factor;
-
 // Starts the triangulation with 2 D exempt vertices at `reach` from the domain's centre along each axis; their
 // nearest2 and origin are final as long as no vertex comes nearer. *steps: cells that were passed. out_of_memory.
 Status open_frame(AnyStore store, const AnyInputTree& tree, const AnyDomain& domain, double reach,

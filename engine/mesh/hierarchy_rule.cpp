@@ -25,7 +25,7 @@ public:
     void pop() { --count_; }
 
 private:
-    static constexpr int capacity = 700;
+    static constexpr int capacity = 672;
     VertexId items_[capacity];
     int count_ = 0;
 };

@@ -309,8 +309,7 @@ Status mesh_by_rule(Store<D>& store, const InputRows& points, std::size_t n, con
     Rule rule(store, request, work, *result);
     Status status = rule.reserve(n);
     std::uint32_t* order;
-    if (status == Status::ok)
-        status = take_input<D>(store, points, n, request.seed, work.monitor, &result->input, &order);
+    if (status == Status::ok) status = take_input(store, points, n, request.seed, work.monitor, &result->input, &order);
     if (status != Status::ok) return status;
     status = rule.open();
     if (status == Status::ok) status = rule.run(order);
@@ -319,10 +318,9 @@ Status mesh_by_rule(Store<D>& store, const InputRows& points, std::size_t n, con
 }
 
 // What mesh_points does for one method, where D is the dimension of the store: by a rule for D alone or for any.
-template <int D, template <int> class Rule>
+template <int D, template <int> class Rule, int E = shared_dimension<D>>
 Status mesh_by(AnyStore& store, const InputRows& points, std::size_t n, const MeshRequest& request, const Work& work,
                AnyMeshResult* result) {
-    constexpr int E = shared_dimension<D>;
     if constexpr (E == any_dimension) {
         return mesh_by_rule<E, Rule<E>>(store, points, n, request, work, result);
     } else {

@@ -14,8 +14,14 @@ public:
 
 Status mesh_by_thesis_cages(AnyStore& store, const InputRows& points, std::size_t n, const MeshRequest& request,
                             const Work& work, AnyMeshResult* result) {
-    if (store.dim > thesis_dim_max) return Status::invalid_argument;
-    return mesh_by_rule<any_dimension, ThesisRule<any_dimension>>(store, points, n, request, work, result);
+    return with_dimension(static_cast<std::uint32_t>(store.dim), [&](auto dimension) {
+        constexpr int D = decltype(dimension)::value;
+        if constexpr (D <= thesis_dim_max)
+            return mesh_by < D, ThesisRule,
+                   serves_one_dimension ? D : any_dimension > (store, points, n, request, work, result);
+        else
+            return Status::invalid_argument;
+    });
 }
 
 }  // namespace netmesh

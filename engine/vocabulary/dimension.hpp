@@ -35,6 +35,11 @@ constexpr int dimension_most() {
     return most;
 }
 
+// Whether there is no other.
+#define NETMESH_COUNT(D) +1
+constexpr bool serves_one_dimension = 0 NETMESH_EACH_DIMENSION(NETMESH_COUNT) == 1;
+#undef NETMESH_COUNT
+
 // A template made for D = any_dimension has its dimension as a number: it is in the program once, for all dimensions.
 // DimensionOf<D> is what such a template keeps, and no more than the constant D where it is made for one.
 constexpr int any_dimension = 0;
@@ -48,6 +53,16 @@ template <> struct DimensionOf<any_dimension> {
     constexpr DimensionOf(std::uint32_t dim = 0) : value(dim) {}
     constexpr operator std::uint32_t() const { return value; }
     std::uint32_t value;
+};
+// A dimension as a number, which the compiler knows where the build serves no other.
+class AnyDimension {
+public:
+    AnyDimension() = default;
+    constexpr AnyDimension(int value) : value_(value) {}
+    constexpr operator int() const { return serves_one_dimension ? dimension_most() : value_; }
+
+private:
+    int value_;
 };
 // D, or any_dimension where size counts more than time does and D is not the only one: for templates that jobs spend
 // their time in. Size counts beyond D = 4, and everywhere at -Os.
@@ -65,9 +80,12 @@ constexpr int shared_dimension = D > fast_dimension_max && 0 NETMESH_EACH_DIMENS
 // Figures that depend on the dimension and come from measuring or choosing, not from a formula.
 struct Figures {
     // Meshing
-    double tau_default;   // bound on aspect ratios when the caller names none
-    double pull_back;     // see mesh/aspect_rule.hpp
-    double frame_factor;  // distance of the frame over the domain's radius, see mesh/frame.hpp
+    double tau_default;  // bound on aspect ratios when the caller names none
+    double pull_back;    // see mesh/aspect_rule.hpp
+    // Distance of the frame over the domain's radius: its hull, a cross-polytope, must contain the ball of 2.2 radii in
+    // which everything stays (mesh/quality_rule.hpp), so more than 2.2 sqrt(D), and 4 at least for a coarse mesh
+    // between domain and frame.
+    double frame_factor;
     // Analysis
     double integral_tolerance;             // wanted upper / lower - 1 of integrals when the caller names none
     double coarsest_box;                   // half diagonal over f_P of a box that is never split

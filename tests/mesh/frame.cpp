@@ -30,7 +30,7 @@ TEST_CASE_TEMPLATE_DEFINE("vertices of the frame know their nearest neighbour an
     smallest_enclosing_ball<D>(store, 15, domain);
     domain.radius = domain.enclosing_radius;
     REQUIRE(store.open_cells() == Status::ok);
-    const double reach = frame_factor<D> * domain.radius;
+    const double reach = figures<D>.frame_factor * domain.radius;
     std::uint64_t steps = 0;
     REQUIRE(open_frame(store, tree, domain, reach, &steps) == Status::ok);
     REQUIRE(state.vertex_count == 15 + 2 * D);

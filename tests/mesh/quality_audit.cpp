@@ -104,7 +104,7 @@ template <int D> struct ByHand {
         domain.radius = domain_factor * domain.enclosing_radius;
         REQUIRE(store.open_cells() == Status::ok);
         std::uint64_t steps = 0;
-        REQUIRE(open_frame(store, tree, domain, frame_factor<D> * domain.radius, &steps) == Status::ok);
+        REQUIRE(open_frame(store, tree, domain, figures<D>.frame_factor * domain.radius, &steps) == Status::ok);
         // take_input may have changed the order.
         by_row.resize(count);
         for (std::uint32_t v = 0; v < count; ++v) by_row[store.vertex(v).origin] = v;
@@ -132,9 +132,9 @@ template <int D> struct ByHand {
     std::uint32_t new_cage(std::uint32_t row, double radius, std::uint32_t parent, inputs::Random& random) {
         const std::uint32_t centre = by_row[row], shell = state.vertex_count;
         const std::uint32_t d = hierarchy.make({VertexId(centre), 0, none}, radius, parent, shell);
-        REQUIRE(store.has_room(0, shell_size<D>, 0));
+        REQUIRE(store.has_room(0, shell_size_of(D), 0));
         hierarchy.set(centre, d);
-        for (std::uint32_t i = 0; i < shell_size<D>; ++i) {
+        for (std::uint32_t i = 0; i < shell_size_of(D); ++i) {
             double x[D];
             for (int k = 0; k < D; ++k) {
                 const double axis = k != static_cast<int>(i / 2) ? 0 : i % 2 == 0 ? 1 : -1;
@@ -149,7 +149,7 @@ template <int D> struct ByHand {
         Cage& cage = hierarchy.cage(d);
         const std::uint32_t shell = cage.shell;
         hierarchy.release(d);
-        for (std::uint32_t v = shell; v < shell + shell_size<D>; ++v) store.vertex(v).marker = Marker::steiner;
+        for (std::uint32_t v = shell; v < shell + shell_size_of(D); ++v) store.vertex(v).marker = Marker::steiner;
         cage.next = step.released == none ? d : step.released;
         step.released = d;
     }
@@ -457,7 +457,7 @@ TEST_CASE_TEMPLATE_DEFINE("planted violations of the invariants are found", T, p
     }
     SUBCASE("a cage that was released counts no more") {
         const std::uint32_t last = m.hierarchy.made() - 1;
-        for (std::uint32_t v = cage.shell; v < cage.shell + shell_size<D>; ++v)
+        for (std::uint32_t v = cage.shell; v < cage.shell + shell_size_of(D); ++v)
             m.store.vertex(v).marker = Marker::steiner;
         m.hierarchy.release(last);
         cage.next = last;
