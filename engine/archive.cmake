@@ -77,7 +77,7 @@ set(fast api/report api/structs delaunay/spatial_order delaunay/store delaunay/t
   diagram/wasserstein filtration/circumsphere filtration/mesh_filter filtration/rips_graph homology/lower_star/surface
   homology/matrix/cohomology homology/matrix/homology homology/matrix/image homology/pair_writer
   homology/rips/rips homology/rips/rips_simplices homology/vineyard/vineyard jobs/persist_alpha
-  mesh/certificate_rule mesh/clipped_cell mesh/clipped_reach mesh/hierarchy_rule mesh/quality_rule
+  mesh/certificate_rule mesh/clipped_cell mesh/clipped_reach mesh/quality_rule
   numerics/residues predicates/predicates)
 list(TRANSFORM fast REPLACE ".+" "${PROJECT_SOURCE_DIR}/engine/\\0.cpp")
 set(unaligned "")
