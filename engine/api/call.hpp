@@ -93,8 +93,8 @@ template <int D> Domain<D> domain_of(const KeptMesh& mesh) {
     domain.enclosing_radius = mesh.enclosing_radius;
     return domain;
 }
-template <int D> void keep_domain(const Domain<D>& domain, KeptMesh* mesh) {
-    for (int k = 0; k < D; ++k) mesh->centre[k] = domain.centre[k];
+inline void keep_domain(const AnyDomain& domain, KeptMesh* mesh) {
+    for (int k = 0; k < domain.dim; ++k) mesh->centre[k] = domain.centre[k];
     mesh->radius = domain.radius;
     mesh->enclosing_radius = domain.enclosing_radius;
 }

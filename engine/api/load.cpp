@@ -90,7 +90,7 @@ AnyDomain domain_about(const AnyStore& store, std::uint32_t inputs, const double
 template <int D>
 Status measure_domain(netmesh_context* context, Store<D>& store, const double* given, const SizeRule& sizes) {
     KeptMesh& mesh = context->mesh;
-    keep_domain<D>(domain_about(store, context->input.distinct, given).template of_dimension<D>(), &mesh);
+    keep_domain(domain_about(store, context->input.distinct, given), &mesh);
     HierarchyQuality quality;
     Status status = measure_quality(*context, store, &quality);
     mesh.aspect_ratio_max = quality.worst;

@@ -30,7 +30,8 @@ netmesh_status finish_points(netmesh_context* context, Status status, const Inpu
 }
 
 // Aspect ratio and sizes of a mesh that was just made, as far as it goes.
-Status measure_made(netmesh_context* context, const AnyStore& store, const SizeRule& sizes, Status status) {
+[[gnu::noinline]] Status measure_made(netmesh_context* context, const AnyStore& store, const SizeRule& sizes,
+                                      Status status) {
     KeptMesh& mesh = context->mesh;
     if (!mesh.present) return status;
     HierarchyQuality quality;
@@ -41,10 +42,10 @@ Status measure_made(netmesh_context* context, const AnyStore& store, const SizeR
     return status == Status::ok ? measure_sizes(context, store, sizes) : status;
 }
 
-template <int D> void keep_mesh(netmesh_context* context, const MeshRequest& request, const MeshResult<D>& result) {
+void keep_mesh(netmesh_context* context, const MeshRequest& request, const AnyMeshResult& result) {
     KeptMesh& mesh = context->mesh;
     mesh.is_mesh = true;
-    keep_domain<D>(result.domain, &mesh);
+    keep_domain(result.domain, &mesh);
     mesh.tau = request.method == MeshMethod::certificate ? 0 : request.tau;
     mesh.goal = request.goal;
     mesh.size_eps = request.size.eps;
@@ -55,18 +56,17 @@ template <int D> void keep_mesh(netmesh_context* context, const MeshRequest& req
     mesh.audit = result.audit;
 }
 
-template <int D>
 netmesh_status mesh_points_of(netmesh_context* context, const netmesh_mesh_request& request, Monitor& monitor,
                               const Watch& watch) {
     const MeshRequest asked = mesh_request_of(request);
-    MeshResult<D> result = {};
-    Store<D> store(context->arena, context->mesh.store);
+    AnyMeshResult result = {};
+    AnyStore store(static_cast<int>(request.dim), context->arena, context->mesh.store);
     Status status =
-        mesh_points<D>(store, rows_of(request), request.point_count, asked, {context->arena, monitor}, &result);
+        mesh_points(store, rows_of(request), request.point_count, asked, {context->arena, monitor}, &result);
     context->mesh.method = request.method;
     context->mesh.audited = request.audit;
-    keep_input(context, D, result.input, status);
-    keep_mesh<D>(context, asked, result);
+    keep_input(context, store.dim, result.input, status);
+    keep_mesh(context, asked, result);
     status = watch.heed(measure_made(context, store, asked.size, status));
     context->complete = status == Status::ok;
     if (status != Status::invalid_argument) return finish_points(context, status, result.input);
@@ -134,9 +134,7 @@ netmesh_status netmesh_mesh(netmesh_context* context, const netmesh_mesh_request
     clear(context);
     Monitor monitor = monitor_of(request.monitor);
     const Watch watch(context->arena, monitor);
-    return with_dimension(request.dim, [&](auto dimension) {
-        return mesh_points_of<decltype(dimension)::value>(context, request, monitor, watch);
-    });
+    return mesh_points_of(context, request, monitor, watch);
 }
 
 }  // extern "C"

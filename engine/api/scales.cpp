@@ -65,18 +65,13 @@ Status persist(netmesh_context* context, const netmesh_scales_request& request, 
                Monitor& monitor, InputReport* input, ScalesResult* result) {
     StoreState state = {};
     std::uint32_t* order;
-    Status status = with_dimension(request.dim, [&](auto dimension) {
-        Store<decltype(dimension)::value> store(context->arena, state);
-        return take_input(store, rows_of(request), request.point_count, request.seed, monitor, input, &order);
-    });
+    AnyStore points(static_cast<int>(request.dim), context->arena, state);
+    Status status = take_input(points, rows_of(request), request.point_count, request.seed, monitor, input, &order);
     context->arena.release_low(context->start);  // the order
     if (status != Status::ok) return status;
-    const AnyStore points(static_cast<int>(request.dim), context->arena, state);
     status = persist_scales(points, state.vertex_count, wanted, {context->arena, monitor}, result);
     if (status != Status::ok) return status;
-    with_dimension(request.dim, [&](auto dimension) {
-        Store<decltype(dimension)::value>(context->arena, state).truncate_vertices(0);
-    });
+    points.truncate_vertices(0);
     return status;
 }
 

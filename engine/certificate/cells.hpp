@@ -14,7 +14,7 @@ template <int D> VertexId nearest_input(const Store<D>& store, VertexId v) {
 
 // The distance from v to its nearest input; 0 for inputs.
 template <int D> double distance_to_inputs(const Store<D>& store, VertexId v) {
-    return distance<D>(store.point(v), store.point(nearest_input<D>(store, v)));
+    return distance<D>(store.dim, store.point(v), store.point(nearest_input<D>(store, v)));
 }
 
 // out_radius[v]: R_v or more, over all corners of v's cell; reach[v]: the largest distance from a corner to v's nearest

@@ -1,4 +1,4 @@
-// What a kernel has found, whether cells are in conflict with a point, and balls, with the dimension as a number.
+// The kernel, what it has found, whether cells are in conflict with a point, and balls, with the dimension as a number.
 #pragma once
 #include "delaunay/any_store.hpp"
 #include "delaunay/kernel.hpp"
@@ -34,5 +34,63 @@ inline void recompute_balls(const AnyStore& store) {
         recompute_balls<decltype(dimension)::value>(of_dimension);
     });
 }
+
+template <> inline void recompute_balls<any_dimension>(AnyStore& store) {
+    recompute_balls(static_cast<const AnyStore&>(store));
+}
+
+// Each call is made by a kernel of the dimension.
+template <> class Kernel<any_dimension> {
+    template <class F> auto call(F&& f) {
+        return with_dimension(static_cast<std::uint32_t>(store_.dim), [&](auto dimension) {
+            constexpr int D = decltype(dimension)::value;
+            Store<D> store = store_.of_dimension<D>();
+            Kernel<D> kernel(store, error_max_, vertex_cells_);
+            const auto result = f(kernel);
+            steps_ += kernel.steps();
+            return result;
+        });
+    }
+
+public:
+    Kernel(const AnyStore& store, double error_max, VertexCells vertex_cells)
+        : store_(store), error_max_(error_max), vertex_cells_(vertex_cells) {}
+
+    Status start(const VertexId* ids) {
+        return call([&](auto& kernel) { return kernel.start(ids); });
+    }
+    CellId locate(const double* q, VertexId id, CellId from) {
+        return call([&](auto& kernel) { return kernel.locate(q, id, from); });
+    }
+    std::uint64_t steps() const { return steps_; }
+    bool find_cavity(const double* q, VertexId id, CellId first, Cavity* cavity) {
+        return call([&](auto& kernel) { return kernel.find_cavity(q, id, first, cavity); });
+    }
+    CellId cavity_cell(std::uint32_t k) const { return netmesh::cavity_cell(store_, k); }
+    bool can_fill(const Cavity& cavity, std::uint32_t vertices) {
+        const std::size_t lines = cavity.cells > cavity.facets ? cavity.cells : cavity.facets;
+        const std::size_t line_bytes = store_.dim == 2 ? sizeof(PlanarLine) : sizeof(CavityLine);
+        return store_.has_room(cavity.facets, vertices, (lines + 1) * line_bytes);
+    }
+    void fill(const Cavity& cavity, VertexId id) {
+        call([&](auto& kernel) {
+            kernel.fill(cavity, id);
+            return true;
+        });
+    }
+    CellId new_cell(std::uint32_t k) const { return netmesh::new_cell(store_, k); }
+    template <class Visit> void visit_neighbours(const Cavity& cavity, VertexId v, Visit&& visit) const {
+        for (std::uint32_t k = 0; k < cavity.facets; ++k)
+            for (const VertexId w : store_.cell(new_cell(k)).vertex)
+                if (w != v && w != none && store_.vertex(w).cell == new_cell(k)) visit(w);
+    }
+    template <class Visit> bool visit_star(VertexId v, Visit&& visit) { return visit_any_star(store_, v, visit); }
+
+private:
+    const AnyStore& store_;
+    double error_max_;
+    std::uint64_t steps_ = 0;
+    VertexCells vertex_cells_;
+};
 
 }  // namespace netmesh

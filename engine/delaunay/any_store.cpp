@@ -4,9 +4,10 @@
 
 namespace netmesh {
 
-AnyStore::AnyStore(int dim, Arena& arena, StoreState& state)
-    : dim(dim), arena(arena), state(state), cells_(static_cast<unsigned char*>(arena.at(state.cells_offset))),
-      vertices_(static_cast<unsigned char*>(arena.at(state.vertices_end)) - vertex_bytes(dim)) {}
+void AnyStore::locate_arrays() {
+    cells_ = static_cast<unsigned char*>(arena.at(state.cells_offset));
+    vertices_ = static_cast<unsigned char*>(arena.at(state.vertices_end)) - vertex_bytes(dim);
+}
 
 std::uint32_t AnyStore::new_stamp() const {
     if (state.stamp > 0xFFFFFFF0u) {
@@ -14,6 +15,24 @@ std::uint32_t AnyStore::new_stamp() const {
         state.stamp = 2;
     }
     return state.stamp += 2;
+}
+
+Status AnyStore::open_vertices(std::uint32_t vertex_count) {
+    const Status status = open_vertices_of(arena, state, vertex_count, vertex_bytes(dim));
+    locate_arrays();
+    return status;
+}
+
+Status AnyStore::open_cells() {
+    const Status status = open_cells_of(arena, state);
+    locate_arrays();
+    return status;
+}
+
+void AnyStore::compact(std::size_t offset) {
+    with_dimension(static_cast<std::uint32_t>(dim),
+                   [&](auto dimension) { of_dimension<decltype(dimension)::value>().compact(offset); });
+    locate_arrays();
 }
 
 AnyCellList::AnyCellList(const AnyStore& store)

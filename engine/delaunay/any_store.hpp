@@ -1,5 +1,5 @@
 // A store whose dimension is a number at run time. Audits, checks and analyses take it: they run seldom, and are in the
-// program once rather than once for each dimension.
+// program once rather than once for each dimension. So do templates on D that are made for any_dimension.
 #pragma once
 #include <cstddef>
 #include <cstdint>
@@ -19,7 +19,7 @@ template <class T> struct MemberRow {
     T* begin() const { return first; }
     T* end() const { return first + count; }
 };
-struct AnyCell {
+template <> struct Cell<any_dimension> {
     MemberRow<VertexId> vertex;
     MemberRow<FacetId> neighbour;
     double* centre;
@@ -27,7 +27,7 @@ struct AnyCell {
     float& error;
     std::uint32_t& mark;
 };
-struct AnyVertex {
+template <> struct Vertex<any_dimension> {
     double* x;
     double& nearest2;
     CellId& cell;
@@ -37,17 +37,24 @@ struct AnyVertex {
     std::uint8_t& queued;
     std::uint16_t& size_hint;
 };
+using AnyCell = Cell<any_dimension>;
+using AnyVertex = Vertex<any_dimension>;
 
-// For a store that neither grows nor is compacted meanwhile.
-class AnyStore {
+template <> class Store<any_dimension> {
 public:
-    AnyStore(int dim, Arena& arena, StoreState& state);
-    template <int D> AnyStore(const Store<D>& store) : AnyStore(D, store.arena, store.state) {
+    Store(int dim, Arena& arena, StoreState& state) : dim(dim), arena(arena), state(state) { locate_arrays(); }
+    template <int D> Store(const Store<D>& store) : Store(D, store.arena, store.state) {
         static_assert(sizeof(Cell<D>) == cell_bytes(D) && offsetof(Cell<D>, centre) == centre_offset(D) &&
                       offsetof(Cell<D>, radius2) == radius_offset(D) && sizeof(Vertex<D>) == vertex_bytes(D));
     }
+    void locate_arrays();
     // The store itself, for what there is for each dimension anyhow; dim is D.
-    template <int D> Store<D> of_dimension() const { return Store<D>(arena, state); }
+    template <int D> Store<D> of_dimension() const {
+        if constexpr (D == any_dimension)
+            return *this;
+        else
+            return Store<D>(arena, state);
+    }
 
     AnyCell cell(std::uint32_t c) const {
         NETMESH_ASSERT(c < state.cell_slots);
@@ -96,9 +103,27 @@ public:
     }
     CellId* list_top() const { return reinterpret_cast<CellId*>(arena.at(arena.high_mark())); }
     std::size_t list_capacity() const { return arena.bytes_free() / 4; }
-    std::uint32_t new_stamp() const;  // as Store::new_stamp
+    std::uint32_t live_cells() const { return state.cell_slots - state.cells_free; }
 
-    const int dim;
+    // As those of Store<dim>.
+    std::uint32_t new_stamp() const;
+    Status open_vertices(std::uint32_t vertex_count);
+    Status open_cells();
+    bool has_room(std::uint32_t cells, std::uint32_t vertices, std::size_t list_bytes) const {
+        const StoreNeeds needs = {cells, cell_bytes(dim), vertices * vertex_bytes(dim) + list_bytes};
+        return has_room_for(arena, state, needs);
+    }
+    VertexId new_vertex() const {
+        arena.extend_high(vertex_bytes(dim));
+        return VertexId(state.vertex_count++);
+    }
+    void truncate_vertices(std::uint32_t vertex_count) const {
+        state.vertex_count = vertex_count;
+        arena.release_high(state.vertices_end - vertex_count * vertex_bytes(dim));
+    }
+    void compact(std::size_t offset);
+
+    const AnyDimension dim;
     Arena& arena;
     StoreState& state;
 
@@ -109,8 +134,9 @@ private:
     static constexpr std::size_t radius_offset(int d) { return centre_offset(d) + 8 * static_cast<std::size_t>(d); }
     static constexpr std::size_t vertex_bytes(int d) { return 8 * static_cast<std::size_t>(d) + 24; }
 
-    unsigned char *const cells_, *const vertices_;
+    unsigned char *cells_, *vertices_;  // of cell and vertex 0
 };
+using AnyStore = Store<any_dimension>;
 
 // CellList of cell_list.hpp.
 class AnyCellList {

@@ -146,7 +146,7 @@ Status load_cells(Store<D>& store, const double* coordinates, std::uint32_t vert
         }
     const Status status = fill_store(store, coordinates, cells, why);
     if (status != Status::ok) return status;
-    measure_edges<D>(store);
+    measure_edges(store);
     return link_loaded_cells(store, why);
 }
 

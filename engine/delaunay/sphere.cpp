@@ -106,39 +106,57 @@ template <int D> void solve_sphere(const double* const* p, double error_max, Cel
 template <int D> void recompute_balls(Store<D>& store) {
     for (std::uint32_t c = 0; c < store.state.cell_slots;)
         for (const std::uint64_t piece = store.arena.piece(c, store.state.cell_slots, 70 * D * D); c < piece; ++c) {
-            const double* p[D + 1];
-            for (int i = 0; i <= D; ++i) p[i] = store.point(store.cell(c).vertex[i]);
-            solve_sphere<D>(p, corner_error_max, store.cell(c));
+            if constexpr (D > 4) {  // a call is little beside the rest
+                solve_cell<D>(store, corner_error_max, store.cell(c));
+            } else {
+                const double* p[D + 1];
+                for (int i = 0; i <= D; ++i) p[i] = store.point(store.cell(c).vertex[i]);
+                solve_sphere<D>(p, corner_error_max, store.cell(c));
+            }
         }
 }
 
-template <int D> void measure_edges(Store<D>& store) {
+namespace {
+
+template <int D> void measure_edges_of(const Store<D>& store) {
     for (std::uint32_t v = 0; v < store.state.vertex_count;)
         for (const std::uint64_t piece = store.arena.piece(v, store.state.vertex_count, 6); v < piece; ++v) {
             store.vertex(v).nearest2 = infinity;
         }
+    const int squares = store.dim * store.dim;
     for (std::uint32_t c = 0; c < store.state.cell_slots;)
-        for (const std::uint64_t piece = store.arena.piece(c, store.state.cell_slots, 30 * D * D); c < piece; ++c) {
-            Vertex<D>* vertex[D + 1];
-            double least2[D + 1];
-            for (int i = 0; i <= D; ++i) {
-                vertex[i] = &store.vertex(store.cell(c).vertex[i]);
+        for (const std::uint64_t piece = store.arena.piece(c, store.state.cell_slots, 30 * squares); c < piece; ++c) {
+            const double* x[DimensionOf<D>::most + 1];
+            double least2[DimensionOf<D>::most + 1];
+            const Cell<D>& cell = store.cell(c);
+            for (int i = 0; i <= store.dim; ++i) {
+                x[i] = store.point(cell.vertex[i]);
                 least2[i] = infinity;
                 for (int j = 0; j < i; ++j) {
-                    const double d2 = distance2<D>(vertex[i]->x, vertex[j]->x);
+                    const double d2 = distance2<D>(store.dim, x[i], x[j]);
                     if (d2 < least2[i]) least2[i] = d2;
                     if (d2 < least2[j]) least2[j] = d2;
                 }
             }
-            for (int i = 0; i <= D; ++i)
-                if (least2[i] < vertex[i]->nearest2) vertex[i]->nearest2 = least2[i];
+            for (int i = 0; i <= store.dim; ++i) {
+                auto&& vertex = store.vertex(cell.vertex[i]);
+                if (least2[i] < vertex.nearest2) vertex.nearest2 = least2[i];
+            }
         }
+}
+
+}  // namespace
+
+void measure_edges(const AnyStore& store) {
+    with_dimension(static_cast<std::uint32_t>(store.dim), [&](auto dimension) {
+        constexpr int D = shared_dimension<decltype(dimension)::value>;
+        measure_edges_of<D>(store.of_dimension<D>());
+    });
 }
 
 #define NETMESH_INSTANTIATE(D)                                                                                         \
     template void solve_sphere<D>(const double* const*, double, Cell<D>&);                                             \
-    template void recompute_balls<D>(Store<D>&);                                                                       \
-    template void measure_edges<D>(Store<D>&);
+    template void recompute_balls<D>(Store<D>&);
 NETMESH_EACH_INSTANCE(NETMESH_INSTANTIATE)
 #undef NETMESH_INSTANTIATE
 

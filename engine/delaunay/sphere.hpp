@@ -7,7 +7,7 @@
 #pragma once
 #include <cstdint>
 
-#include "delaunay/store.hpp"
+#include "delaunay/any_store.hpp"
 
 namespace netmesh {
 
@@ -70,7 +70,7 @@ template <int D> [[gnu::noinline]] void solve_cell(const Store<D>& store, double
 template <int D> void recompute_balls(Store<D>& store);
 
 // nearest2 of every vertex anew, over the edges of cells. O(cells).
-template <int D> void measure_edges(Store<D>& store);
+void measure_edges(const AnyStore& store);
 
 // The ball through q and the facet shared by `inside` (conflicts with q) and `outside` (does not): it belongs to the
 // pencil spanned by the two balls, so its centre is a convex combination of theirs. Returns false when the bound so

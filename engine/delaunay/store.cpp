@@ -3,26 +3,40 @@
 
 namespace netmesh {
 
-template <int D> Status Store<D>::open_vertices(std::uint32_t vertex_count) {
-    VertexT* const vertices = arena.take_high<VertexT>(vertex_count);
+Status open_vertices_of(Arena& arena, StoreState& state, std::uint32_t vertex_count, std::size_t vertex_bytes) {
+    const bool is_size = vertex_count <= SIZE_MAX / vertex_bytes;
+    const std::size_t bytes = vertex_count * vertex_bytes;
+    double* const vertices = arena.take_high<double>(is_size ? bytes / sizeof(double) : SIZE_MAX);
     if (vertices == nullptr) return Status::out_of_memory;
     state = StoreState{};
     // The room that alignment left above the array is not worth a second offset: the array begins where it was put.
-    state.vertices_end = arena.offset_of(vertices) + vertex_count * sizeof(VertexT);
+    state.vertices_end = arena.offset_of(vertices) + bytes;
     state.free_head = none;
     state.vertex_count = vertex_count;
     state.stamp = 2;
     state.last_cell = none;
+    return Status::ok;
+}
+
+template <int D> Status Store<D>::open_vertices(std::uint32_t vertex_count) {
+    static_assert(alignof(VertexT) == alignof(double));
+    const Status status = open_vertices_of(arena, state, vertex_count, sizeof(VertexT));
     locate_arrays();
+    return status;
+}
+
+Status open_cells_of(Arena& arena, StoreState& state) {
+    double* const cells = arena.take_low<double>(0);
+    if (cells == nullptr) return Status::out_of_memory;
+    state.cells_offset = arena.offset_of(cells);
     return Status::ok;
 }
 
 template <int D> Status Store<D>::open_cells() {
-    CellT* const cells = arena.take_low<CellT>(0);
-    if (cells == nullptr) return Status::out_of_memory;
-    state.cells_offset = arena.offset_of(cells);
+    static_assert(alignof(CellT) == alignof(double));
+    const Status status = open_cells_of(arena, state);
     locate_arrays();
-    return Status::ok;
+    return status;
 }
 
 template <int D> void Store<D>::truncate_vertices(std::uint32_t vertex_count) {
@@ -47,13 +61,13 @@ template <int D> void Store<D>::compact(std::size_t offset) {
     locate_arrays();
 }
 
-template <int D> bool Store<D>::has_room(std::uint32_t cells, std::uint32_t vertices, std::size_t list_bytes) {
-    const std::uint32_t fresh = cells > state.cells_free ? cells - state.cells_free : 0;
-    if (fresh > slots_max - state.cell_slots) {
+bool has_room_for(Arena& arena, const StoreState& state, const StoreNeeds& needs) {
+    const std::uint32_t fresh = needs.cells > state.cells_free ? needs.cells - state.cells_free : 0;
+    if (fresh > FacetId::cells_max - state.cell_slots) {
         arena.refuse(SIZE_MAX / 4);
         return false;
     }
-    const std::size_t bytes = fresh * sizeof(CellT) + vertices * sizeof(VertexT) + list_bytes + Arena::alignment;
+    const std::size_t bytes = fresh * needs.cell_bytes + needs.other_bytes + Arena::alignment;
     if (bytes <= arena.bytes_free()) return true;
     arena.refuse(bytes);
     return false;

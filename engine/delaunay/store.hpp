@@ -54,15 +54,30 @@ struct StoreState {
     PredicateCounts in_ball_counts, orient_counts;
 };
 
+// What Store<D> does for every D.
+struct StoreNeeds {
+    std::uint32_t cells;
+    std::size_t cell_bytes, other_bytes;
+};
+bool has_room_for(Arena& arena, const StoreState& state, const StoreNeeds& needs);
+Status open_vertices_of(Arena& arena, StoreState& state, std::uint32_t vertex_count, std::size_t vertex_bytes);
+Status open_cells_of(Arena& arena, StoreState& state);
+
 template <int D> class Store {
 public:
     using CellT = Cell<D>;
     using VertexT = Vertex<D>;
+    static constexpr int dim = D;
     static constexpr std::uint32_t slots_max = FacetId::cells_max;
     static constexpr VertexId freed{none - 1};  // vertex[0] of a free slot
 
     Store(Arena& arena, StoreState& state) : arena(arena), state(state) { locate_arrays(); }
 
+    // To be called where others have opened or compacted the store: its state says where arrays are.
+    void locate_arrays() {
+        cells_ = reinterpret_cast<CellT*>(arena.at(state.cells_offset));
+        vertices_end_ = reinterpret_cast<VertexT*>(arena.at(state.vertices_end));
+    }
     // Starts an empty store with vertex_count uninitialised vertices; then cells begin at the present low end.
     // out_of_memory.
     Status open_vertices(std::uint32_t vertex_count);
@@ -98,7 +113,9 @@ public:
     std::uint32_t live_cells() const { return state.cell_slots - state.cells_free; }
 
     // Room for that many more cells and vertices together and list_bytes of list? Remembers what was wanted if not.
-    bool has_room(std::uint32_t cells, std::uint32_t vertices, std::size_t list_bytes);
+    bool has_room(std::uint32_t cells, std::uint32_t vertices, std::size_t list_bytes) {
+        return has_room_for(arena, state, {cells, sizeof(CellT), vertices * sizeof(VertexT) + list_bytes});
+    }
     // After has_room these cannot fail. A new cell is a new slot, whatever slots are free.
     CellId new_cell() {
         ++state.cells_created;
@@ -127,10 +144,6 @@ public:
     StoreState& state;
 
 private:
-    void locate_arrays() {
-        cells_ = reinterpret_cast<CellT*>(arena.at(state.cells_offset));
-        vertices_end_ = reinterpret_cast<VertexT*>(arena.at(state.vertices_end));
-    }
     CellT* cells_;
     VertexT* vertices_end_;
 };

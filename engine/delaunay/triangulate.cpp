@@ -157,22 +157,23 @@ bool is_spent(const StoreState& state, std::uint64_t points, Allowance* allowanc
 
 }  // namespace
 
-template <int D>
-Status take_input(Store<D>& store, const InputRows& points, std::size_t n, std::uint64_t seed, Monitor& monitor,
+Status take_input(AnyStore& store, const InputRows& points, std::size_t n, std::uint64_t seed, Monitor& monitor,
                   InputReport* input, std::uint32_t** order) {
     *input = InputReport{};
     if (n == 0 || n > points_max) return Status::invalid_argument;
     monitor.begin(NETMESH_STAGE_SORT, n);
-    if (!are_finite(points, n, D, store.arena, input)) return Status::not_finite;
+    if (!are_finite(points, n, store.dim, store.arena, input)) return Status::not_finite;
     const std::uint32_t count = static_cast<std::uint32_t>(n);
     if (store.open_vertices(count) != Status::ok) return Status::out_of_memory;
     input->rows = n;
     input->fingerprint = copy_points(points, store);
-    *order = store.arena.template take_low<std::uint32_t>(count);
+    *order = store.arena.take_low<std::uint32_t>(count);
     if (*order == nullptr) return Status::out_of_memory;
     bool repeats;
-    const Status status =
-        spatial_order<D>(store.coordinate_base(), Store<D>::vertex_stride, count, seed, store.arena, *order, &repeats);
+    const Status status = with_dimension(static_cast<std::uint32_t>(store.dim), [&](auto dimension) {
+        return spatial_order<decltype(dimension)::value>(store.first_point(), store.point_stride(), count, seed,
+                                                         store.arena, *order, &repeats);
+    });
     if (status != Status::ok) return status;
     const std::uint32_t kept = repeats ? remove_duplicates(store, *order, count) : count;
     input->duplicates = count - kept;
@@ -215,8 +216,6 @@ Status triangulate(Store<D>& store, const InputRows& points, std::size_t n, std:
 }
 
 #define NETMESH_INSTANTIATE(D)                                                                                         \
-    template Status take_input<D>(Store<D>&, const InputRows&, std::size_t, std::uint64_t, Monitor&, InputReport*,     \
-                                  std::uint32_t**);                                                                    \
     template Status triangulate<D>(Store<D>&, const InputRows&, std::size_t, std::uint64_t, Monitor&, InputReport*,    \
                                    Allowance*);
 NETMESH_EACH_INSTANCE(NETMESH_INSTANTIATE)

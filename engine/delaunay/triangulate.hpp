@@ -17,12 +17,20 @@ struct InputReport {
     std::uint64_t row_a, row_b;  // culprits of not_finite, out_of_range, too_close
 };
 
-// Copies points[n][D] into fresh vertices (store.open_vertices), with -0.0 made 0, origin = row, cell = none and marker
-// input; finds and removes exact duplicates and leaves the insertion order of what remains in order[0..vertex_count),
-// which is taken at the low end. out_of_memory, not_finite (row_a), invalid_argument when n is 0 or above 2^28.
+// Copies points[n][store.dim] into fresh vertices (store.open_vertices), with -0.0 made 0, origin = row, cell = none
+// and marker input; finds and removes exact duplicates and leaves the insertion order of what remains in
+// order[0..vertex_count), which is taken at the low end. out_of_memory, not_finite (row_a), invalid_argument when n is
+// 0 or above 2^28.
+Status take_input(AnyStore& store, const InputRows& points, std::size_t n, std::uint64_t seed, Monitor& monitor,
+                  InputReport* input, std::uint32_t** order);
 template <int D>
 Status take_input(Store<D>& store, const InputRows& points, std::size_t n, std::uint64_t seed, Monitor& monitor,
-                  InputReport* input, std::uint32_t** order);
+                  InputReport* input, std::uint32_t** order) {
+    AnyStore any(store);
+    const Status status = take_input(any, points, n, seed, monitor, input, order);
+    store.locate_arrays();
+    return status;
+}
 
 // What a triangulation may cost before it is given up. Work is cells made; a conflict that the cached ball does not
 // decide counts for several of them, and so does a tie.

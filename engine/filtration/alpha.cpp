@@ -41,10 +41,10 @@ public:
                 for (const std::uint64_t piece = work_.arena.piece(i, faces_.count[k], 2); i < piece; ++i) {
                     value_[k][i] = 0;
                 }
-        Status status = down_to<1>([this](auto k) { return find_radii(k); });
+        Status status = down_to<1>([this](auto k) { return this->find_radii(k); });
         work_.arena.release_high(high);
         if (status == Status::ok) status = order_radii(FaceTable(faces_), points_, work_, value_, &errors_);
-        if (status == Status::ok) status = down_to<2>([this](auto k) { return hand_down(k); });
+        if (status == Status::ok) status = down_to<2>([this](auto k) { return this->hand_down(k); });
         *error = errors_.inner > errors_.outer ? errors_.inner : errors_.outer;
         return status;
     }

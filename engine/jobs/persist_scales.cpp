@@ -73,7 +73,6 @@ private:
     Status add_cluster();
     MeshRequest mesh_request() const;
     // Neither stands on the stack while the other runs.
-    template <int D>
     [[gnu::noinline]] Status make_mesh(const double* x, std::uint32_t n, StoreState* state, AnyDomain* domain);
     [[gnu::noinline]] Status persist_mesh(const AnyMesh& whole, MeshBars* bars);
     Status bound_mesh(const AnyMesh& mesh, const FilterRequest& which, const Evaluation& filter, const MeshBars& bars);
@@ -160,10 +159,10 @@ Status ScalesJoin::find_chains(const AnyMesh& mesh, const double* value, MeshBar
     return write_images(found, name, arena_, bars);
 }
 
-template <int D> Status ScalesJoin::make_mesh(const double* x, std::uint32_t n, StoreState* state, AnyDomain* domain) {
-    Store<D> store(arena_, *state);
-    MeshResult<D> mesh;
-    const Status status = mesh_points<D>(store, x, n, mesh_request(), {arena_, monitor_}, &mesh);
+Status ScalesJoin::make_mesh(const double* x, std::uint32_t n, StoreState* state, AnyDomain* domain) {
+    AnyStore store(points_.dim, arena_, *state);
+    AnyMeshResult mesh;
+    const Status status = mesh_points(store, x, n, mesh_request(), {arena_, monitor_}, &mesh);
     const InputReport& input = mesh.input;
     if (status == Status::out_of_range || status == Status::too_close || status == Status::invalid_argument) {
         const std::uint64_t a = points_.vertex(partition_.chosen()[input.row_a]).origin;
@@ -172,7 +171,7 @@ template <int D> Status ScalesJoin::make_mesh(const double* x, std::uint32_t n, 
         result_->row_a = are_two && b < a ? b : a;
         result_->row_b = !are_two ? 0 : a < b ? b : a;
     }
-    *domain = AnyDomain(mesh.domain);
+    *domain = mesh.domain;
     return status;
 }
 
@@ -219,9 +218,7 @@ Status ScalesJoin::add_cluster() {
     const bool is_first = partition_.clusters() == 1;
     StoreState state = {};
     AnyDomain domain = {};
-    Status status = with_dimension(static_cast<std::uint32_t>(points_.dim), [&](auto dimension) {
-        return make_mesh<decltype(dimension)::value>(x, n, &state, &domain);
-    });
+    Status status = make_mesh(x, n, &state, &domain);
     if (status == Status::ok)
         status = persist_mesh(AnyMesh(AnyStore(points_.dim, arena_, state), domain, n, goal_ > 0), &bars);
     arena_.release_high(high);

@@ -21,17 +21,16 @@ bool is_mixed(const AnyStore& store, const Cage& cage, std::uint32_t c, int exce
     return inside && outside;
 }
 
-std::uint32_t domain_of(int dim, CageForest& forest, std::uint32_t v) {
-    return with_dimension(static_cast<std::uint32_t>(dim), [&](auto dimension) {
-        return static_cast<Hierarchy<decltype(dimension)::value>&>(forest).of(v);
-    });
-}
-
 std::uint32_t template_size(int dim, bool outermost) {
     constexpr std::uint32_t size[][2] = {{CageTemplate<2>::size, RootTemplate<2>::size},
                                          {CageTemplate<3>::size, RootTemplate<3>::size},
                                          {CageTemplate<4>::size, RootTemplate<4>::size}};
     return size[dim - 2][outermost];
+}
+
+double template_packing(int dim) {
+    const auto packing = [](auto dimension) { return CageTemplate<decltype(dimension)::value>::packing; };
+    return dim == 2 ? packing(Dimension<2>{}) : dim == 3 ? packing(Dimension<3>{}) : packing(Dimension<4>{});
 }
 
 void template_point(int dim, bool outermost, std::uint32_t k, double* x) {

@@ -25,11 +25,9 @@ inline bool has_yielded_to(const AnyStore& store, const Cage* cages, std::uint32
     return d != none && store.vertex(v).marker == Marker::input && is_by_shell(store, cages[d], v);
 }
 
-// Hierarchy<dim>::of, of a forest that is a Hierarchy<dim>.
-std::uint32_t domain_of(int dim, CageForest& forest, std::uint32_t v);
-
-// CageTemplate<dim>, or RootTemplate<dim>; dim <= thesis_dim_max.
+// Of CageTemplate<dim>, or RootTemplate<dim>; dim <= thesis_dim_max.
 std::uint32_t template_size(int dim, bool outermost);
+double template_packing(int dim);
 void template_point(int dim, bool outermost, std::uint32_t k, double* x);
 
 // Lists the cells on the cage's boundary, which are connected, at list_top()[-1 - k]; *count: how many. There is one at

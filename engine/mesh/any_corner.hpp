@@ -5,20 +5,19 @@
 
 namespace netmesh {
 
-struct AnyCorner {
-    int dim;
+template <> struct Corner<any_dimension> {
+    AnyDimension dim;
     double x[dimension_max] = {};
     double distance2 = -1;
     CellId cell = none;
 
-    explicit AnyCorner(int dim) : dim(dim) {}
-    template <int D>
-    explicit AnyCorner(const Corner<D>& corner) : dim(D), distance2(corner.distance2), cell(corner.cell) {
+    explicit Corner(int dim) : dim(dim) {}
+    template <int D> explicit Corner(const Corner<D>& corner) : dim(D), distance2(corner.distance2), cell(corner.cell) {
         copy(D, corner.x, x);
     }
     template <int D> Corner<D> of_dimension() const {
-        Corner<D> corner;
-        copy<D>(x, corner.x);
+        Corner<D> corner(dim);
+        copy<D>(dim, x, corner.x);
         corner.distance2 = distance2;
         corner.cell = cell;
         return corner;
@@ -30,5 +29,6 @@ struct AnyCorner {
         copy(dim, at, x);
     }
 };
+using AnyCorner = Corner<any_dimension>;
 
 }  // namespace netmesh

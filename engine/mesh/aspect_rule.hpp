@@ -8,11 +8,6 @@
 
 namespace netmesh {
 
-// A Steiner point is not put farther from its vertex than this times the distance that makes a corner bad, by D: the
-// cell then loses no more than it must, and meshes get smaller than with whole corners. 1 is the limit of 3.3's proof.
-// Smaller values make more layers of vertices, larger ones more vertices a layer.
-template <int D> constexpr double pull_back = figures<D>.pull_back;
-
 // What is refined is the farthest corner of a clipped cell: a Voronoi corner inside the ball that the cell is clipped
 // to, or a point where a Voronoi edge crosses its sphere. Where none of these is too far another point of the sphere
 // may be, see clipped_cell.hpp: those are looked for when it is a vertex's turn. A new vertex leaves other cells no
@@ -44,11 +39,11 @@ public:
     // A hair larger than what is promised, so that no corner on the sphere itself depends on roundings.
     double choose_domain() {
         this->domain_.radius = promised_radius() * (1 + tau_margin);
-        return frame_factor<D> * this->domain_.radius;
+        return figures_of<D>(this->store_.dim).frame_factor * this->domain_.radius;
     }
     double promised_radius() const { return this->domain_.enclosing_radius * this->request_.domain_factor; }
     // From 2^26 units on all corners are known well enough.
-    double finest() const { return finest_distance<D>(this->request_.tau); }
+    double finest() const { return finest_distance(this->store_.dim, this->request_.tau); }
 #ifdef NETMESH_VALIDATE
     const char* clean_violation() const {
         return aspect_violation<D>(this->store_, this->request_.tau, [this](VertexId) { return this->domain_; });
@@ -69,7 +64,7 @@ protected:
     // Positions of those vertices of a new cell whose cells its corner can make bad, as bits.
     unsigned positions_of_bad(const Cell<D>& cell) const {
         unsigned bad = 0;
-        for (int i = 0; i <= D; ++i) {
+        for (int i = 0; i <= this->store_.dim; ++i) {
             const Vertex<D>& vertex = this->store_.vertex(cell.vertex[i]);
             if (!vertex.queued && vertex.marker != Marker::exempt && rule().may_be_bad(cell.radius2, vertex))
                 bad |= 1u << i;
@@ -77,7 +72,7 @@ protected:
         return bad;
     }
     void queue_positions(const Cell<D>& cell, unsigned positions) {
-        for (int i = 0; i <= D; ++i)
+        for (int i = 0; i <= this->store_.dim; ++i)
             if (positions >> i & 1u) this->queue_.push(cell.vertex[i]);
     }
     // v has just filled the cavity. Queues it when its cell has a corner outside of the ball that is too far from v, or
@@ -109,13 +104,13 @@ protected:
     // Can a corner of v's cell be known worse than by corner_error_max because of its coordinates? Then its distance R
     // from v is below 2^-28.8 times their size.
     bool may_be_blurred(const Vertex<D>& vertex) const {
-        return vertex.nearest2 < 0x1p-55 * dot<D>(vertex.x, vertex.x);
+        return vertex.nearest2 < 0x1p-55 * dot<D>(this->store_.dim, vertex.x, vertex.x);
     }
     // v's cell, as computed, is good in the ball: may it be bad in truth? Then *found is a point of the computed cell
     // that is farther from v than what the cell may have, less the blur; otherwise its distance2 is negative. False
     // when the gap is too small for v's star.
     [[gnu::cold, gnu::noinline]] bool find_blurred(const Domain<D>& ball, VertexId v, Corner<D>* found) {
-        *found = Corner<D>{};
+        *found = Corner<D>(this->store_.dim);
         const AnyStore store(this->store_);
         double blur;
         if (!find_blur(store, v, &blur)) return false;
@@ -127,7 +122,7 @@ protected:
         const double least2 = (least - blur) * (least - blur);
         Domain<D> wide = ball;
         wide.radius += blur;
-        AnyCorner corner(D);
+        AnyCorner corner(this->store_.dim);
         const std::uint32_t cells = offer_corners(store, wide, v, &corner);
         *found = corner.of_dimension<D>();
         if (cells > 0 && !(found->distance2 > least2)) find_beyond(wide, v, least2, cells, found);
@@ -137,18 +132,19 @@ protected:
     // The corner is outside of the ball: which of its edges cross the sphere too far from these vertices? A crossing
     // on an edge from an old outer cell need not be looked at: the edge has only become shorter.
     void queue_bad_crossings(const Domain<D>& ball, const Cell<D>& cell, unsigned positions) {
-        for (int i = 0; i <= D; ++i) {
+        for (int i = 0; i <= this->store_.dim; ++i) {
             const unsigned others = positions & ~(1u << i);
             if (others == 0) continue;
             const Cell<D>& behind = this->store_.cell(cell.neighbour[i].cell());
             if (!(behind.radius2 < infinity)) continue;
-            double z[2][D];
-            const int crossings = sphere_crossings<D>(ball, cell.centre, behind.centre, z);
+            double z[2][DimensionOf<D>::most];
+            const int crossings = sphere_crossings(ball, cell.centre, behind.centre, z);
             for (int j = 0; j < crossings; ++j)
-                for (int k = 0; k <= D; ++k) {
+                for (int k = 0; k <= this->store_.dim; ++k) {
                     const VertexId w = cell.vertex[k];
                     if ((others >> k & 1u) == 0) continue;
-                    if (rule().may_be_bad(distance2<D>(z[j], this->store_.point(w)), this->store_.vertex(w)))
+                    if (rule().may_be_bad(distance2<D>(this->store_.dim, z[j], this->store_.point(w)),
+                                          this->store_.vertex(w)))
                         this->queue_.push(w);
                 }
         }
@@ -159,9 +155,13 @@ protected:
         const double* const p = this->store_.point(v);
         const double whole = square_root(corner.distance2);
         split->place(p, corner, wanted < whole ? wanted / whole : 1);
-        split->empty2 = distance2<D>(split->x, p);
+        split->empty2 = distance2<D>(this->store_.dim, split->x, p);
         split->input = this->nearest_input(v);
     }
+    // A Steiner point is not put farther from its vertex than this times the distance that makes a corner bad, by D:
+    // the cell then loses no more than it must, and meshes get smaller than with whole corners. 1 is the limit of 3.3's
+    // proof. Smaller values make more layers of vertices, larger ones more vertices a layer.
+    double pull_back() const { return figures_of<D>(this->store_.dim).pull_back; }
     // The distance at which 3.3 puts a Steiner point, for a nearest neighbour this far away.
     double wanted_distance(double nearest, double pull) const { return pull * 0.5 * tau_ * nearest; }
 

@@ -24,7 +24,7 @@ public:
     void push(VertexId v) { push(v, store_->vertex(v).nearest2); }
     // The same with another squared distance in place of the vertex's own.
     void push(VertexId v, double nearest2) {
-        Vertex<D>& vertex = store_->vertex(v);
+        auto&& vertex = store_->vertex(v);
         const bool is_there = vertex.queued != 0;
         vertex.queued = listed;
         if (is_there) return;

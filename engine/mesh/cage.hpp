@@ -30,7 +30,7 @@ constexpr double cage_epsilon = 1.0 / 2;
 // No vertex but the shell's lies between 1 and this many radii from the centre: 2 / e.
 constexpr double cage_clearance = 2 / cage_epsilon;
 constexpr double shell_factor = 0.985;
-template <int D> constexpr std::uint32_t shell_size = 2 * D;
+constexpr std::uint32_t shell_size_of(int dim) { return 2 * static_cast<std::uint32_t>(dim); }
 // Shell vertices are moved by at most this times the radius of their sphere along each axis of the cross-polytope.
 constexpr double shell_jitter = 0x1p-8;
 // They are at least so many radii from the centre. Checks and bounds go by this, for files with shells at .9 radii.
@@ -52,7 +52,7 @@ struct Cage {
 };
 
 template <int D> inline bool is_inside(const Store<D>& store, const Cage& cage, const double* x) {
-    return distance2<D>(x, store.point(cage.centre)) < cage.radius * cage.radius;
+    return distance2<D>(store.dim, x, store.point(cage.centre)) < cage.radius * cage.radius;
 }
 
 // In-radius of the cell of a cage (thesis 4.6): half of the way to the nearest vertex outside, measured from the shell.
@@ -64,7 +64,7 @@ inline Domain<D> domain_ball(const Store<D>& store, const Cage* cages, std::uint
                              const Domain<D>& outermost) {
     if (domain == none) return outermost;
     Domain<D> ball;
-    for (int k = 0; k < D; ++k) ball.centre[k] = store.point(cages[domain].centre)[k];
+    copy<D>(store.dim, store.point(cages[domain].centre), ball.centre);
     ball.radius = ball.enclosing_radius = cage_epsilon * cages[domain].radius;
     return ball;
 }
@@ -81,7 +81,7 @@ template <int D> inline bool is_on_boundary(const Store<D>& store, const Cage& c
 // of the cage's cell.
 template <int D> inline bool is_mixed(const Store<D>& store, const Cage& cage, std::uint32_t c, int i) {
     bool inside = false, outside = false;
-    for (int k = 0; k <= D; ++k) {
+    for (int k = 0; k <= store.dim; ++k) {
         const VertexId v = store.cell(c).vertex[k];
         if (k != i) (v != none && is_inside<D>(store, cage, store.point(v)) ? inside : outside) = true;
     }

@@ -70,9 +70,9 @@ public:
         return nearest.distance2 < yield_radius * yield_radius * split.empty2;
     }
     void note_steiner(VertexId v, const NearestInput& nearest) {
-        input_distance2(store_.vertex(v)) = nearest.distance2;
+        store_.vertex(v).nearest2 = nearest.distance2;  // see local_distance2
     }
-    void restore_distances() { measure_edges<D>(store_); }
+    void restore_distances() { measure_edges(store_); }
 #ifdef NETMESH_VALIDATE
     const char* clean_violation() {
         return goal_.clipped ? clipped_violation()
@@ -82,6 +82,8 @@ public:
 
 private:
     struct CellView {
+        explicit CellView(int dim) : farthest(dim), from_input(dim) {}
+
         Corner<D> farthest;       // from the vertex; `distance2` at most, here and below
         Corner<D> from_input;     // from the nearest input; `distance2` is to that
         std::uint32_t cells = 0;  // in the star
@@ -89,10 +91,9 @@ private:
         double blur = 0;          // three times what corners may be wrong by, where that matters, see farthest2
     };
 
-    // While a mesh is refined the record of a Steiner vertex holds the squared distance to its nearest input where
-    // that to its nearest neighbour, of which this rule makes no use, belongs: also what the queue goes by.
-    static double& input_distance2(Vertex<D>& steiner) { return steiner.nearest2; }
-    // Of an input to its nearest neighbour, of a Steiner vertex to its nearest input.
+    // Of an input to its nearest neighbour, of a Steiner vertex to its nearest input. While a mesh is refined the
+    // record of a Steiner vertex holds that where the squared distance to its nearest neighbour, of which this rule
+    // makes no use, belongs: also what the queue goes by.
     static double local_distance2(const Vertex<D>& vertex) { return vertex.nearest2; }
 
     // The squared distance of a corner of this cell from some point, d2 as computed: what the certificate may make of
@@ -115,7 +116,7 @@ private:
     // A point on the sphere, or a hair outside as computed.
     void put_inside(double* x) const {
         const double share = domain_.radius / square_root(domain_.distance2(x)) * (1 - 0x1p-50);
-        for (int k = 0; k < D; ++k) x[k] = domain_.centre[k] + share * (x[k] - domain_.centre[k]);
+        for (int k = 0; k < store_.dim; ++k) x[k] = domain_.centre[k] + share * (x[k] - domain_.centre[k]);
     }
     double largest_good(const Vertex<D>& vertex, double lo) const;
     bool find_bad_pole(VertexId v, CellView* view) const;
@@ -133,8 +134,8 @@ template <int D> Status CertificateRule<D>::check_goal() {
     if (!(goal_.focus > 0)) return Status::ok;
     double size = 0;
     for (std::uint32_t v = 0; v < inputs_;)
-        for (const std::uint64_t piece = store_.arena.piece(v, inputs_, 500 * D); v < piece; ++v) {
-            for (int k = 0; k < D; ++k)
+        for (const std::uint64_t piece = store_.arena.piece(v, inputs_, 500 * store_.dim); v < piece; ++v) {
+            for (int k = 0; k < store_.dim; ++k)
                 if (absolute(store_.point(v)[k]) > size) size = absolute(store_.point(v)[k]);
         }
     return goal_.from * focus_.step < resolution * size ? Status::invalid_argument : Status::ok;
@@ -145,11 +146,13 @@ template <int D> double CertificateRule<D>::choose_domain() {
     cut2_ = domain_.enclosing_radius * domain_.enclosing_radius;
     if (goal_.clipped) {
         domain_.radius *= clip_factor;
-        const double around = 1.05 * square_root(D), good = (1 + 2 / focus_.ratio2) * (1 + 0x1p-10);
+        const double around = 1.05 * square_root(store_.dim), good = (1 + 2 / focus_.ratio2) * (1 + 0x1p-10);
         return domain_.radius * (around > good ? around : good);
     }
-    const double factor = 1.05 * square_root(D) * focus_.extent();  // the smaller a ratio, the larger its extent
-    return domain_.radius * (factor > frame_factor<D> ? factor : frame_factor<D>);
+    const double factor =
+        1.05 * square_root(store_.dim) * focus_.extent();  // the smaller a ratio, the larger its extent
+    const double least = figures_of<D>(store_.dim).frame_factor;
+    return domain_.radius * (factor > least ? factor : least);
 }
 
 // The bound that may hold for a cell, as far as d_P of its vertex tells: a focused one has d/2 <= lo < to, and
@@ -172,10 +175,10 @@ template <int D> double CertificateRule<D>::least_bad2(const Vertex<D>& vertex) 
 
 // An input's cell may have become bad because its nearest neighbour came nearer.
 template <int D> void CertificateRule<D>::update_distances(const Cavity& cavity, VertexId v) {
-    Vertex<D>& centre = store_.vertex(v);
+    auto&& centre = store_.vertex(v);
     kernel_.visit_neighbours(cavity, v, [&](VertexId w) {
-        Vertex<D>& other = store_.vertex(w);
-        const double d2 = distance2<D>(centre.x, other.x);
+        auto&& other = store_.vertex(w);
+        const double d2 = distance2<D>(store_.dim, centre.x, other.x);
         if (centre.marker == Marker::input && d2 < centre.nearest2) centre.nearest2 = d2;
         if (other.marker != Marker::input || !(d2 < other.nearest2)) return;
         other.nearest2 = d2;
@@ -209,7 +212,7 @@ template <int D> void CertificateRule<D>::queue_new(const Cavity& cavity, Vertex
 
 // Walks around v's cell. False when the gap is too small for that.
 template <int D> bool CertificateRule<D>::view_cell(VertexId v, CellView* view) {
-    *view = CellView{};
+    *view = CellView(store_.dim);
     const double least2 = least_bad2(store_.vertex(v));
     return kernel_.visit_star(v, [&](CellId c) {
         const Cell<D>& cell = store_.cell(c);
@@ -238,8 +241,8 @@ template <int D> void CertificateRule<D>::view_whole(VertexId v, CellView* view)
         const CellId c = store_.list_top()[-1 - static_cast<std::ptrdiff_t>(k)];
         const Cell<D>& cell = store_.cell(c);
         if (!(cell.radius2 < infinity)) continue;
-        view->farthest.offer(cell.centre, farthest2(cell, distance2<D>(cell.centre, p)), c);
-        view->from_input.offer(cell.centre, farthest2(cell, distance2<D>(cell.centre, input)), c);
+        view->farthest.offer(cell.centre, farthest2(cell, distance2<D>(store_.dim, cell.centre, p)), c);
+        view->from_input.offer(cell.centre, farthest2(cell, distance2<D>(store_.dim, cell.centre, input)), c);
     }
 }
 
@@ -276,7 +279,7 @@ template <int D> double CertificateRule<D>::largest_good(const Vertex<D>& vertex
 // Makes the view of v's cell that has just been taken one of its corners in the ball and of the points where its edges
 // cross the sphere. Corners that may be wrong: of the ball that is larger by that, see aspect_rule.hpp.
 template <int D> void CertificateRule<D>::clip(VertexId v, CellView* view) const {
-    view->farthest = view->from_input = Corner<D>{};
+    view->farthest = view->from_input = Corner<D>(store_.dim);
     const double* const p = store_.point(v);
     const double* const input = store_.point(nearest_input(v));
     Domain<D> ball = domain_;
@@ -290,8 +293,8 @@ template <int D> void CertificateRule<D>::clip(VertexId v, CellView* view) const
         const Cell<D>& cell = store_.cell(c);
         if (!(cell.radius2 < infinity)) continue;
         const auto offer = [&](const double* x) {
-            view->farthest.offer(x, at_most2(distance2<D>(x, p)), c);
-            view->from_input.offer(x, at_most2(distance2<D>(x, input)), c);
+            view->farthest.offer(x, at_most2(distance2<D>(store_.dim, x, p)), c);
+            view->from_input.offer(x, at_most2(distance2<D>(store_.dim, x, input)), c);
         };
         if (ball.contains(cell.centre))
             offer(cell.centre);
@@ -301,7 +304,7 @@ template <int D> void CertificateRule<D>::clip(VertexId v, CellView* view) const
     }
     // v last: where the blur drowns all differences, the cell is split at a corner that was seen.
     view->farthest.offer(p, at_most2(0), store_.vertex(v).cell);
-    view->from_input.offer(p, at_most2(distance2<D>(p, input)), store_.vertex(v).cell);
+    view->from_input.offer(p, at_most2(distance2<D>(store_.dim, p, input)), store_.vertex(v).cell);
 }
 
 // By its corners and crossings v's clipped cell is good: is it bad by another point of the sphere? Then from_input is
@@ -312,7 +315,7 @@ template <int D> bool CertificateRule<D>::find_bad_pole(VertexId v, CellView* vi
     const double d = square_root(local_distance2(vertex));
     Domain<D> ball = domain_;
     ball.radius += view->blur;
-    Corner<D> found;
+    Corner<D> found(store_.dim);
     const auto is_beyond = [&](double lo) {
         const double most = largest_good(vertex, lo) - view->blur;
         if (!(most > 0 && most * most < cut2_)) return false;
@@ -324,12 +327,12 @@ template <int D> bool CertificateRule<D>::find_bad_pole(VertexId v, CellView* vi
         // With a smaller out-radius than d / 2 lo is larger; but poles may be farther away than corners.
         if (vertex.marker == Marker::steiner) {
             if (4 * view->farthest.distance2 < d * d)
-                offer_poles<D>(store_, ball, vertex.x, v, store_.list_top(), view->cells, &view->farthest);
+                offer_poles(store_, ball, vertex.x, v, store_.list_top(), view->cells, &view->farthest);
             lo = least_distance(d, square_root(view->farthest.distance2) + view->blur, as_computed);
         }
         if (!(lo > 0.5 * d) || is_beyond(lo)) {
             view->from_input = found;
-            view->farthest.offer(found.x, distance2<D>(found.x, vertex.x), found.cell);
+            view->farthest.offer(found.x, distance2<D>(store_.dim, found.x, vertex.x), found.cell);
             return true;
         }
     }
@@ -338,7 +341,7 @@ template <int D> bool CertificateRule<D>::find_bad_pole(VertexId v, CellView* vi
 
 // Towards the corner that defines hi, or the farthest one; see the header for how far.
 template <int D> Verdict CertificateRule<D>::judge(VertexId v, Split<D>* split) {
-    CellView view;
+    CellView view(store_.dim);
     if (!view_cell(v, &view)) return Verdict::out_of_memory;
     if (is_surely_good(v, view)) return Verdict::good;
     const bool leaves = leaves_ball(view);
@@ -354,13 +357,14 @@ template <int D> Verdict CertificateRule<D>::judge(VertexId v, Split<D>* split) 
     const Vertex<D>& vertex = store_.vertex(v);
     const double least2 = least_bad2(vertex);
     const Corner<D>* corner = &view.from_input;
-    double whole2 = distance2<D>(corner->x, p);
+    double whole2 = distance2<D>(store_.dim, corner->x, p);
     double level = 0;  // from this fraction of the way on the nearest input is no nearer than from v
     if (whole2 < least2 && bound_at(vertex).ratio2 <= 2) {
         corner = &view.farthest;
-        whole2 = distance2<D>(corner->x, p);
+        whole2 = distance2<D>(store_.dim, corner->x, p);
     } else if (vertex.marker == Marker::steiner) {
-        level = 1 - (distance2<D>(corner->x, store_.point(nearest_input(v))) - local_distance2(vertex)) / whole2;
+        level = 1 - (distance2<D>(store_.dim, corner->x, store_.point(nearest_input(v))) - local_distance2(vertex)) /
+                        whole2;
     }
     // So flat are the cells about v that none of its corners is known: there is nothing to split towards, and the
     // certificate will tell what that costs.
@@ -370,7 +374,7 @@ template <int D> Verdict CertificateRule<D>::judge(VertexId v, Split<D>* split) 
     if (fraction < level) fraction = level;
     split->place(p, *corner, fraction);
     if (goal_.clipped && !domain_.contains(split->x)) put_inside(split->x);
-    split->empty2 = distance2<D>(split->x, p);
+    split->empty2 = distance2<D>(store_.dim, split->x, p);
     split->input = nearest_input(v);
     return Verdict::bad;
 }
@@ -381,7 +385,7 @@ template <int D> const char* CertificateRule<D>::clipped_violation() {
     if (store_.state.vertex_count > validated_vertices_max) return nullptr;
     for (VertexId v(0); v < store_.state.vertex_count; ++v) {
         const Vertex<D>& vertex = store_.vertex(v);
-        CellView view;
+        CellView view(store_.dim);
         if (!is_in_mesh(store_, v) || vertex.marker == Marker::exempt || !view_cell(v, &view)) continue;
         view_whole(v, &view);
         const bool leaves = leaves_ball(view);
@@ -391,7 +395,7 @@ template <int D> const char* CertificateRule<D>::clipped_violation() {
         const double lo = vertex.marker == Marker::input ? 0.5 * d : least_distance(d, R, as_computed);
         const double most = goal_.ratio * goal_.ratio * lo;
         if (hi2 > most * most) return "a cell spoils the certificate and nobody has noticed";
-        Corner<D> found;
+        Corner<D> found(store_.dim);
         if (!leaves || !(most * most < cut2_)) continue;
         find_beyond<D>(store_, domain_, store_.point(nearest_input(v)), v, most * most, view.cells, &found);
         if (!(found.distance2 < 0)) return "a cell spoils the certificate at a pole and nobody has noticed";
@@ -403,14 +407,14 @@ template <int D> const char* CertificateRule<D>::clipped_violation() {
 }  // namespace
 
 template <int D>
-Status mesh_by_certificate(Store<D>& store, const InputRows& points, std::size_t n, const MeshRequest& request,
-                           const Work& work, MeshResult<D>* result) {
-    return mesh_by_rule<D, CertificateRule<D>>(store, points, n, request, work, result);
+Status mesh_by_certificate(AnyStore& store, const InputRows& points, std::size_t n, const MeshRequest& request,
+                           const Work& work, AnyMeshResult* result) {
+    return mesh_by<D, CertificateRule>(store, points, n, request, work, result);
 }
 
 #define NETMESH_INSTANTIATE(D)                                                                                         \
-    template Status mesh_by_certificate<D>(Store<D>&, const InputRows&, std::size_t, const MeshRequest&, const Work&,  \
-                                           MeshResult<D>*);
+    template Status mesh_by_certificate<D>(AnyStore&, const InputRows&, std::size_t, const MeshRequest&, const Work&,  \
+                                           AnyMeshResult*);
 NETMESH_EACH_INSTANCE(NETMESH_INSTANTIATE)
 #undef NETMESH_INSTANTIATE
 

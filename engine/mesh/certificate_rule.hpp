@@ -59,7 +59,7 @@ namespace netmesh {
 // B. too_close: k times the distance of two inputs is too little; invalid_argument: coordinates do not resolve k
 // `from`, of scales of interest, or K `from` where k is not positive.
 template <int D>
-Status mesh_by_certificate(Store<D>& store, const InputRows& points, std::size_t n, const MeshRequest& request,
-                           const Work& work, MeshResult<D>* result);
+Status mesh_by_certificate(AnyStore& store, const InputRows& points, std::size_t n, const MeshRequest& request,
+                           const Work& work, AnyMeshResult* result);
 
 }  // namespace netmesh

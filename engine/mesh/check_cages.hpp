@@ -14,7 +14,7 @@ std::uint32_t innermost_cage(const Store<D>& store, const Hierarchy<D>& hierarch
     std::uint32_t innermost = none;
     for (std::uint32_t d = 0; d < hierarchy.made(); ++d) {
         const Cage& cage = hierarchy.cages()[d];
-        if (!hierarchy.is_live(d) || !(cage.radius > above) || !is_inside<D>(store, cage, x)) continue;
+        if (!hierarchy.is_live(d) || !(cage.radius > above) || !is_inside(store, cage, x)) continue;
         if (innermost == none || cage.radius < hierarchy.cages()[innermost].radius) innermost = d;
     }
     return innermost;
@@ -29,10 +29,10 @@ template <int D> std::uint32_t domain_found(const Store<D>& store, const Hierarc
 }
 
 template <int D> const char* shell_violation(const Store<D>& store, const Cage& cage) {
-    for (std::uint32_t v = cage.shell; v < cage.shell + shell_size<D>; ++v) {
+    for (std::uint32_t v = cage.shell; v < cage.shell + shell_size_of(store.dim); ++v) {
         if (v >= store.state.vertex_count || !is_in_mesh(store, v)) return "a shell vertex is not in the mesh";
         if (store.vertex(v).marker != Marker::exempt) return "a shell vertex is not exempt";
-        const double d2 = distance2<D>(store.point(v), store.point(cage.centre));
+        const double d2 = distance2<D>(store.dim, store.point(v), store.point(cage.centre));
         const double least = shell_least * cage.radius;
         if (d2 < least * least || !(d2 < cage.radius * cage.radius)) return "a shell vertex is out of its place";
     }
@@ -51,7 +51,7 @@ const char* cage_violation_at(const Store<D>& store, const Hierarchy<D>& hierarc
     const double inner = cage_epsilon * cage.radius, clear = cage_clearance * cage.radius;
     double nearest2 = infinity;
     for (std::uint32_t v = 0; v < store.state.vertex_count; ++v) {
-        const double d2 = distance2<D>(store.point(v), centre);
+        const double d2 = distance2<D>(store.dim, store.point(v), centre);
         if (v < inputs && d2 > inner * inner * (1 + validated_slack) && d2 < clear * clear)
             return "an input is in the gap around a cage";
         if (!is_in_mesh(store, v) || d2 < cage.radius * cage.radius) continue;
@@ -70,7 +70,7 @@ template <int D> const char* nesting_violation(const Store<D>& store, const Hier
     for (std::uint32_t e = 0; e < d; ++e) {
         if (!hierarchy.is_live(e)) continue;
         const Cage& other = hierarchy.cages()[e];
-        const double offset = distance<D>(centre, store.point(other.centre));
+        const double offset = distance<D>(store.dim, centre, store.point(other.centre));
         const double small = cage.radius < other.radius ? cage.radius : other.radius;
         const double large = cage.radius < other.radius ? other.radius : cage.radius;
         if (offset + small > large && offset < small + large) return "the balls of two cages cross";
@@ -99,7 +99,7 @@ const char* cages_violation(const Store<D>& store, const Hierarchy<D>& hierarchy
         if (domain_found(store, hierarchy, v) != innermost_cage(store, hierarchy, store.point(v), 0))
             return "a vertex's domain is not the innermost cage around it";
     }
-    return exempt == 2 * D + live * shell_size<D> ? nullptr : "an exempt vertex belongs to no shell";
+    return exempt == (live + 1) * shell_size_of(store.dim) ? nullptr : "an exempt vertex belongs to no shell";
 }
 
 }  // namespace netmesh

@@ -30,7 +30,7 @@ template <int D> bool is_in_mesh(const Store<D>& store, std::uint32_t v) { retur
 template <int D> std::uint32_t nearest_of_inputs(const Store<D>& store, std::uint32_t inputs, const double* x) {
     std::uint32_t nearest = 0;
     for (std::uint32_t p = 1; p < inputs; ++p)
-        if (distance2<D>(x, store.point(p)) < distance2<D>(x, store.point(nearest))) nearest = p;
+        if (distance2<D>(store.dim, x, store.point(p)) < distance2<D>(store.dim, x, store.point(nearest))) nearest = p;
     return nearest;
 }
 
@@ -39,7 +39,7 @@ template <int D> double nearest_distance2(const Store<D>& store, std::uint32_t v
     double nearest2 = infinity;
     for (std::uint32_t w = 0; w < store.state.vertex_count; ++w) {
         if (w == v || !is_in_mesh(store, w)) continue;
-        const double d2 = distance2<D>(store.point(v), store.point(w));
+        const double d2 = distance2<D>(store.dim, store.point(v), store.point(w));
         if (d2 < nearest2) nearest2 = d2;
     }
     return nearest2;
@@ -51,7 +51,7 @@ inline bool is_about(double value, double expected) {
 
 template <int D> const char* record_violation(const Store<D>& store, std::uint32_t v, const GrowthFacts& facts) {
     const Vertex<D>& vertex = store.vertex(v);
-    const bool is_frame = v >= facts.inputs && v < facts.inputs + 2 * D;
+    const bool is_frame = v >= facts.inputs && v < facts.inputs + 2 * static_cast<std::uint32_t>(store.dim);
     if ((vertex.marker == Marker::input) != (v < facts.inputs))
         return "a vertex is marked as an input, or an input not";
     if (is_frame && vertex.marker != Marker::exempt) return "a vertex of the frame is not exempt";
@@ -69,7 +69,7 @@ template <int D> const char* record_violation(const Store<D>& store, std::uint32
     if (!facts.input_distances || vertex.marker == Marker::input) {
         if (!is_about(vertex.nearest2, nearest_distance2(store, v))) return "a nearest distance is wrong";
     } else if (vertex.marker == Marker::steiner) {
-        if (vertex.nearest2 != distance2<D>(vertex.x, store.point(vertex.origin)))
+        if (vertex.nearest2 != distance2<D>(store.dim, vertex.x, store.point(vertex.origin)))
             return "the distance to a nearest input is wrong";
     }
     return nullptr;
@@ -101,22 +101,22 @@ template <int D, class BallOf> const char* aspect_violation(Store<D>& store, dou
     for (CellId c(0); c < store.state.cell_slots; ++c) {
         const Cell<D>& cell = store.cell(c);
         if (!store.is_live(c) || !(cell.radius2 < infinity)) continue;
-        for (int i = 0; i <= D; ++i) {
+        for (int i = 0; i <= store.dim; ++i) {
             const Vertex<D>& vertex = store.vertex(cell.vertex[i]);
             if (vertex.marker == Marker::exempt) continue;
             const double bad2 = 0.25 * tau * tau * vertex.nearest2;
             const Domain<D> ball = ball_of(cell.vertex[i]);
             if (ball.contains(cell.centre)) {
-                if (distance2<D>(cell.centre, vertex.x) > bad2) return violation;
+                if (distance2<D>(store.dim, cell.centre, vertex.x) > bad2) return violation;
                 continue;
             }
-            for (int j = 0; j <= D; ++j) {
+            for (int j = 0; j <= store.dim; ++j) {
                 const Cell<D>& behind = store.cell(cell.neighbour[j].cell());
                 if (j == i || !(behind.radius2 < infinity)) continue;
-                double z[2][D];
-                const int crossings = sphere_crossings<D>(ball, cell.centre, behind.centre, z);
+                double z[2][DimensionOf<D>::most];
+                const int crossings = sphere_crossings(ball, cell.centre, behind.centre, z);
                 for (int k = 0; k < crossings; ++k)
-                    if (distance2<D>(z[k], vertex.x) > bad2) return violation;
+                    if (distance2<D>(store.dim, z[k], vertex.x) > bad2) return violation;
             }
         }
     }
@@ -125,7 +125,7 @@ template <int D, class BallOf> const char* aspect_violation(Store<D>& store, dou
         if (!is_in_mesh(store, v) || vertex.marker == Marker::exempt) continue;
         const double bad2 = 0.25 * tau * tau * vertex.nearest2;
         double reach2 = bad2;
-        if (raise_to_poles<D>(store, ball_of(v), v, &reach2) && reach2 > bad2) return violation;
+        if (raise_to_poles(store, ball_of(v), v, &reach2) && reach2 > bad2) return violation;
     }
     return nullptr;
 }
@@ -144,7 +144,8 @@ template <int D> const char* ratio_violation(const Store<D>& store, double ratio
             bool has = false;
             for (const VertexId w : cell.vertex) has |= w == v;
             if (!has || !store.is_live(c) || !(cell.radius2 < infinity)) continue;
-            const double here2 = distance2<D>(cell.centre, vertex.x), there2 = distance2<D>(cell.centre, input);
+            const double here2 = distance2<D>(store.dim, cell.centre, vertex.x),
+                         there2 = distance2<D>(store.dim, cell.centre, input);
             if (here2 > far2) far2 = here2;
             if (there2 > reach2) reach2 = there2;
         }

@@ -26,10 +26,25 @@ bool is_in_cell(const AnyStore& store, VertexId v, const double* x, const CellId
     return true;
 }
 
+// What raise_to_poles does.
+template <int D> bool raise_by_star(const Store<D>& store, const Domain<D>& ball, VertexId v, double* out2) {
+    const Cut cut(ball, store.point(v), *out2 * (1 + 0x1p-40));
+    const std::uint32_t count = list_star(store, v);
+    if (count == 0) return false;
+    store.arena.pass(count / 2);
+    const CellId* const star = store.list_top();
+    if (!may_reach_beyond<D>(store, cut, v, cut.distance2(), star, count)) return true;
+    AnyCorner farthest(store.dim);
+    farthest.distance2 = *out2;
+    offer_poles(AnyStore(store), AnyDomain(ball), store.point(v), v, star, count, &farthest);
+    *out2 = farthest.distance2;
+    return true;
+}
+
 // What measure_clipped_cells and measure_worst_cells do.
 template <int D> class ClippedMeasure {
 public:
-    ClippedMeasure(Store<D>& store, const Domain<D>& ball, double worst, double* out2)
+    ClippedMeasure(const Store<D>& store, const Domain<D>& ball, double worst, double* out2)
         : store_(store), ball_(ball), worst_(worst), out2_(out2) {}
     Status run();
 
@@ -40,7 +55,7 @@ private:
     void measure_corner(CellId c);
     void mark_poles(CellId c);
 
-    Store<D>& store_;
+    const Store<D>& store_;
     const Domain<D>& ball_;
     double worst_;  // the largest out2 over nearest2 so far; negative: all are asked for
     double* const out2_;
@@ -48,7 +63,7 @@ private:
 
 template <int D> void ClippedMeasure<D>::raise(const double* corner, VertexId v) {
     const Vertex<D>& vertex = store_.vertex(v);
-    const double d2 = distance2<D>(corner, vertex.x);
+    const double d2 = distance2<D>(store_.dim, corner, vertex.x);
     if (!(d2 > out2_[v])) return;
     out2_[v] = d2;
     if (worst_ >= 0 && vertex.marker != Marker::exempt && d2 > least2(v)) worst_ = d2 / vertex.nearest2;
@@ -57,8 +72,8 @@ template <int D> void ClippedMeasure<D>::raise(const double* corner, VertexId v)
 // A corner inside the ball, or crossings of its edges.
 template <int D> void ClippedMeasure<D>::measure_corner(CellId c) {
     const Cell<D>& cell = store_.cell(c);
-    for (int i = 0; i <= D; ++i)
-        for (int k = 0; k <= D && cell.neighbour[i] == none; ++k)
+    for (int i = 0; i <= store_.dim; ++i)
+        for (int k = 0; k <= store_.dim && cell.neighbour[i] == none; ++k)
             if (k != i) out2_[cell.vertex[k]] = infinity;
     if (!(cell.radius2 < infinity)) return;
     if (ball_.contains(cell.centre)) {
@@ -66,15 +81,15 @@ template <int D> void ClippedMeasure<D>::measure_corner(CellId c) {
             if (!is_within(cell, least2(v))) raise(cell.centre, v);
         return;
     }
-    for (int i = 0; i <= D; ++i) {
+    for (int i = 0; i <= store_.dim; ++i) {
         if (cell.neighbour[i] == none) continue;
         const CellId n = cell.neighbour[i].cell();
         const Cell<D>& other = store_.cell(n);
         if (!(other.radius2 < infinity) || (n < c && !ball_.contains(other.centre))) continue;
-        double z[2][D];
-        const int crossings = sphere_crossings<D>(ball_, cell.centre, other.centre, z);
+        double z[2][DimensionOf<D>::most];
+        const int crossings = sphere_crossings(ball_, cell.centre, other.centre, z);
         for (int j = 0; j < crossings; ++j)
-            for (int k = 0; k <= D; ++k)
+            for (int k = 0; k <= store_.dim; ++k)
                 if (k != i) raise(z[j], cell.vertex[k]);
     }
 }
@@ -84,7 +99,7 @@ template <int D> void ClippedMeasure<D>::mark_poles(CellId c) {
     const Cell<D>& cell = store_.cell(c);
     if (cell.radius2 < infinity && ball_.contains(cell.centre)) return;
     for (const VertexId v : cell.vertex) {
-        Vertex<D>& vertex = store_.vertex(v);
+        auto&& vertex = store_.vertex(v);
         if (vertex.queued != 0 || vertex.marker == Marker::exempt || !(out2_[v] < infinity)) continue;
         const double known2 = out2_[v] > least2(v) ? out2_[v] : least2(v);
         const double s2 = known2 * (1 + 0x1p-40);
@@ -101,24 +116,32 @@ template <int D> Status ClippedMeasure<D>::run() {
             out2_[v] = 0;
         }
     for (CellId c(0); c < cells;)
-        for (const std::uint64_t piece = store_.arena.piece(c, cells, 70 * D); c < piece; ++c) {
+        for (const std::uint64_t piece = store_.arena.piece(c, cells, 70 * store_.dim); c < piece; ++c) {
             measure_corner(c);
         }
     for (CellId c(0); c < cells;)
-        for (const std::uint64_t piece = store_.arena.piece(c, cells, 40 * D); c < piece; ++c) {
+        for (const std::uint64_t piece = store_.arena.piece(c, cells, 40 * store_.dim); c < piece; ++c) {
             mark_poles(c);
         }
     Status status = Status::ok;
     for (VertexId v(0); v < vertices;)
         for (const std::uint64_t piece = store_.arena.piece(v, vertices, 30); v < piece; ++v) {
-            Vertex<D>& vertex = store_.vertex(v);
+            auto&& vertex = store_.vertex(v);
             if (vertex.cell == none || vertex.marker == Marker::exempt)
                 out2_[v] = 0;
-            else if (vertex.queued != 0 && status == Status::ok && !raise_to_poles<D>(store_, ball_, v, &out2_[v]))
+            else if (vertex.queued != 0 && status == Status::ok && !raise_by_star(store_, ball_, v, &out2_[v]))
                 status = Status::out_of_memory;
             vertex.queued = 0;
         }
     return status;
+}
+
+// f(the store, the ball), of the dimension or of any.
+template <class F> auto with_store(const AnyStore& store, const AnyDomain& ball, F&& f) {
+    return with_dimension(static_cast<std::uint32_t>(store.dim), [&](auto dimension) {
+        constexpr int D = shared_dimension<decltype(dimension)::value>;
+        return f(store.of_dimension<D>(), ball.of_dimension<D>());
+    });
 }
 
 // Positions of the neighbours of c at v, across facets, that have a smaller index.
@@ -284,53 +307,19 @@ void offer_cut_corners(const AnyStore& store, const Cut& cut, VertexId w, CellId
     if (!(found->distance2 > bound2)) found->distance2 = -1;
 }
 
-template <int D> bool raise_to_poles(Store<D>& store, const Domain<D>& ball, VertexId v, double* out2) {
-    const Cut cut(ball, store.point(v), *out2 * (1 + 0x1p-40));
-    std::uint32_t count = 0;
-    if (!visit_star(store, v, [&](CellId) { ++count; })) return false;
-    store.arena.pass(count / 2);
-    const CellId* const star = store.list_top();
-    if (!may_reach_beyond<D>(store, cut, v, cut.distance2(), star, count)) return true;
-    Corner<D> farthest;
-    farthest.distance2 = *out2;
-    offer_poles<D>(store, ball, store.point(v), v, star, count, &farthest);
-    *out2 = farthest.distance2;
-    return true;
-}
-
 [[gnu::cold]] bool raise_to_poles(const AnyStore& any, const AnyDomain& ball, VertexId v, double* out2) {
-    return with_dimension(static_cast<std::uint32_t>(any.dim), [&](auto dimension) {
-        constexpr int D = decltype(dimension)::value;
-        Store<D> store = any.of_dimension<D>();
-        return raise_to_poles<D>(store, ball.of_dimension<D>(), v, out2);
-    });
-}
-
-template <int D> Status measure_clipped_cells(Store<D>& store, const Domain<D>& ball, double* out2) {
-    return ClippedMeasure<D>(store, ball, -1, out2).run();
+    return with_store(any, ball,
+                      [&](const auto& store, const auto& its) { return raise_by_star(store, its, v, out2); });
 }
 
 Status measure_clipped_cells(const AnyStore& any, const AnyDomain& ball, double* out2) {
-    return with_dimension(static_cast<std::uint32_t>(any.dim), [&](auto dimension) {
-        constexpr int D = decltype(dimension)::value;
-        Store<D> store = any.of_dimension<D>();
-        return measure_clipped_cells<D>(store, ball.of_dimension<D>(), out2);
-    });
+    return with_store(any, ball,
+                      [&](const auto& store, const auto& its) { return ClippedMeasure(store, its, -1, out2).run(); });
 }
 
 Status measure_worst_cells(const AnyStore& any, const AnyDomain& ball, double* out2) {
-    return with_dimension(static_cast<std::uint32_t>(any.dim), [&](auto dimension) {
-        constexpr int D = decltype(dimension)::value;
-        Store<D> store = any.of_dimension<D>();
-        const Domain<D> domain = ball.of_dimension<D>();
-        return ClippedMeasure<D>(store, domain, 0, out2).run();
-    });
+    return with_store(any, ball,
+                      [&](const auto& store, const auto& its) { return ClippedMeasure(store, its, 0, out2).run(); });
 }
-
-#define NETMESH_INSTANTIATE(D)                                                                                         \
-    template bool raise_to_poles<D>(Store<D>&, const Domain<D>&, VertexId, double*);                                   \
-    template Status measure_clipped_cells<D>(Store<D>&, const Domain<D>&, double*);
-NETMESH_EACH_DIMENSION(NETMESH_INSTANTIATE)
-#undef NETMESH_INSTANTIATE
 
 }  // namespace netmesh

@@ -34,8 +34,8 @@ inline bool is_nearer_to(int dim, const double* w, const double* p, const double
 // That half-space.
 class Cut {
 public:
-    template <int D> Cut(const Domain<D>& ball, const double* u, double s2) : Cut(D, ball.centre, ball.radius, u, s2) {}
-    Cut(const AnyDomain& ball, const double* u, double s2) : Cut(ball.dim, ball.centre, ball.radius, u, s2) {}
+    template <int D>
+    Cut(const Domain<D>& ball, const double* u, double s2) : Cut(ball.dim, ball.centre, ball.radius, u, s2) {}
     // At most 0 in the half-space; dim is that of the ball.
     double height(int dim, const double* x) const {
         double sum = -level_;
@@ -99,18 +99,18 @@ template <int D> bool may_reach_beyond(const Store<D>& store, const Cut& cut, Ve
     const Cell<D>& cell = store.cell(c);
     if (is_within(cell, near2)) return false;
     if (!(cell.radius2 < infinity)) return !store.is_ghost(c);
-    if (!(distance2<D>(cell.centre, cut.origin()) > s2)) return false;
-    const double here = cut.height(D, cell.centre);
+    if (!(distance2<D>(store.dim, cell.centre, cut.origin()) > s2)) return false;
+    const double here = cut.height(store.dim, cell.centre);
     if (!(here > 0)) return true;
-    for (int i = 0; i <= D; ++i) {
+    for (int i = 0; i <= store.dim; ++i) {
         if (cell.vertex[i] == v || cell.neighbour[i] == none) continue;
         const Cell<D>& other = store.cell(cell.neighbour[i].cell());
         if (!(other.radius2 < infinity)) continue;
-        const double there = cut.height(D, other.centre);
-        double x[D];
+        const double there = cut.height(store.dim, other.centre);
+        double x[DimensionOf<D>::most];
         if (there > 0) continue;
-        cut_edge(D, cell, here, other, there, x);
-        if (distance2<D>(x, cut.origin()) > s2) return true;
+        cut_edge(store.dim, cell, here, other, there, x);
+        if (distance2<D>(store.dim, x, cut.origin()) > s2) return true;
     }
     return false;
 }
@@ -195,24 +195,22 @@ void find_beyond(const AnyStore& store, const AnyDomain& ball, const double* u, 
 template <int D>
 [[gnu::cold]] void find_beyond(const Store<D>& store, const Domain<D>& ball, const double* u, VertexId v, double bound2,
                                std::uint32_t count, Corner<D>* found) {
-    *found = Corner<D>{};
+    *found = Corner<D>(store.dim);
     if (u == store.point(v) && !may_reach_beyond<D>(store, Cut(ball, u, bound2), v, bound2, store.list_top(), count))
         return;
-    AnyCorner corner(D);
+    AnyCorner corner(store.dim);
     find_beyond(AnyStore(store), AnyDomain(ball), u, v, bound2, count, &corner);
     *found = corner.of_dimension<D>();
 }
 
 // Raises *out2, the squared distance from v to the farthest corner of its clipped cell or crossing of an edge, to that
 // of its farthest pole. False when the gap is too small for v's star.
-template <int D> bool raise_to_poles(Store<D>& store, const Domain<D>& ball, VertexId v, double* out2);
 bool raise_to_poles(const AnyStore& store, const AnyDomain& ball, VertexId v, double* out2);
 
 // out2[v] := squared distance to which v's clipped cell reaches; 0 for vertices that are exempt or not in the mesh,
 // +infinity where the whole cell is not bounded. Corners that are not known are left out: neighbours have the same
 // ones. Needs a compact store, and room for the star of a vertex in its gap. O(cells) and what poles take.
 // out_of_memory.
-template <int D> Status measure_clipped_cells(Store<D>& store, const Domain<D>& ball, double* out2);
 Status measure_clipped_cells(const AnyStore& store, const AnyDomain& ball, double* out2);
 // The same where out2[v] over nearest2 is largest; less elsewhere, perhaps. Most cells are only looked at.
 Status measure_worst_cells(const AnyStore& store, const AnyDomain& ball, double* out2);

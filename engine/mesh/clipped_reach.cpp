@@ -101,20 +101,22 @@ template <int D> void CellClipper::mark_cells() {
     Store<D> store = store_.of_dimension<D>();
     const Domain<D> ball = ball_.of_dimension<D>();
     for (CellId c(0); c < store_.state.cell_slots;)
-        for (const std::uint64_t piece = store_.arena.piece(c, store_.state.cell_slots, 30 * D); c < piece; ++c) {
+        for (const std::uint64_t piece = store_.arena.piece(c, store_.state.cell_slots, 30 * store.dim); c < piece;
+             ++c) {
             const Cell<D>& cell = store.cell(c);
             const double doubt = static_cast<double>(cell.error) * square_root(cell.radius2);
             const bool inside = (square_root(ball.distance2(cell.centre)) + doubt) * up <= ball.radius;
-            for (int i = 0; i <= D; ++i) {
+            for (int i = 0; i <= store.dim; ++i) {
                 if (!inside) store.vertex(cell.vertex[i]).queued |= 1;
-                for (int k = 0; k <= D && cell.neighbour[i] == none; ++k)
+                for (int k = 0; k <= store.dim && cell.neighbour[i] == none; ++k)
                     if (k != i) store.vertex(cell.vertex[k]).queued |= 2;
             }
         }
 }
 
 void CellClipper::mark() {
-    with_dimension(static_cast<std::uint32_t>(dim), [&](auto d) { mark_cells<decltype(d)::value>(); });
+    with_dimension(static_cast<std::uint32_t>(dim),
+                   [&](auto d) { mark_cells<shared_dimension<decltype(d)::value>>(); });
     for (VertexId v(0); v < store_.state.vertex_count;)
         for (const std::uint64_t piece = store_.arena.piece(v, store_.state.vertex_count, 10); v < piece; ++v) {
             const AnyVertex vertex = store_.vertex(v);
@@ -149,28 +151,29 @@ template <int D> void CellClipper::measure(const double* u, double enough2, Corn
     const Store<D> store = store_.of_dimension<D>();
     const Domain<D> ball = ball_.of_dimension<D>();
     const double* const p = store.point(v_);
-    if (ball.contains(p)) farthest->offer(p, distance2<D>(p, u), store.vertex(v_).cell);
+    if (ball.contains(p)) farthest->offer(p, distance2<D>(store.dim, p, u), store.vertex(v_).cell);
     for (std::uint32_t k = 0; k < count_ && farthest->distance2 < enough2; ++k) {
         const Cell<D>& cell = store.cell(star(k));
         if (cell.radius2 < infinity && ball.contains(cell.centre))
-            farthest->offer(cell.centre, distance2<D>(cell.centre, u), star(k));
+            farthest->offer(cell.centre, distance2<D>(store.dim, cell.centre, u), star(k));
     }
     for (std::uint32_t k = 0; k < count_ && farthest->distance2 < enough2; ++k) {
         const CellId c = star(k);
         const Cell<D>& cell = store.cell(c);
         if (!(cell.radius2 < infinity) || ball.contains(cell.centre)) continue;
-        const double here2 = distance2<D>(cell.centre, u);
-        for (int i = 0; i <= D; ++i) {
+        const double here2 = distance2<D>(store.dim, cell.centre, u);
+        for (int i = 0; i <= store.dim; ++i) {
             if (cell.vertex[i] == v_) continue;
             const CellId n = cell.neighbour[i].cell();
             const Cell<D>& other = store.cell(n);
             // A crossing is no farther than the farther end.
             const double least2 = farthest->distance2 * (1 - 0x1p-20);
-            if (!(other.radius2 < infinity) || (here2 < least2 && distance2<D>(other.centre, u) < least2)) continue;
+            if (!(other.radius2 < infinity) || (here2 < least2 && distance2<D>(store.dim, other.centre, u) < least2))
+                continue;
             if (n < c && !ball.contains(other.centre)) continue;  // seen from there
-            double z[2][D];
-            const int crossings = sphere_crossings<D>(ball, cell.centre, other.centre, z);
-            for (int j = 0; j < crossings; ++j) farthest->offer(z[j], distance2<D>(z[j], u), c);
+            double z[2][DimensionOf<D>::most];
+            const int crossings = sphere_crossings(ball, cell.centre, other.centre, z);
+            for (int j = 0; j < crossings; ++j) farthest->offer(z[j], distance2<D>(store.dim, z[j], u), c);
         }
     }
 }
@@ -198,19 +201,19 @@ template <class Show> [[gnu::cold]] void CellClipper::cut(const double* u, doubl
 template <int D> bool CellClipper::is_bound(const double* u, double s) const {
     const Store<D> store = store_.of_dimension<D>();
     const double s2 = s * s, near2 = s2 * (1 - 0x1p-19), r2 = ball_.radius * ball_.radius;
-    double a[D];
-    for (int j = 0; j < D; ++j) a[j] = u[j] - ball_.centre[j];
-    const double away2 = dot<D>(a, a), level = away2 - r2 + s2;
+    double a[DimensionOf<D>::most];
+    for (int j = 0; j < store.dim; ++j) a[j] = u[j] - ball_.centre[j];
+    const double away2 = dot<D>(store.dim, a, a), level = away2 - r2 + s2;
     struct End {
         double height, size2;
         bool is_near;
     };
     const auto look_at = [&](const Cell<D>& cell) {
-        double y[D];
-        for (int j = 0; j < D; ++j) y[j] = cell.centre[j] - u[j];
-        const double y2 = dot<D>(y, y);
+        double y[DimensionOf<D>::most];
+        for (int j = 0; j < store.dim; ++j) y[j] = cell.centre[j] - u[j];
+        const double y2 = dot<D>(store.dim, y, y);
         if (!(static_cast<double>(cell.error) <= corner_error_max)) return End{-infinity, infinity, false};
-        return End{2 * dot<D>(y, a) + level, y2 + cell.radius2, y2 <= near2 && cell.radius2 <= near2};
+        return End{2 * dot<D>(store.dim, y, a) + level, y2 + cell.radius2, y2 <= near2 && cell.radius2 <= near2};
     };
     bool is_within = true;
     for (std::uint32_t k = 0; k < count_ && is_within; ++k) {
@@ -218,7 +221,7 @@ template <int D> bool CellClipper::is_bound(const double* u, double s) const {
         const Cell<D>& cell = store.cell(c);
         const End here = look_at(cell);
         if (here.is_near) continue;
-        for (int i = 0; i <= D && is_within; ++i) {
+        for (int i = 0; i <= store.dim && is_within; ++i) {
             if (cell.vertex[i] == v_) continue;
             const CellId n = cell.neighbour[i].cell();
             const End there = look_at(store.cell(n));
@@ -236,7 +239,7 @@ template <int D> bool CellClipper::is_bound(const double* u, double s) const {
 bool CellClipper::is_bound(const double* u, double s) const {
     const auto dimension = static_cast<std::uint32_t>(dim);
     store_.arena.pass(1 + count_ * dimension / 4);
-    return with_dimension(dimension, [&](auto d) { return is_bound<decltype(d)::value>(u, s); });
+    return with_dimension(dimension, [&](auto d) { return is_bound<shared_dimension<decltype(d)::value>>(u, s); });
 }
 
 [[gnu::cold]] CellClipper::Beyond CellClipper::look_beyond(const double* u, double s) const {
@@ -310,7 +313,7 @@ double CellClipper::bound(const double* u, double whole, double enough) const {
     store_.arena.pass(1 + count_ * dimension / 4);
     AnyCorner farthest(dim);
     with_dimension(dimension, [&](auto d) {
-        Corner<decltype(d)::value> found;
+        Corner<shared_dimension<decltype(d)::value>> found(dim);
         measure(u, enough * enough, &found);
         farthest = AnyCorner(found);
     });

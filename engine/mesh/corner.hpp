@@ -10,9 +10,13 @@ namespace netmesh {
 
 // The farthest corner seen so far.
 template <int D> struct Corner {
+    static constexpr int dim = D;
     double x[D] = {};
     double distance2 = -1;  // from the vertex; negative: none yet
     CellId cell = none;
+
+    Corner() = default;
+    explicit Corner(int) {}
 
     void offer(const double* at, double d2, CellId from) {
         if (!(d2 > distance2)) return;
@@ -35,14 +39,14 @@ template <int D, class IsWanted, class Visit>
 void visit_crossings(const Store<D>& store, const Domain<D>& ball, VertexId v, CellId c, double least2,
                      IsWanted&& is_wanted, Visit&& visit) {
     const Cell<D>& cell = store.cell(c);
-    for (int i = 0; i <= D; ++i) {
+    for (int i = 0; i <= store.dim; ++i) {
         if (cell.vertex[i] == v) continue;
         const CellId n = cell.neighbour[i].cell();
         const Cell<D>& other = store.cell(n);
         if (!(other.radius2 < infinity) || !is_wanted(cell, other)) continue;
         if (n < c && !is_within(other, least2) && !ball.contains(other.centre)) continue;
-        double z[2][D];
-        const int crossings = sphere_crossings<D>(ball, cell.centre, other.centre, z);
+        double z[2][DimensionOf<D>::most];
+        const int crossings = sphere_crossings(ball, cell.centre, other.centre, z);
         for (int j = 0; j < crossings; ++j) visit(z[j]);
     }
 }
@@ -59,7 +63,7 @@ void offer_crossings(const Store<D>& store, const Domain<D>& ball, VertexId v, C
             const double bound2 = cell.radius2 > other.radius2 ? cell.radius2 : other.radius2;
             return bound2 > corner->distance2 && bound2 * (1 + 0x1p-20) > least2;
         },
-        [&](const double* z) { corner->offer(z, distance2<D>(z, store.point(v)), c); });
+        [&](const double* z) { corner->offer(z, distance2<D>(store.dim, z, store.point(v)), c); });
 }
 
 }  // namespace netmesh

@@ -8,6 +8,7 @@
 namespace netmesh {
 
 template <int D> struct Domain {
+    static constexpr int dim = D;
     double centre[D];
     double radius;
     double enclosing_radius;  // of a ball about `centre` that contains all inputs: rho of the certificate, or more

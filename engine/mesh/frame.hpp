@@ -2,8 +2,8 @@
 #pragma once
 #include <cstdint>
 
-#include "delaunay/kernel.hpp"
-#include "mesh/domain.hpp"
+#include "delaunay/any_kernel.hpp"
+#include "mesh/any_domain.hpp"
 #include "mesh/input_tree.hpp"
 #include "vocabulary/dimension.hpp"
 
@@ -12,8 +12,8 @@ namespace netmesh {
 // A new vertex at x, not inserted yet. Room for it must be there.
 template <int D> inline VertexId make_vertex(Store<D>& store, const double* x, std::uint32_t origin, Marker marker) {
     const VertexId made = store.new_vertex();
-    Vertex<D>& v = store.vertex(made);
-    for (int k = 0; k < D; ++k) v.x[k] = x[k];
+    auto&& v = store.vertex(made);
+    copy<D>(store.dim, x, v.x);
     v.nearest2 = infinity;
     v.cell = none;
     v.next = none;
@@ -24,14 +24,9 @@ template <int D> inline VertexId make_vertex(Store<D>& store, const double* x, s
     return made;
 }
 
-// Frame distance over the radius of the domain: the frame's hull, a cross-polytope, must contain the ball of 2.2 radii
-// in which everything stays (quality_rule.hpp), so more than 2.2 sqrt(D), and 4 at least for a coarse mesh between
-// domain and frame.
-template <int D> constexpr double frame_factor = figures<D>.frame_factor;
-
 // Starts the triangulation with 2 D exempt vertices at `reach` from the domain's centre along each axis; their
-// nearest2 and origin are final as long as no vertex comes nearer. out_of_memory.
-template <int D>
-Status open_frame(Store<D>& store, Kernel<D>& kernel, const InputTree<D>& tree, const Domain<D>& domain, double reach);
+// nearest2 and origin are final as long as no vertex comes nearer. *steps: cells that were passed. out_of_memory.
+Status open_frame(AnyStore store, const AnyInputTree& tree, const AnyDomain& domain, double reach,
+                  std::uint64_t* steps);
 
 }  // namespace netmesh

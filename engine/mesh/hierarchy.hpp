@@ -48,6 +48,15 @@ public:
     // That of an input, inserted or not, as far as it is known.
     std::uint32_t of_input(std::uint32_t input) const { return present(domain_[input]); }
     void set(std::uint32_t input, std::uint32_t d) { domain_[input] = d; }
+    // That of an inserted vertex of the store.
+    template <int D> std::uint32_t of_vertex(const Store<D>& store, std::uint32_t v) {
+        if (live_ == 0) return none;
+        const Vertex<D>& vertex = store.vertex(v);
+        std::uint32_t& near = domain_[vertex.marker == Marker::input ? v : vertex.origin];
+        std::uint32_t d = near = present(near);
+        while (d != none && !is_inside(store, cages_[d], vertex.x)) d = parent(d);
+        return d;
+    }
 
     // Moves the cages that are left to the front; parents are named by their new places. Their number.
     std::uint32_t keep_live(const Arena& arena) {
@@ -95,17 +104,10 @@ public:
         return Status::ok;
     }
 
-    bool contains(std::uint32_t d, const double* x) const { return d == none || is_inside<D>(*store_, cages_[d], x); }
+    bool contains(std::uint32_t d, const double* x) const { return d == none || is_inside(*store_, cages_[d], x); }
 
     // The domain of an inserted vertex.
-    std::uint32_t of(std::uint32_t v) {
-        if (live_ == 0) return none;
-        const Vertex<D>& vertex = store_->vertex(v);
-        std::uint32_t& near = domain_[vertex.marker == Marker::input ? v : vertex.origin];
-        std::uint32_t d = near = present(near);
-        while (!contains(d, vertex.x)) d = parent(d);
-        return d;
-    }
+    std::uint32_t of(std::uint32_t v) { return of_vertex(*store_, v); }
     // Sets the domain of input p, `nearest` being the vertex nearest to it. `passed` counts the cages on the way out.
     NearestInDomain locate(VertexId p, VertexId nearest, std::uint64_t* passed) {
         NearestInDomain near = {nearest, store_->vertex(nearest).nearest2, none};

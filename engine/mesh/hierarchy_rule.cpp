@@ -1,5 +1,6 @@
 #include "mesh/hierarchy_rule.hpp"
 
+#include "mesh/any_cage.hpp"
 #include "mesh/aspect_rule.hpp"
 #include "mesh/cage_corner.hpp"
 #include "mesh/check_cages.hpp"
@@ -24,7 +25,7 @@ public:
     void pop() { --count_; }
 
 private:
-    static constexpr int capacity = 700;
+    static constexpr int capacity = 672;
     VertexId items_[capacity];
     int count_ = 0;
 };
@@ -77,7 +78,7 @@ public:
         if (hierarchy_.live() != hierarchy_.made()) return nullptr;
         return aspect_violation<D>(store_, this->request_.tau, [this](VertexId v) {
             const std::uint32_t d = innermost_cage<D>(store_, hierarchy_, store_.point(v), 0);
-            return domain_ball<D>(store_, hierarchy_.cages(), d, domain_);
+            return domain_ball(store_, hierarchy_.cages(), d, domain_);
         });
     }
 #endif
@@ -101,7 +102,7 @@ private:
     Verdict judge_cage(std::uint32_t d, Split<D>* split);
     Status sweep();
     void find_nearest_inputs();
-    Domain<D> ball_of(std::uint32_t d) { return domain_ball<D>(store_, hierarchy_.cages(), d, domain_); }
+    Domain<D> ball_of(std::uint32_t d) { return domain_ball(store_, hierarchy_.cages(), d, domain_); }
 
     Hierarchy<D> hierarchy_;
     Path path_;
@@ -149,7 +150,7 @@ template <int D> Status HierarchyRule<D>::climb_to_cage(VertexId p, const Cavity
     constexpr double clearance = cage_clearance / cage_epsilon * (1 + 2 * tau_margin);
     const double* const u = store_.point(near_.vertex);
     const double room = square_root(near_.nearest2);
-    double reach = square_root(distance2<D>(store_.point(p), u));
+    double reach = square_root(distance2<D>(store_.dim, store_.point(p), u));
     VertexId farthest = p;
     while (clearance * reach <= room) {
         double d2;
@@ -165,13 +166,13 @@ template <int D> Status HierarchyRule<D>::climb_to_cage(VertexId p, const Cavity
 // The cage of the inputs within `reach` of the nearest neighbour of p, of which one is so far away. There are no
 // vertices in it yet, but for those of a cage about the same centre that p is outside of.
 template <int D> [[gnu::cold]] Status HierarchyRule<D>::new_cage(VertexId p, VertexId farthest, double reach) {
-    if (!store_.has_room(0, shell_size<D>, 0)) return Status::out_of_memory;
+    if (!store_.has_room(0, shell_size_of(store_.dim), 0)) return Status::out_of_memory;
     const double radius = reach / cage_epsilon * (1 + tau_margin);
     const VertexId u = near_.vertex, shell(store_.state.vertex_count);
     const std::uint32_t d = hierarchy_.make(near_, radius, hierarchy_.of_input(p), shell);
     hierarchy_.set(p, d);
     make_shell(u, farthest, d, radius);
-    for (VertexId v = shell; v < shell + shell_size<D>; ++v) {
+    for (VertexId v = shell; v < shell + shell_size_of(store_.dim); ++v) {
         const Status status = this->insert(v, store_.vertex(u).cell);
         if (status == Status::ok) continue;
         // A cage without its whole shell is given up; the shell vertices that are in the mesh stay there, exempt.
@@ -188,24 +189,25 @@ template <int D>
 [[gnu::cold]] void HierarchyRule<D>::make_shell(VertexId centre, VertexId farthest, std::uint32_t cage, double radius) {
     const double* const c = store_.point(centre);
     const double* const q = store_.point(farthest);
-    double normal[D], norm2 = 0;
-    const double away = square_root(distance2<D>(q, c));
-    for (int k = 0; k < D; ++k) {
+    double normal[DimensionOf<D>::most], norm2 = 0;
+    const double away = square_root(distance2<D>(store_.dim, q, c));
+    for (int k = 0; k < store_.dim; ++k) {
         normal[k] = (q[k] - c[k]) / away;
         if (k == 0) normal[k] += normal[k] < 0 ? -1 : 1;
         norm2 += normal[k] * normal[k];
     }
     std::uint64_t random = mix64(std::uint64_t{centre.index} << 32 | cage);
-    for (std::uint32_t i = 0; i < shell_size<D>; ++i) {
-        double x[D], along = 0;
-        for (int k = 0; k < D; ++k) {
+    for (std::uint32_t i = 0; i < shell_size_of(store_.dim); ++i) {
+        double x[DimensionOf<D>::most], along = 0;
+        for (int k = 0; k < store_.dim; ++k) {
             random = mix64(random);
             const double jitter = shell_jitter * (static_cast<double>(random >> 11) * 0x1p-52 - 1);
             const double axis = k != static_cast<int>(i / 2) ? 0 : i % 2 == 0 ? 1 : -1;
             x[k] = axis + jitter;
             along += x[k] * normal[k];
         }
-        for (int k = 0; k < D; ++k) x[k] = c[k] + shell_factor * radius * (x[k] - 2 * along / norm2 * normal[k]);
+        for (int k = 0; k < store_.dim; ++k)
+            x[k] = c[k] + shell_factor * radius * (x[k] - 2 * along / norm2 * normal[k]);
         make_vertex<D>(store_, x, centre, Marker::exempt);
     }
 }
@@ -226,19 +228,19 @@ template <int D> [[gnu::cold]] Status HierarchyRule<D>::release_cage(std::uint32
     const VertexId shell(hierarchy_.cage(d).shell);
     hierarchy_.release(d);
     observers_.note_released(hierarchy_, d);
-    for (VertexId v = shell; v < shell + shell_size<D>; ++v) {
+    for (VertexId v = shell; v < shell + shell_size_of(store_.dim); ++v) {
         store_.vertex(v).marker = Marker::steiner;
         queue_.push(v);
     }
     // Two stars cannot be walked at once, and what is pushed here is looked at again anyway: all neighbours are
     // pushed. None is infinity, as the frame is around them.
-    for (VertexId v = shell; v < shell + shell_size<D>; ++v) {
+    for (VertexId v = shell; v < shell + shell_size_of(store_.dim); ++v) {
         const bool fits = kernel_.visit_star(v, [&](CellId c) {
             for (const VertexId w : store_.cell(c).vertex)
                 if (store_.vertex(w).marker != Marker::exempt) queue_.push(w);
         });
         if (!fits) return Status::out_of_memory;
-        store_.arena.pass(20 * D);
+        store_.arena.pass(20 * store_.dim);
     }
     return Status::ok;
 }
@@ -268,7 +270,8 @@ template <int D> void HierarchyRule<D>::update_distances(const Cavity& cavity, V
 template <int D> void HierarchyRule<D>::update_cages(VertexId w, const Vertex<D>& fresh, std::uint32_t within) {
     for (std::uint32_t d = hierarchy_.of(w); d != none && !hierarchy_.contains(d, fresh.x); d = hierarchy_.parent(d)) {
         Cage& cage = hierarchy_.cage(d);
-        const double d2 = distance2<D>(fresh.x, store_.point(cage.centre)), clear = cage_clearance * cage.radius;
+        const double d2 = distance2<D>(store_.dim, fresh.x, store_.point(cage.centre)),
+                     clear = cage_clearance * cage.radius;
         if (d2 < cage.nearest2) {
             cage.nearest2 = d2;
             queue_cage(d);
@@ -302,7 +305,7 @@ template <int D> void HierarchyRule<D>::queue_bad_vertices(CellId c) {
             int first = 0;
             while ((far >> first & 1u) == 0) ++first;
             d = hierarchy_.of(cell.vertex[first]);
-            for (int i = first + 1; i <= D; ++i)
+            for (int i = first + 1; i <= store_.dim; ++i)
                 if ((far >> i & 1u) && hierarchy_.of(cell.vertex[i]) != d) equal &= ~(1u << i);
         }
         far &= ~equal;
@@ -325,19 +328,19 @@ template <int D> [[gnu::cold]] void HierarchyRule<D>::queue_all_far(CellId c) {
 template <int D> void HierarchyRule<D>::queue_bad_cages(CellId c) {
     const Cell<D>& cell = store_.cell(c);
     if (!(cell.radius2 < infinity)) return;
-    std::uint32_t domains[D + 1];
+    std::uint32_t domains[DimensionOf<D>::most + 1];
     bool equal = true;
-    for (int i = 0; i <= D; ++i) {
+    for (int i = 0; i <= store_.dim; ++i) {
         domains[i] = hierarchy_.of(cell.vertex[i]);
         equal &= domains[i] == domains[0];
     }
     if (equal) return;
-    for (int i = 0; i <= D; ++i)
-        for (std::uint32_t d = domains[i]; d != none && is_on_boundary<D>(store_, hierarchy_.cage(d), c);
+    for (int i = 0; i <= store_.dim; ++i)
+        for (std::uint32_t d = domains[i]; d != none && is_on_boundary(store_, hierarchy_.cage(d), c);
              d = hierarchy_.parent(d)) {
             const Cage& cage = hierarchy_.cage(d);
             const double bound = tau_ * in_radius(cage);
-            if (distance2<D>(cell.centre, store_.point(cage.centre)) > bound * bound) queue_cage(d);
+            if (distance2<D>(store_.dim, cell.centre, store_.point(cage.centre)) > bound * bound) queue_cage(d);
         }
 }
 
@@ -353,7 +356,7 @@ template <int D> Verdict HierarchyRule<D>::judge_vertex(VertexId v, Split<D>* sp
     const double* const p = store_.point(v);
     const double nearest2 = store_.vertex(v).nearest2, least2 = this->least_beyond2(store_.vertex(v));
     const Domain<D> ball = ball_of(hierarchy_.of(v));
-    Corner<D> corner;
+    Corner<D> corner(store_.dim);
     std::uint32_t cells = 0;
     bool leaves_ball = false;
     const bool fits = kernel_.visit_star(v, [&](CellId c) {
@@ -363,7 +366,7 @@ template <int D> Verdict HierarchyRule<D>::judge_vertex(VertexId v, Split<D>* sp
         if (!(cell.radius2 < infinity)) {
             leaves_ball = true;
         } else if (ball.contains(cell.centre)) {
-            corner.offer(cell.centre, distance2<D>(cell.centre, p), c);
+            corner.offer(cell.centre, distance2<D>(store_.dim, cell.centre, p), c);
         } else {
             offer_crossings<D>(store_, ball, v, c, least2, &corner);
             leaves_ball |= cell.radius2 > least2;
@@ -378,7 +381,7 @@ template <int D> Verdict HierarchyRule<D>::judge_vertex(VertexId v, Split<D>* sp
             return Verdict::out_of_memory;
         if (corner.distance2 < 0) return Verdict::good;
     }
-    this->split_towards(v, corner, this->wanted_distance(square_root(nearest2), pull_back<D>), split);
+    this->split_towards(v, corner, this->wanted_distance(square_root(nearest2), this->pull_back()), split);
     return Verdict::bad;
 }
 
@@ -387,7 +390,7 @@ template <int D> Verdict HierarchyRule<D>::judge_cage(std::uint32_t d, Split<D>*
     const Cage& cage = hierarchy_.cage(d);
     const AnyStore store(store_);
     const AnyDomain ball(ball_of(hierarchy_.parent(d)));
-    AnyCorner corner(D);
+    AnyCorner corner(store_.dim);
     bool leaves_ball;
     CageBoundary boundary;
     if (!find_cage_corner(store, cage, ball, &corner, &leaves_ball, &boundary)) return Verdict::out_of_memory;
@@ -398,8 +401,8 @@ template <int D> Verdict HierarchyRule<D>::judge_cage(std::uint32_t d, Split<D>*
         if (corner.distance2 < 0) return Verdict::good;
     }
     const double whole = square_root(corner.distance2);
-    const double wanted = pull_back<D> * tau_ * inner;
-    this->split_towards(VertexId(cage.centre), corner.of_dimension<D>(), wanted, split);
+    const double wanted = this->pull_back() * tau_ * inner;
+    this->split_towards(VertexId(cage.centre), corner.template of_dimension<D>(), wanted, split);
     const double empty = (wanted < whole ? wanted : whole) - cage.radius;
     split->empty2 = empty * empty;
     return Verdict::bad;
@@ -411,7 +414,8 @@ template <int D> [[gnu::cold]] Status HierarchyRule<D>::sweep() {
     do {
         before = store_.state.vertex_count;
         for (CellId c(0); c < store_.state.cell_slots;)
-            for (const std::uint64_t piece = store_.arena.piece(c, store_.state.cell_slots, 60 * D); c < piece; ++c) {
+            for (const std::uint64_t piece = store_.arena.piece(c, store_.state.cell_slots, 60 * store_.dim); c < piece;
+                 ++c) {
                 if (store_.is_live(c)) queue_all_far(c);
             }
         for (std::uint32_t d = 0; d < hierarchy_.made();)
@@ -442,7 +446,8 @@ template <int D> Status HierarchyRule<D>::finish_mesh() {
 // What filters and sizes ask of a mesh without cages: the nearest input of each vertex.
 template <int D> [[gnu::cold]] void HierarchyRule<D>::find_nearest_inputs() {
     for (std::uint32_t v = inputs_; v < store_.state.vertex_count;)
-        for (const std::uint64_t piece = store_.arena.piece(v, store_.state.vertex_count, 500 * D); v < piece; ++v) {
+        for (const std::uint64_t piece = store_.arena.piece(v, store_.state.vertex_count, 500 * store_.dim); v < piece;
+             ++v) {
             double d2;
             store_.vertex(v).origin = tree_.nearest(store_.point(v), store_.vertex(v).origin, none, &d2);
         }
@@ -459,14 +464,14 @@ template <int D> std::size_t HierarchyRule<D>::keep_results(std::size_t) {
 }  // namespace
 
 template <int D>
-Status mesh_by_hierarchy(Store<D>& store, const InputRows& points, std::size_t n, const MeshRequest& request,
-                         const Work& work, MeshResult<D>* result) {
-    return mesh_by_rule<D, HierarchyRule<D>>(store, points, n, request, work, result);
+Status mesh_by_hierarchy(AnyStore& store, const InputRows& points, std::size_t n, const MeshRequest& request,
+                         const Work& work, AnyMeshResult* result) {
+    return mesh_by<D, HierarchyRule>(store, points, n, request, work, result);
 }
 
 #define NETMESH_INSTANTIATE(D)                                                                                         \
-    template Status mesh_by_hierarchy<D>(Store<D>&, const InputRows&, std::size_t, const MeshRequest&, const Work&,    \
-                                         MeshResult<D>*);
+    template Status mesh_by_hierarchy<D>(AnyStore&, const InputRows&, std::size_t, const MeshRequest&, const Work&,    \
+                                         AnyMeshResult*);
 NETMESH_EACH_INSTANCE(NETMESH_INSTANTIATE)
 #undef NETMESH_INSTANTIATE
 

@@ -42,7 +42,7 @@ namespace netmesh {
 // grow out of a shell are those that growing the cage step by step would give. What it leaves is a mesh as that of
 // SVR, and so is over-refined as one (quality_rule.hpp) where sizes are asked for.
 template <int D>
-Status mesh_by_hierarchy(Store<D>& store, const InputRows& points, std::size_t n, const MeshRequest& request,
-                         const Work& work, MeshResult<D>* result);
+Status mesh_by_hierarchy(AnyStore& store, const InputRows& points, std::size_t n, const MeshRequest& request,
+                         const Work& work, AnyMeshResult* result);
 
 }  // namespace netmesh

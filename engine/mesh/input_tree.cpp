@@ -238,6 +238,9 @@ std::uint32_t AnyInputTree::nearest(const double* x, std::uint32_t start, std::u
     });
 }
 
+// In the one-file build those that shared_dimension leaves no use for are no mistake.
+#pragma GCC diagnostic push
+#pragma GCC diagnostic ignored "-Wunused-function"
 template <int D>
 std::uint32_t InputTree<D>::nearest(const double* x, std::uint32_t start, std::uint32_t except,
                                     double* distance2) const {
@@ -246,7 +249,9 @@ std::uint32_t InputTree<D>::nearest(const double* x, std::uint32_t start, std::u
 template <int D> std::uint32_t InputTree<D>::nearest_within(const double* x, double bound2, double* distance2) const {
     return this->template within_of<shared_dimension<D>>(x, bound2, distance2);
 }
+#pragma GCC diagnostic pop
 
+template class InputTree<any_dimension>;
 #define NETMESH_INSTANTIATE(D) template class InputTree<D>;
 NETMESH_EACH_DIMENSION(NETMESH_INSTANTIATE)
 #undef NETMESH_INSTANTIATE

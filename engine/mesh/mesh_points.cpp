@@ -9,28 +9,27 @@
 
 namespace netmesh {
 
-template <int D>
-Status mesh_points(Store<D>& store, const InputRows& points, std::size_t n, const MeshRequest& request,
-                   const Work& work, MeshResult<D>* result) {
-    if constexpr (built::cages) {
-        if (request.method == MeshMethod::hierarchy && request.cages == CageKind::compact)
-            return mesh_by_hierarchy<D>(store, points, n, request, work, result);
-    }
+Status mesh_points(AnyStore& store, const InputRows& points, std::size_t n, const MeshRequest& request,
+                   const Work& work, AnyMeshResult* result) {
+    const bool has_cages = request.method == MeshMethod::hierarchy;
     if constexpr (built::thesis_cages) {
-        if (request.method == MeshMethod::hierarchy)
-            return mesh_by_thesis_cages<D>(store, points, n, request, work, result);
+        if (has_cages && request.cages == CageKind::thesis)
+            return mesh_by_thesis_cages(store, points, n, request, work, result);
     }
-    if constexpr (built::certificate) {
-        if (request.method == MeshMethod::certificate)
-            return mesh_by_certificate<D>(store, points, n, request, work, result);
-    }
-    return mesh_by_quality<D>(store, points, n, request, work, result);
+    const Status status = with_dimension(static_cast<std::uint32_t>(store.dim), [&](auto dimension) {
+        constexpr int D = decltype(dimension)::value;
+        if constexpr (built::cages) {
+            if (has_cages) return mesh_by_hierarchy<D>(store, points, n, request, work, result);
+        }
+        if constexpr (built::certificate) {
+            if (request.method == MeshMethod::certificate)
+                return mesh_by_certificate<D>(store, points, n, request, work, result);
+        }
+        return mesh_by_quality<D>(store, points, n, request, work, result);
+    });
+    store.locate_arrays();
+    result->domain.dim = store.dim;
+    return status;
 }
-
-#define NETMESH_INSTANTIATE(D)                                                                                         \
-    template Status mesh_points<D>(Store<D>&, const InputRows&, std::size_t, const MeshRequest&, const Work&,          \
-                                   MeshResult<D>*);
-NETMESH_EACH_DIMENSION(NETMESH_INSTANTIATE)
-#undef NETMESH_INSTANTIATE
 
 }  // namespace netmesh

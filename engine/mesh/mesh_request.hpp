@@ -3,6 +3,7 @@
 #include <cstdint>
 
 #include "delaunay/triangulate.hpp"
+#include "mesh/any_domain.hpp"
 #include "mesh/ball_lists.hpp"
 #include "mesh/cage.hpp"
 #include "mesh/quality_audit.hpp"
@@ -75,6 +76,12 @@ template <int D> struct MeshResult {
     HierarchyCounts hierarchy;
     LocationCounts location;
     MeshAudit audit;
+
+    // The same, its dimension a number or not.
+    template <int E> MeshResult<E> of_dimension() const {
+        return {input, AnyDomain(domain).of_dimension<E>(), cages, hierarchy, location, audit};
+    }
 };
+using AnyMeshResult = MeshResult<any_dimension>;
 
 }  // namespace netmesh

@@ -49,7 +49,7 @@ public:
     Status measure(Store<D>& store, const InputTree<D>& tree, Hierarchy<D>* hierarchy, const Domain<D>& domain,
                    VertexId v, bool cleaning) {
         const AnyAuditedMesh mesh = {store, tree, domain, hierarchy, terms_, kind_};
-        return measure(mesh, cage_insertion_bound<D>(kind_), v, cleaning);
+        return measure(mesh, cage_insertion_bound(store.dim, kind_), v, cleaning);
     }
     // In the step at hand; Cage::next is used until that is measured.
     void note_released(CageForest& hierarchy, std::uint32_t d);

@@ -88,7 +88,7 @@ private:
     void find_second(const double* x, std::uint32_t domain, double enough2, TwoNearest* inputs);
     bool offer_member(const double* x, std::uint32_t domain, std::uint32_t input, double reach, TwoNearest* inputs);
 
-    std::uint32_t domain_in_hierarchy(std::uint32_t v) const { return netmesh::domain_of(dim, *hierarchy_, v); }
+    std::uint32_t domain_in_hierarchy(std::uint32_t v) const { return hierarchy_->of_vertex(store_, v); }
     // Cells are whole then.
     bool is_thesis() const { return dim <= thesis_dim_max && kind_ == CageKind::thesis; }
     // Is input v in the place of a vertex of the shell of its domain? With cages of the thesis alone.
@@ -498,25 +498,20 @@ template <class Visit> [[gnu::cold]] bool StepAudit::visit_inside(const Cage& ca
 
 }  // namespace
 
-template <int D> double cage_insertion_bound(CageKind kind) {
-    if constexpr (D <= thesis_dim_max)
-        if (kind == CageKind::thesis) {
-            using Is = ThesisCage;
-            const double apart = (CageTemplate<D>::packing - 2 * Is::gamma) * Is::shell_factor;
-            const double off = Is::shell_factor * (1 - Is::gamma) - Is::epsilon;
-            return (Is::shell_factor * (1 + Is::gamma) + Is::epsilon) / (apart < off ? apart : off);
-        }
+double cage_insertion_bound(int dim, CageKind kind) {
+    if (kind == CageKind::thesis && dim <= thesis_dim_max) {
+        using Is = ThesisCage;
+        const double apart = (template_packing(dim) - 2 * Is::gamma) * Is::shell_factor;
+        const double off = Is::shell_factor * (1 - Is::gamma) - Is::epsilon;
+        return (Is::shell_factor * (1 + Is::gamma) + Is::epsilon) / (apart < off ? apart : off);
+    }
     // No shell vertex is nearer to another than to the inputs: corners are sqrt(2) apart.
-    const double off = shell_jitter * square_root(D), inner = shell_factor * (1 - shell_jitter);
+    const double off = shell_jitter * square_root(dim), inner = shell_factor * (1 - shell_jitter);
     return (shell_factor * (1 + off) + cage_epsilon) / (inner - cage_epsilon);
 }
 
 Status audit_quality(const AnyAuditedMesh& mesh, const AuditStep& step, QualityAudit* audit) {
     return StepAudit(mesh, step, audit).run();
 }
-
-#define NETMESH_INSTANTIATE(D) template double cage_insertion_bound<D>(CageKind);
-NETMESH_EACH_DIMENSION(NETMESH_INSTANTIATE)
-#undef NETMESH_INSTANTIATE
 
 }  // namespace netmesh

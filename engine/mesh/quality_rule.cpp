@@ -33,7 +33,7 @@ public:
 
     QualityRule(Store<D>& store, const MeshRequest& request, const Work& work, MeshResult<D>& result)
         : Base(store, request, work, result), reference_(built::refine && request.method == MeshMethod::reference),
-          certify_(request.certify_filter && !is_reference()), pull_(is_reference() ? infinity : pull_back<D>),
+          certify_(request.certify_filter && !is_reference()), pull_(is_reference() ? infinity : Base::pull_back()),
           tight_(tau_) {}
 
     double choose_domain();
@@ -52,11 +52,13 @@ public:
 
 private:
     struct CellView {
-        std::uint32_t cells;
-        bool leaves_domain;  // some corner is outside, far enough to matter, or not known
-        Corner<D> clipped;   // farthest corner of the clipped cell
-        Corner<D> whole;     // farthest corner of the whole cell
-        double reach2;       // squared distance from the nearest input to the farthest corner from it
+        explicit CellView(int dim) : clipped(dim), whole(dim) {}
+
+        std::uint32_t cells = 0;
+        bool leaves_domain = false;  // some corner is outside, far enough to matter, or not known
+        Corner<D> clipped;           // farthest corner of the clipped cell
+        Corner<D> whole;             // farthest corner of the whole cell
+        double reach2 = 0;           // squared distance from the nearest input to the farthest corner from it
     };
 
     bool is_reference() const { return built::refine && reference_; }
@@ -98,9 +100,10 @@ template <int D> Status QualityRule<D>::finish_mesh() {
             if (!this->may_be_blurred(store_.vertex(v))) queue_.pass_over(v);
         }
     for (CellId c(0); c < store_.state.cell_slots;)
-        for (const std::uint64_t piece = store_.arena.piece(c, store_.state.cell_slots, 40 * D); c < piece; ++c) {
+        for (const std::uint64_t piece = store_.arena.piece(c, store_.state.cell_slots, 40 * store_.dim); c < piece;
+             ++c) {
             const Cell<D>& cell = store_.cell(c);
-            for (int i = 0; i <= D && store_.is_live(c); ++i) {
+            for (int i = 0; i <= store_.dim && store_.is_live(c); ++i) {
                 if (cell.vertex[i] == none || store_.vertex(cell.vertex[i]).marker == Marker::exempt) continue;
                 if (!is_within(cell, this->least_beyond2(store_.vertex(cell.vertex[i])))) queue_.push(cell.vertex[i]);
             }
@@ -146,18 +149,18 @@ template <int D> Status QualityRule<D>::take_turn(VertexId p) {
 // when it was cleaned while another input was waiting.
 template <int D> bool QualityRule<D>::is_surely_medial(VertexId p, VertexId u) const {
     const Vertex<D>& vertex = store_.vertex(u);
-    const double d2 = distance2<D>(store_.point(p), vertex.x);
+    const double d2 = distance2<D>(store_.dim, store_.point(p), vertex.x);
     const double most = 0.5 * tight_ * (has_waited_ ? slack_while_waiting : 1);
     return vertex.marker == Marker::exempt || !(most * most * vertex.nearest2 > mediality * mediality * d2);
 }
 
 // Does the cell of u, the nearest vertex of p, reach farther than p is medial for? Then it is split there.
 template <int D> [[gnu::cold]] Verdict QualityRule<D>::judge_medial(VertexId p, VertexId u, Split<D>* split) {
-    const double bound2 = mediality * mediality * distance2<D>(store_.point(p), store_.point(u));
-    CellView view;
+    const double bound2 = mediality * mediality * distance2<D>(store_.dim, store_.point(p), store_.point(u));
+    CellView view(store_.dim);
     if (!view_cell(u, bound2, &view)) return Verdict::out_of_memory;
     if (!(view.clipped.distance2 > bound2) && view.leaves_domain)
-        offer_poles<D>(store_, domain_, store_.point(u), u, store_.list_top(), view.cells, &view.clipped);
+        offer_poles(store_, domain_, store_.point(u), u, store_.list_top(), view.cells, &view.clipped);
     if (!(view.clipped.distance2 > bound2)) return Verdict::good;
     this->split_towards(u, view.clipped, square_root(view.clipped.distance2), split);
     return Verdict::bad;
@@ -170,9 +173,9 @@ template <int D> Status QualityRule<D>::insert_boundary_net() {
     for (bool covered = false; !covered && status == Status::ok;) {
         covered = true;
         for (CellId c(0); c < store_.state.cell_slots && status == Status::ok;)
-            for (const std::uint64_t piece = store_.arena.piece(c, store_.state.cell_slots, 200 * D);
+            for (const std::uint64_t piece = store_.arena.piece(c, store_.state.cell_slots, 200 * store_.dim);
                  c < piece && status == Status::ok; ++c) {
-                double z[D], d2;
+                double z[DimensionOf<D>::most], d2;
                 if (!lacks_net_vertex<D>(store_, domain_, delta, c, inside, z)) continue;
                 if (!store_.has_room(0, 1, 0)) return Status::out_of_memory;
                 const VertexId v = make_vertex<D>(store_, z, tree_.nearest(z, 0, none, &d2), Marker::exempt);
@@ -191,7 +194,7 @@ template <int D> void QualityRule<D>::queue_bad(CellId c) {
     if (far == 0) return;
     if (domain_.contains(cell.centre)) return this->queue_positions(cell, far);
     if (certify_)
-        for (int i = 0; i <= D; ++i)
+        for (int i = 0; i <= store_.dim; ++i)
             if ((far >> i & 1u) && may_spoil_certificate(cell.vertex[i], cell.centre)) {
                 queue_.push(cell.vertex[i]);
                 far &= ~(1u << i);
@@ -203,15 +206,15 @@ template <int D> void QualityRule<D>::queue_bad(CellId c) {
 // needs no walk around v.
 template <int D> bool QualityRule<D>::may_spoil_certificate(VertexId v, const double* x) const {
     const double* const input = store_.point(nearest_input(v));
-    const double reach2 = distance2<D>(x, input), rho = domain_.enclosing_radius;
+    const double reach2 = distance2<D>(store_.dim, x, input), rho = domain_.enclosing_radius;
     const double hi2 = reach2 < rho * rho ? reach2 : rho * rho;
     if (store_.vertex(v).marker == Marker::input) return 4 * hi2 > tau_ * tau_ * store_.vertex(v).nearest2;
-    return 4 * hi2 > (2 + tau_) * (2 + tau_) * distance2<D>(store_.point(v), input);
+    return 4 * hi2 > (2 + tau_) * (2 + tau_) * distance2<D>(store_.dim, store_.point(v), input);
 }
 
 // Walks around v's cell; corners within the root of least2 do not matter. False when the gap is too small for that.
 template <int D> bool QualityRule<D>::view_cell(VertexId v, double least2, CellView* view) {
-    *view = CellView{};
+    *view = CellView(store_.dim);
     const double* const p = store_.point(v);
     const double* const input = store_.point(nearest_input(v));
     return kernel_.visit_star(v, [&](CellId c) {
@@ -222,7 +225,7 @@ template <int D> bool QualityRule<D>::view_cell(VertexId v, double least2, CellV
             view->leaves_domain = true;
             return;
         }
-        const double d2 = distance2<D>(cell.centre, p);
+        const double d2 = distance2<D>(store_.dim, cell.centre, p);
         if (domain_.contains(cell.centre))
             view->clipped.offer(cell.centre, d2, c);
         else {
@@ -231,7 +234,7 @@ template <int D> bool QualityRule<D>::view_cell(VertexId v, double least2, CellV
         }
         if (!certify_) return;
         view->whole.offer(cell.centre, d2, c);
-        const double reach2 = distance2<D>(cell.centre, input);
+        const double reach2 = distance2<D>(store_.dim, cell.centre, input);
         if (reach2 > view->reach2) view->reach2 = reach2;
     });
 }
@@ -243,17 +246,17 @@ template <int D> bool QualityRule<D>::spoils_certificate(VertexId v, const CellV
     const double rho = domain_.enclosing_radius, reach = square_root(view.reach2);
     const double hi = reach < rho ? reach : rho;
     if (store_.vertex(v).marker == Marker::input) return 2 * hi > tau_ * square_root(nearest2);
-    const double d = distance<D>(store_.point(v), store_.point(nearest_input(v)));
+    const double d = distance<D>(store_.dim, store_.point(v), store_.point(nearest_input(v)));
     const double lo = least_distance(d, square_root(view.whole.distance2), as_computed);
     return hi > (2 + tau_) * lo || hi > tau_ * d;
 }
 
 template <int D> Verdict QualityRule<D>::judge(VertexId v, Split<D>* split) {
-    CellView view;
+    CellView view(store_.dim);
     if (!view_cell(v, this->least_beyond2(store_.vertex(v)), &view)) return Verdict::out_of_memory;
     const double nearest2 = store_.vertex(v).nearest2, clipped2 = view.clipped.distance2;
     const Corner<D>* corner = &view.clipped;
-    Corner<D> beyond;
+    Corner<D> beyond(store_.dim);
     if (!is_bad(clipped2, nearest2) && !sizes_.are_exceeded(v, clipped2)) {
         if (view.leaves_domain) this->find_sized_beyond(domain_, v, view.cells, &beyond);
         corner = &beyond;
@@ -281,14 +284,14 @@ template <int D> bool QualityRule<D>::must_yield(const Split<D>& split, const Ne
 }  // namespace
 
 template <int D>
-Status mesh_by_quality(Store<D>& store, const InputRows& points, std::size_t n, const MeshRequest& request,
-                       const Work& work, MeshResult<D>* result) {
-    return mesh_by_rule<D, QualityRule<D>>(store, points, n, request, work, result);
+Status mesh_by_quality(AnyStore& store, const InputRows& points, std::size_t n, const MeshRequest& request,
+                       const Work& work, AnyMeshResult* result) {
+    return mesh_by<D, QualityRule>(store, points, n, request, work, result);
 }
 
 #define NETMESH_INSTANTIATE(D)                                                                                         \
-    template Status mesh_by_quality<D>(Store<D>&, const InputRows&, std::size_t, const MeshRequest&, const Work&,      \
-                                       MeshResult<D>*);
+    template Status mesh_by_quality<D>(AnyStore&, const InputRows&, std::size_t, const MeshRequest&, const Work&,      \
+                                       AnyMeshResult*);
 NETMESH_EACH_INSTANCE(NETMESH_INSTANTIATE)
 #undef NETMESH_INSTANTIATE
 

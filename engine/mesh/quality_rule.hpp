@@ -43,7 +43,7 @@ namespace netmesh {
 // out-radius is above f(v), and its farthest corner, or a point of the domain's sphere at f(v) from v, is inserted. So
 // it ends as soon as f is bounded away from 0 on the domain, and 3.7.1 holds when f is Lipschitz.
 template <int D>
-Status mesh_by_quality(Store<D>& store, const InputRows& points, std::size_t n, const MeshRequest& request,
-                       const Work& work, MeshResult<D>* result);
+Status mesh_by_quality(AnyStore& store, const InputRows& points, std::size_t n, const MeshRequest& request,
+                       const Work& work, AnyMeshResult* result);
 
 }  // namespace netmesh

@@ -32,7 +32,7 @@ inline double reference_radius(double tau, double spacing, double enclosing_radi
 // most, and no place is taken twice.
 template <int D> inline bool has_resolved_net(const Domain<D>& domain, double spacing) {
     double most = domain.radius;
-    for (int k = 0; k < D; ++k)
+    for (int k = 0; k < domain.dim; ++k)
         if (absolute(domain.centre[k]) > most) most = absolute(domain.centre[k]);
     const double delta = 2 * spacing * domain.enclosing_radius;
     return domain.radius <= 0x1p511 && delta >= 0x1p-51 * most * (domain.radius / delta);
@@ -50,8 +50,9 @@ inline bool lacks_net_vertex(const Store<D>& store, const Domain<D>& domain, dou
     const VertexId w = cell.vertex[cell.vertex[0] == inside ? 1 : 0];
     const double length = square_root(domain.distance2(cell.centre));
     if (!(length > 0)) return false;
-    for (int k = 0; k < D; ++k) z[k] = domain.centre[k] + domain.radius / length * (cell.centre[k] - domain.centre[k]);
-    return distance2<D>(z, store.point(w)) > delta * delta;
+    for (int k = 0; k < store.dim; ++k)
+        z[k] = domain.centre[k] + domain.radius / length * (cell.centre[k] - domain.centre[k]);
+    return distance2<D>(store.dim, z, store.point(w)) > delta * delta;
 }
 
 }  // namespace netmesh

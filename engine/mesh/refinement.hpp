@@ -4,7 +4,7 @@
 #include <cstdint>
 
 #include "certificate/cells.hpp"
-#include "delaunay/kernel.hpp"
+#include "delaunay/any_kernel.hpp"
 #include "delaunay/load.hpp"
 #include "memory/work.hpp"
 #include "mesh/bucket_queue.hpp"
@@ -117,10 +117,10 @@ protected:
     VertexId nearest_in_conflict(VertexId p, const Cavity& cavity) {
         VertexId nearest = none;
         double best2 = infinity;
-        passed_ += std::uint64_t{cavity.cells} * (D + 1);
+        passed_ += std::uint64_t{cavity.cells} * (static_cast<std::uint32_t>(store_.dim) + 1);
         for (std::uint32_t k = 0; k < cavity.cells; ++k)
             for (const VertexId w : store_.cell(kernel_.cavity_cell(k)).vertex) {
-                const double d2 = distance2<D>(store_.point(p), store_.point(w));
+                const double d2 = distance2<D>(store_.dim, store_.point(p), store_.point(w));
                 if (!(d2 < best2)) continue;
                 best2 = d2;
                 nearest = w;
@@ -143,7 +143,7 @@ protected:
     }
 #endif
 
-    VertexId nearest_input(VertexId v) const { return VertexId(netmesh::nearest_input<D>(store_, v)); }
+    VertexId nearest_input(VertexId v) const { return VertexId(netmesh::nearest_input(store_, v)); }
 
     const MeshRequest& request_;
     MeshResult<D>& result_;
@@ -176,9 +176,9 @@ template <int D, class Rule> Status Refinement<D, Rule>::open() {
     if (status != Status::ok) return status;
     // Squared distances are measured down from that of the frame.
     if (queue_.open(store_, store_.arena, 16 * reach * reach) != Status::ok) return Status::out_of_memory;
-    if (observers_.open(D, store_.arena, inputs_) != Status::ok) return Status::out_of_memory;
+    if (observers_.open(store_.dim, store_.arena, inputs_) != Status::ok) return Status::out_of_memory;
     if (store_.open_cells() != Status::ok) return Status::out_of_memory;
-    status = open_frame<D>(store_, kernel_, tree_, domain_, reach);
+    status = open_frame(store_, tree_, domain_, reach, &passed_);
     return status == Status::ok ? observers_.start(store_) : status;
 }
 
@@ -225,10 +225,10 @@ template <int D, class Rule> Status Refinement<D, Rule>::fill(VertexId v, const 
 // nearest2 of v and of its neighbours. Those to which it is nearer than any vertex before may have become bad and are
 // queued.
 template <int D, class Rule> void Refinement<D, Rule>::update_nearest(const Cavity& cavity, VertexId v) {
-    Vertex<D>& centre = store_.vertex(v);
+    auto&& centre = store_.vertex(v);
     kernel_.visit_neighbours(cavity, v, [&](VertexId w) {
-        Vertex<D>& other = store_.vertex(w);
-        const double d2 = distance2<D>(centre.x, other.x);
+        auto&& other = store_.vertex(w);
+        const double d2 = distance2<D>(store_.dim, centre.x, other.x);
         if (d2 < centre.nearest2) centre.nearest2 = d2;
         if (!(d2 < other.nearest2)) return;
         other.nearest2 = d2;
@@ -252,7 +252,7 @@ template <int D, class Rule> Status Refinement<D, Rule>::clean() {
         Split<D> split;
         const Verdict verdict = rule().judge(v, &split);
         if (verdict == Verdict::good) {
-            if (monitor_.advance(inserted_, 5 * D)) return Status::cancelled;
+            if (monitor_.advance(inserted_, 5 * store_.dim)) return Status::cancelled;
             continue;
         }
         if (verdict == Verdict::out_of_memory) return Status::out_of_memory;
@@ -292,7 +292,7 @@ template <int D, class Rule> [[gnu::cold]] Status Refinement<D, Rule>::reach_siz
     observers_.stop_measuring_features();
     sizes_.start();
     for (VertexId v(0); v < count;)
-        for (const std::uint64_t piece = store_.arena.piece(v, count, 500 * D); v < piece; ++v) {
+        for (const std::uint64_t piece = store_.arena.piece(v, count, 500 * store_.dim); v < piece; ++v) {
             if (store_.vertex(v).marker == Marker::exempt) continue;
             const Status status = note_size(v);
             if (status != Status::ok) return status;
@@ -301,7 +301,6 @@ template <int D, class Rule> [[gnu::cold]] Status Refinement<D, Rule>::reach_siz
     return clean();
 }
 
-// What mesh_points does for one method.
 template <int D, class Rule>
 Status mesh_by_rule(Store<D>& store, const InputRows& points, std::size_t n, const MeshRequest& request,
                     const Work& work, MeshResult<D>* result) {
@@ -310,13 +309,27 @@ Status mesh_by_rule(Store<D>& store, const InputRows& points, std::size_t n, con
     Rule rule(store, request, work, *result);
     Status status = rule.reserve(n);
     std::uint32_t* order;
-    if (status == Status::ok)
-        status = take_input<D>(store, points, n, request.seed, work.monitor, &result->input, &order);
+    if (status == Status::ok) status = take_input(store, points, n, request.seed, work.monitor, &result->input, &order);
     if (status != Status::ok) return status;
     status = rule.open();
     if (status == Status::ok) status = rule.run(order);
     status = rule.close(low, status);
     return status == Status::ok && work.monitor.has_stopped() ? Status::cancelled : status;
+}
+
+// What mesh_points does for one method, where D is the dimension of the store: by a rule for D alone or for any.
+template <int D, template <int> class Rule, int E = shared_dimension<D>>
+Status mesh_by(AnyStore& store, const InputRows& points, std::size_t n, const MeshRequest& request, const Work& work,
+               AnyMeshResult* result) {
+    if constexpr (E == any_dimension) {
+        return mesh_by_rule<E, Rule<E>>(store, points, n, request, work, result);
+    } else {
+        Store<D> own = store.of_dimension<D>();
+        MeshResult<D> made;
+        const Status status = mesh_by_rule<D, Rule<D>>(own, points, n, request, work, &made);
+        *result = made.template of_dimension<any_dimension>();
+        return status;
+    }
 }
 
 }  // namespace netmesh

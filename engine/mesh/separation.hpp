@@ -14,8 +14,8 @@ constexpr double resolution = 64 * 0x1p-52;
 
 // The least distance over magnitude with which cells can be held to an aspect ratio of tau although coordinates are
 // rounded (derived in aspect_rule.hpp).
-template <int D> double finest_distance(double tau) {
-    const double units = 6.5 * square_root(D) * (2 / (tau - 2) + 1);
+inline double finest_distance(int dim, double tau) {
+    const double units = 6.5 * square_root(dim) * (2 / (tau - 2) + 1);
     return units < 64 ? resolution : units < 0x1p26 ? units * 0x1p-52 : 0x1p-26;
 }
 

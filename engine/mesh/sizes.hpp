@@ -25,7 +25,7 @@ public:
     Status note(VertexId v, double finest) {
         const double size = wanted_size(store_, tree_, rule_, v);
         double magnitude = 0;
-        for (int k = 0; k < D; ++k)
+        for (int k = 0; k < store_.dim; ++k)
             if (absolute(store_.point(v)[k]) > magnitude) magnitude = absolute(store_.point(v)[k]);
         if (!(size >= separation_min && size >= finest * magnitude)) return Status::invalid_argument;
         const double size2 = size < coordinate_max ? size * size : infinity;

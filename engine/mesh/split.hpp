@@ -23,14 +23,14 @@ constexpr double as_computed = 1;
 
 // Where a Steiner point goes.
 template <int D> struct Split {
-    double x[D];
+    double x[DimensionOf<D>::most];
     double empty2;   // squared radius of a ball about x that contains no vertex
     VertexId input;  // an inserted input near x, where the search for the nearest one starts
     CellId cell;     // where the search for the cavity starts
 
     // Puts x this fraction of the way from p to a corner.
     void place(const double* p, const Corner<D>& corner, double fraction) {
-        for (int k = 0; k < D; ++k) x[k] = p[k] + fraction * (corner.x[k] - p[k]);
+        for (int k = 0; k < corner.dim; ++k) x[k] = p[k] + fraction * (corner.x[k] - p[k]);
         cell = corner.cell;
     }
 };

@@ -28,7 +28,6 @@ namespace netmesh {
 
 template <int D, class Rule> class ThesisCages : public AspectRule<D, Rule> {
     using Base = AspectRule<D, Rule>;
-    using Template = CageTemplate<D>;
 
 protected:
     using Base::domain_;
@@ -93,7 +92,7 @@ protected:
     }
     bool is_beyond(std::uint32_t d, double factor, const double* x) {
         const double far = factor * hierarchy_.cage(d).radius;
-        return distance2<D>(x, store_.point(hierarchy_.cage(d).centre)) > far * far;
+        return distance2<D>(store_.dim, x, store_.point(hierarchy_.cage(d).centre)) > far * far;
     }
     void update_cages(VertexId w, const Vertex<D>& fresh);
     void queue_cage(std::uint32_t d) {
@@ -130,8 +129,8 @@ template <int D, class Rule> Status ThesisCages<D, Rule>::begin() {
     if (status != Status::ok) return status;
     double far2 = inputs_ > 1 ? 0 : domain_.enclosing_radius * domain_.enclosing_radius;
     for (std::uint32_t p = 0; p < inputs_;)
-        for (const std::uint64_t piece = store_.arena.piece(p, inputs_, 8 * D); p < piece; ++p) {
-            const double p2 = distance2<D>(store_.point(p), store_.point(centre));
+        for (const std::uint64_t piece = store_.arena.piece(p, inputs_, 8 * store_.dim); p < piece; ++p) {
+            const double p2 = distance2<D>(store_.dim, store_.point(p), store_.point(centre));
             if (p2 > far2) far2 = p2;
         }
     std::uint32_t made;
@@ -147,7 +146,7 @@ template <int D, class Rule> Status ThesisCages<D, Rule>::insert_input(VertexId 
     near_ = hierarchy_.locate(p, this->nearest_in_conflict(p, cavity), &passed_);
     Status status = Status::ok;
     if (!cleaning && store_.vertex(near_.vertex).marker == Marker::input) {
-        const double radius = square_root(distance2<D>(store_.point(p), store_.point(near_.vertex))) /
+        const double radius = square_root(distance2<D>(store_.dim, store_.point(p), store_.point(near_.vertex))) /
                               ThesisCage::epsilon * ThesisCage::slack;
         std::uint32_t made;
         if (near_.nearest2 >= clear2(radius)) {
@@ -178,7 +177,7 @@ template <int D, class Rule> Status ThesisCages<D, Rule>::grow_encroached(Vertex
 template <int D, class Rule>
 Status ThesisCages<D, Rule>::new_cage(const NearestInDomain& near, double radius, std::uint32_t parent,
                                       std::uint32_t* made) {
-    const std::uint32_t size = parent == none ? RootTemplate<D>::size : Template::size;
+    const std::uint32_t size = template_size(store_.dim, parent == none);
     if (!store_.has_room(0, size, 0)) return Status::out_of_memory;
     const std::uint32_t d = *made = hierarchy_.make(near, radius, parent, store_.state.vertex_count);
     const Status status = insert_shell(d);
@@ -193,10 +192,10 @@ template <int D, class Rule> Status ThesisCages<D, Rule>::insert_shell(std::uint
     making_ = d;
     VertexId first = none;
     const double reach = ThesisCage::yields * ThesisCage::shell_factor * cage.radius;
-    const std::uint32_t size = d == root ? RootTemplate<D>::size : Template::size;
+    const std::uint32_t size = template_size(store_.dim, d == root);
     for (std::uint32_t k = 0; k < size; ++k) {
-        double unit[D], x[D], d2;
-        d == root ? RootTemplate<D>::point(k, unit) : Template::point(k, unit);
+        double unit[DimensionOf<D>::most], x[DimensionOf<D>::most], d2;
+        template_point(store_.dim, d == root, k, unit);
         place(cage, unit, k, x);
         const std::uint32_t input = inserted_ < inputs_ ? tree_.nearest_within(x, reach * reach, &d2) : none;
         const bool yields = input != none && store_.vertex(input).cell == none;
@@ -223,7 +222,7 @@ template <int D, class Rule> Status ThesisCages<D, Rule>::insert_shell(std::uint
 template <int D, class Rule>
 void ThesisCages<D, Rule>::place(const Cage& cage, const double* unit, std::uint32_t k, double* x) const {
     std::uint64_t random = mix64(std::uint64_t{cage.centre} << 32 | k);
-    for (int i = 0; i < D; ++i) {
+    for (int i = 0; i < store_.dim; ++i) {
         random = mix64(random);
         const double moved = unit[i] + ThesisCage::jitter * (static_cast<double>(random >> 11) * 0x1p-52 - 1);
         x[i] = store_.point(cage.centre)[i] + ThesisCage::shell_factor * cage.radius * moved;
@@ -236,12 +235,12 @@ template <class Visit>
 void ThesisCages<D, Rule>::visit_shell(const Cage& cage, Visit&& visit) const {
     const double reach = ThesisCage::yields * ThesisCage::shell_factor * cage.radius;
     VertexId own(cage.shell);
-    for (std::uint32_t k = 0; k < Template::size; ++k) {
-        double unit[D], x[D], d2;
-        Template::point(k, unit);
+    for (std::uint32_t k = 0; k < template_size(store_.dim, false); ++k) {
+        double unit[DimensionOf<D>::most], x[DimensionOf<D>::most], d2;
+        template_point(store_.dim, false, k, unit);
         place(cage, unit, k, x);
         const bool is_own =
-            own >= inputs_ && own < store_.state.vertex_count && distance2<D>(x, store_.point(own)) == 0;
+            own >= inputs_ && own < store_.state.vertex_count && distance2<D>(store_.dim, x, store_.point(own)) == 0;
         visit(is_own ? own : VertexId(tree_.nearest_within(x, reach * reach, &d2)));
         if (is_own) ++own;
     }
@@ -259,7 +258,7 @@ template <int D, class Rule> Status ThesisCages<D, Rule>::grow_cage(std::uint32_
     Cage& cage = hierarchy_.cage(d);
     const double radius = cage.radius / inner;
     if (!(cage.nearest2 >= clear2(radius))) return release_cage(d);
-    if (!store_.has_room(0, Template::size, 0)) return Status::out_of_memory;
+    if (!store_.has_room(0, template_size(store_.dim, false), 0)) return Status::out_of_memory;
     const Cage old = cage;
     cage.radius = radius;
     const Status status = insert_shell(d);
@@ -332,7 +331,7 @@ template <int D, class Rule> void ThesisCages<D, Rule>::update_distances(const C
 template <int D, class Rule> void ThesisCages<D, Rule>::update_cages(VertexId w, const Vertex<D>& fresh) {
     for (std::uint32_t d = hierarchy_.of(w); d != none && !hierarchy_.contains(d, fresh.x); d = hierarchy_.parent(d)) {
         Cage& cage = hierarchy_.cage(d);
-        const double d2 = distance2<D>(fresh.x, store_.point(cage.centre));
+        const double d2 = distance2<D>(store_.dim, fresh.x, store_.point(cage.centre));
         if (d2 < cage.nearest2) {
             cage.nearest2 = d2;
             if (d != making_) queue_cage(d);
@@ -348,11 +347,11 @@ template <int D, class Rule> void ThesisCages<D, Rule>::queue_bad(CellId c) {
     if (!(cell.radius2 < infinity)) return;
     this->queue_positions(cell, this->positions_of_bad(cell));
     if (hierarchy_.live() == 0) return;
-    for (int i = 0; i <= D; ++i)
+    for (int i = 0; i <= store_.dim; ++i)
         for (std::uint32_t d = hierarchy_.of(cell.vertex[i]);
-             d != none && d != root && is_on_boundary<D>(store_, hierarchy_.cage(d), c); d = hierarchy_.parent(d)) {
+             d != none && d != root && is_on_boundary(store_, hierarchy_.cage(d), c); d = hierarchy_.parent(d)) {
             const Cage& cage = hierarchy_.cage(d);
-            if (d != making_ && is_bad(distance2<D>(cell.centre, store_.point(cage.centre)), cage.nearest2))
+            if (d != making_ && is_bad(distance2<D>(store_.dim, cell.centre, store_.point(cage.centre)), cage.nearest2))
                 queue_cage(d);
         }
 }
@@ -373,15 +372,15 @@ template <int D, class Rule> Verdict ThesisCages<D, Rule>::judge(VertexId v, Spl
 // By the farthest corner of v's whole cell.
 template <int D, class Rule> Verdict ThesisCages<D, Rule>::judge_vertex(VertexId v, Split<D>* split) {
     const double* const p = store_.point(v);
-    Corner<D> corner;
+    Corner<D> corner(store_.dim);
     const bool fits = kernel_.visit_star(v, [&](CellId c) {
         const Cell<D>& cell = store_.cell(c);
-        if (cell.radius2 < infinity) corner.offer(cell.centre, distance2<D>(cell.centre, p), c);
+        if (cell.radius2 < infinity) corner.offer(cell.centre, distance2<D>(store_.dim, cell.centre, p), c);
     });
     if (!fits) return Verdict::out_of_memory;
     const double nearest2 = store_.vertex(v).nearest2;
     if (!is_bad(corner.distance2, nearest2)) return Verdict::good;
-    this->split_towards(v, corner, this->wanted_distance(square_root(nearest2), pull_back<D>), split);
+    this->split_towards(v, corner, this->wanted_distance(square_root(nearest2), this->pull_back()), split);
     return hierarchy_.contains(root, split->x) ? Verdict::bad : Verdict::good;
 }
 
@@ -390,17 +389,17 @@ template <int D, class Rule> Verdict ThesisCages<D, Rule>::judge_vertex(VertexId
 template <int D, class Rule> Verdict ThesisCages<D, Rule>::judge_cage(std::uint32_t d, Split<D>* split) {
     const Cage& cage = hierarchy_.cage(d);
     const double* const p = store_.point(cage.centre);
-    Corner<D> corner;
+    Corner<D> corner(store_.dim);
     std::uint32_t cells;
     if (!list_cage_boundary(AnyStore(store_), cage, &cells)) return Verdict::out_of_memory;
     const CellId* const boundary = store_.list_top();
     for (std::uint32_t k = 0; k < cells; ++k) {
         const CellId c = boundary[-1 - static_cast<std::ptrdiff_t>(k)];
         const Cell<D>& cell = store_.cell(c);
-        if (cell.radius2 < infinity) corner.offer(cell.centre, distance2<D>(cell.centre, p), c);
+        if (cell.radius2 < infinity) corner.offer(cell.centre, distance2<D>(store_.dim, cell.centre, p), c);
     }
     if (!is_bad(corner.distance2, cage.nearest2)) return Verdict::good;
-    const double wanted = this->wanted_distance(square_root(cage.nearest2), pull_back<D>);
+    const double wanted = this->wanted_distance(square_root(cage.nearest2), this->pull_back());
     this->split_towards(VertexId(cage.centre), corner, wanted, split);
     const double empty = square_root(split->empty2) - cage.radius;
     split->empty2 = empty * empty;
@@ -427,8 +426,8 @@ template <int D, class Rule> std::size_t ThesisCages<D, Rule>::keep_results(std:
     return store_.arena.offset_of(hierarchy_.cages() + kept);
 }
 
-template <int D>
-Status mesh_by_thesis_cages(Store<D>& store, const InputRows& points, std::size_t n, const MeshRequest& request,
-                            const Work& work, MeshResult<D>* result);
+// store.dim <= thesis_dim_max, or invalid_argument.
+Status mesh_by_thesis_cages(AnyStore& store, const InputRows& points, std::size_t n, const MeshRequest& request,
+                            const Work& work, AnyMeshResult* result);
 
 }  // namespace netmesh

@@ -1,7 +1,8 @@
-// Points and vectors of D doubles, D known to the compiler or an argument. Sums run in the order of the coordinates,
-// which is part of every result.
+// Points and vectors of D doubles, D known to the compiler or an argument; or either, where templates are made for
+// both. Sums run in the order of the coordinates, which is part of every result.
 #pragma once
 #include "numerics/real.hpp"
+#include "vocabulary/dimension.hpp"
 
 namespace netmesh {
 
@@ -45,6 +46,34 @@ inline double distance(int dim, const double* a, const double* b) { return squar
 
 inline void copy(int dim, const double* from, double* to) {
     for (int k = 0; k < dim; ++k) to[k] = from[k];
+}
+
+template <> double dot<any_dimension>(const double*, const double*) = delete;
+template <> double distance2<any_dimension>(const double*, const double*) = delete;
+template <> double distance<any_dimension>(const double*, const double*) = delete;
+template <> void copy<any_dimension>(const double*, double*) = delete;
+
+// dim is D, unless that is any_dimension.
+template <int D> inline double dot(int dim, const double* a, const double* b) {
+    if constexpr (D == any_dimension)
+        return dot(dim, a, b);
+    else
+        return dot<D>(a, b);
+}
+template <int D> inline double distance2(int dim, const double* a, const double* b) {
+    if constexpr (D == any_dimension)
+        return distance2(dim, a, b);
+    else
+        return distance2<D>(a, b);
+}
+template <int D> inline double distance(int dim, const double* a, const double* b) {
+    return square_root(distance2<D>(dim, a, b));
+}
+template <int D> inline void copy(int dim, const double* from, double* to) {
+    if constexpr (D == any_dimension)
+        copy(dim, from, to);
+    else
+        copy<D>(from, to);
 }
 
 }  // namespace netmesh

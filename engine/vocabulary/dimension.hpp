@@ -35,6 +35,11 @@ constexpr int dimension_most() {
     return most;
 }
 
+// Whether there is no other.
+#define NETMESH_COUNT(D) +1
+constexpr bool serves_one_dimension = 0 NETMESH_EACH_DIMENSION(NETMESH_COUNT) == 1;
+#undef NETMESH_COUNT
+
 // A template made for D = any_dimension has its dimension as a number: it is in the program once, for all dimensions.
 // DimensionOf<D> is what such a template keeps, and no more than the constant D where it is made for one.
 constexpr int any_dimension = 0;
@@ -49,21 +54,38 @@ template <> struct DimensionOf<any_dimension> {
     constexpr operator std::uint32_t() const { return value; }
     std::uint32_t value;
 };
-// D, or any_dimension where size counts and D is not the only one: for templates that jobs spend their time in.
+// A dimension as a number, which the compiler knows where the build serves no other.
+class AnyDimension {
+public:
+    AnyDimension() = default;
+    constexpr AnyDimension(int value) : value_(value) {}
+    constexpr operator int() const { return serves_one_dimension ? dimension_most() : value_; }
+
+private:
+    int value_;
+};
+// D, or any_dimension where size counts more than time does and D is not the only one: for templates that jobs spend
+// their time in. Size counts beyond D = 4, and everywhere at -Os.
 #ifdef __OPTIMIZE_SIZE__
-#define NETMESH_COUNT(D) +1
-template <int D> constexpr int shared_dimension = 0 NETMESH_EACH_DIMENSION(NETMESH_COUNT) > 1 ? any_dimension : D;
-#undef NETMESH_COUNT
+constexpr int fast_dimension_max = 0;
 #else
-template <int D> constexpr int shared_dimension = D;
+constexpr int fast_dimension_max = 4;
 #endif
+#define NETMESH_COUNT(D) +(D > fast_dimension_max)
+template <int D>
+constexpr int shared_dimension = D > fast_dimension_max && 0 NETMESH_EACH_DIMENSION(NETMESH_COUNT) > 1 ? any_dimension
+                                                                                                       : D;
+#undef NETMESH_COUNT
 
 // Figures that depend on the dimension and come from measuring or choosing, not from a formula.
 struct Figures {
     // Meshing
-    double tau_default;   // bound on aspect ratios when the caller names none
-    double pull_back;     // see mesh/aspect_rule.hpp
-    double frame_factor;  // distance of the frame over the domain's radius, see mesh/frame.hpp
+    double tau_default;  // bound on aspect ratios when the caller names none
+    double pull_back;    // see mesh/aspect_rule.hpp
+    // Distance of the frame over the domain's radius: its hull, a cross-polytope, must contain the ball of 2.2 radii in
+    // which everything stays (mesh/quality_rule.hpp), so more than 2.2 sqrt(D), and 4 at least for a coarse mesh
+    // between domain and frame.
+    double frame_factor;
     // Analysis
     double integral_tolerance;             // wanted upper / lower - 1 of integrals when the caller names none
     double coarsest_box;                   // half diagonal over f_P of a box that is never split
@@ -116,6 +138,14 @@ template <class F> auto with_dimension(std::uint32_t dim, F&& f) {
     }
     using Result = decltype(f(Dimension<detail::first_dimension(2)>{}));
     if constexpr (!std::is_void_v<Result>) return Result{};
+}
+
+// Those of dimension dim, which is D unless that is any_dimension.
+template <int D> constexpr const Figures& figures_of(int dim) {
+    if constexpr (D == any_dimension)
+        return *with_dimension(static_cast<std::uint32_t>(dim), [](auto of) { return &figures<decltype(of)::value>; });
+    else
+        return figures<D>;
 }
 
 }  // namespace netmesh

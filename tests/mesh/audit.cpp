@@ -34,7 +34,8 @@ template <int D> struct Stored {
         REQUIRE(lists.open(D, block.arena, count) == Status::ok);
         REQUIRE(store.open_cells() == Status::ok);
         smallest_enclosing_ball<D>(store, count, domain);
-        REQUIRE(open_frame<D>(store, kernel, tree, domain, 8 * domain.enclosing_radius) == Status::ok);
+        std::uint64_t steps = 0;
+        REQUIRE(open_frame(store, tree, domain, 8 * domain.enclosing_radius, &steps) == Status::ok);
         REQUIRE(lists.start(store));
         CHECK(lists.load(store) == count);
     }

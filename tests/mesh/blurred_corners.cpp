@@ -109,11 +109,11 @@ TEST_CASE("near 2 tau asks for more than 64 units in the last place between poin
             CHECK(session.mesh({1, 1, 1 + units * 0x1p-52, 1}) == due);
             if (due == NETMESH_OK) CHECK(session.check() == NETMESH_OK);
         }
-    CHECK(finest_distance<2>(2.5) == resolution);
-    CHECK(finest_distance<3>(2.5) == resolution);
-    CHECK(finest_distance<4>(3.08) == resolution);
-    CHECK(finest_distance<6>(4) == resolution);
-    CHECK(finest_distance<2>(2 + 0x1p-40) == 0x1p-26);
+    CHECK(finest_distance(2, 2.5) == resolution);
+    CHECK(finest_distance(3, 2.5) == resolution);
+    CHECK(finest_distance(4, 3.08) == resolution);
+    CHECK(finest_distance(6, 4) == resolution);
+    CHECK(finest_distance(2, 2 + 0x1p-40) == 0x1p-26);
 }
 
 // Cells a trillionth of the domain wide, some of them at its sphere: a pole on the far side of it, to which directions

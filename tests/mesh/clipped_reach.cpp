@@ -29,7 +29,7 @@ template <int D> void sample(const inputs::Points& points, double share, int sam
     std::vector<double> out_radius(count), measured(count), farthest(count, 0), deepest(count, 0);
     std::vector<ClippedReach> reach(count);
     measure_cells<D>(mesh.store, out_radius.data(), nullptr);
-    REQUIRE(measure_clipped_cells<D>(mesh.store, ball, measured.data()) == Status::ok);
+    REQUIRE(measure_clipped_cells(mesh.store, ball, measured.data()) == Status::ok);
     double worst2 = 0, worst;
     std::uint32_t vertex;
     for (std::uint32_t v = 0; v < count; ++v)

@@ -20,7 +20,6 @@ TEST_CASE_TEMPLATE_DEFINE("vertices of the frame know their nearest neighbour an
     Block block(std::size_t{1} << 22);
     StoreState state = {};
     Store<D> store(block.arena, state);
-    Kernel<D> kernel(store, corner_error_max, VertexCells::kept);
     Monitor monitor;
     InputReport input;
     std::uint32_t* order;
@@ -31,8 +30,9 @@ TEST_CASE_TEMPLATE_DEFINE("vertices of the frame know their nearest neighbour an
     smallest_enclosing_ball<D>(store, 15, domain);
     domain.radius = domain.enclosing_radius;
     REQUIRE(store.open_cells() == Status::ok);
-    const double reach = frame_factor<D> * domain.radius;
-    REQUIRE(open_frame<D>(store, kernel, tree, domain, reach) == Status::ok);
+    const double reach = figures<D>.frame_factor * domain.radius;
+    std::uint64_t steps = 0;
+    REQUIRE(open_frame(store, tree, domain, reach, &steps) == Status::ok);
     REQUIRE(state.vertex_count == 15 + 2 * D);
     for (std::uint32_t v = 15; v < state.vertex_count; ++v) {
         CAPTURE(v);

@@ -376,7 +376,7 @@ TEST_CASE_TEMPLATE_DEFINE("in-radii of cages are no more than the mesh shows", T
             shell = std::min(shell, away);
             ++of_shell;
         }
-        CHECK(of_shell == static_cast<int>(shell_size<D>));
+        CHECK(of_shell == static_cast<int>(shell_size_of(D)));
         CHECK(in_radius(cage) <= 0.5 * (outside + shell) * (1 + 1e-12));
         CHECK(in_radius(cage) >= 0.5 * (outside + 0.8 * cage.radius));
     }

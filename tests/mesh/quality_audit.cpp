@@ -103,7 +103,8 @@ template <int D> struct ByHand {
         smallest_enclosing_ball<D>(store, count, domain);
         domain.radius = domain_factor * domain.enclosing_radius;
         REQUIRE(store.open_cells() == Status::ok);
-        REQUIRE(open_frame<D>(store, kernel, tree, domain, frame_factor<D> * domain.radius) == Status::ok);
+        std::uint64_t steps = 0;
+        REQUIRE(open_frame(store, tree, domain, figures<D>.frame_factor * domain.radius, &steps) == Status::ok);
         // take_input may have changed the order.
         by_row.resize(count);
         for (std::uint32_t v = 0; v < count; ++v) by_row[store.vertex(v).origin] = v;
@@ -131,9 +132,9 @@ template <int D> struct ByHand {
     std::uint32_t new_cage(std::uint32_t row, double radius, std::uint32_t parent, inputs::Random& random) {
         const std::uint32_t centre = by_row[row], shell = state.vertex_count;
         const std::uint32_t d = hierarchy.make({VertexId(centre), 0, none}, radius, parent, shell);
-        REQUIRE(store.has_room(0, shell_size<D>, 0));
+        REQUIRE(store.has_room(0, shell_size_of(D), 0));
         hierarchy.set(centre, d);
-        for (std::uint32_t i = 0; i < shell_size<D>; ++i) {
+        for (std::uint32_t i = 0; i < shell_size_of(D); ++i) {
             double x[D];
             for (int k = 0; k < D; ++k) {
                 const double axis = k != static_cast<int>(i / 2) ? 0 : i % 2 == 0 ? 1 : -1;
@@ -148,7 +149,7 @@ template <int D> struct ByHand {
         Cage& cage = hierarchy.cage(d);
         const std::uint32_t shell = cage.shell;
         hierarchy.release(d);
-        for (std::uint32_t v = shell; v < shell + shell_size<D>; ++v) store.vertex(v).marker = Marker::steiner;
+        for (std::uint32_t v = shell; v < shell + shell_size_of(D); ++v) store.vertex(v).marker = Marker::steiner;
         cage.next = step.released == none ? d : step.released;
         step.released = d;
     }
@@ -314,7 +315,7 @@ TEST_CASE_TEMPLATE_DEFINE("quality, feature sizes and insertion radii are bounde
             CHECK(audit.degree_max >= D + 1);
             CHECK(audit.feature < 6);
             CHECK(audit.feature >= std::max({audit.cage, audit.steiner, audit.input}));
-            CHECK(audit.cage <= cage_insertion_bound<D>());
+            CHECK(audit.cage <= cage_insertion_bound(D));
             CHECK((m.result.hierarchy.cages_made > 0) == (audit.cage > 0));
             CHECK(audit.input >= 1);
         }
@@ -397,7 +398,7 @@ TEST_CASE_TEMPLATE_DEFINE("planted violations of the invariants are found", T, p
         const QualityAudit sound = m.after(whole_shell);
         REQUIRE(sound.encroached == 0);
         REQUIRE(sound.worst <= m.tau);
-        REQUIRE(sound.cage <= cage_insertion_bound<D>());
+        REQUIRE(sound.cage <= cage_insertion_bound(D));
         REQUIRE(sound.feature < 10);
         REQUIRE(m.after(at_shell).encroached == 0);
     }
@@ -432,7 +433,7 @@ TEST_CASE_TEMPLATE_DEFINE("planted violations of the invariants are found", T, p
         REQUIRE(inside != none);
         m.move_to(cage.shell, m.store.point(inside), 1e-3 * cage.radius);
         const QualityAudit audit = m.after(whole_shell);
-        CHECK(audit.cage > cage_insertion_bound<D>());
+        CHECK(audit.cage > cage_insertion_bound(D));
         CHECK(audit.encroached == 1);
     }
     SUBCASE("a cage without its clearance") {
@@ -456,7 +457,7 @@ TEST_CASE_TEMPLATE_DEFINE("planted violations of the invariants are found", T, p
     }
     SUBCASE("a cage that was released counts no more") {
         const std::uint32_t last = m.hierarchy.made() - 1;
-        for (std::uint32_t v = cage.shell; v < cage.shell + shell_size<D>; ++v)
+        for (std::uint32_t v = cage.shell; v < cage.shell + shell_size_of(D); ++v)
             m.store.vertex(v).marker = Marker::steiner;
         m.hierarchy.release(last);
         cage.next = last;

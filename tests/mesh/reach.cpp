@@ -86,7 +86,7 @@ template <int D> struct Framed {
         InputReport input;
         REQUIRE(triangulate<D>(store, all.data(), n + 2 * D, 1, monitor, &input) == Status::ok);
         recompute_balls<D>(store);
-        measure_edges<D>(store);
+        measure_edges(store);
         for (CellId c(0); c < state.cell_slots; ++c)
             for (const VertexId v : store.cell(c).vertex) store.vertex(v).cell = c;
         for (std::uint32_t v = n; v < n + 2 * D; ++v) store.vertex(v).marker = Marker::exempt;
@@ -113,7 +113,7 @@ TEST_CASE_TEMPLATE_DEFINE("measured and checked reach agree with sampling, on ce
             Domain<D> ball = m.domain;
             ball.radius *= factor;
             std::vector<double> out2(m.state.vertex_count);
-            REQUIRE(measure_clipped_cells<D>(m.store, ball, out2.data()) == Status::ok);
+            REQUIRE(measure_clipped_cells(m.store, ball, out2.data()) == Status::ok);
             const std::vector<double> sampled2 = sampled_reach2<D>(m.store, ball, samples);
             std::vector<double> limit2(m.state.vertex_count, infinity);
             std::uint32_t beyond;
@@ -230,7 +230,7 @@ TEST_CASE_TEMPLATE_DEFINE("the farthest point of half a ball, wherever the ball 
         ball.centre[0] = off;
         ball.radius = 1;
         std::vector<double> out2(m.state.vertex_count);
-        REQUIRE(measure_clipped_cells<D>(m.store, ball, out2.data()) == Status::ok);
+        REQUIRE(measure_clipped_cells(m.store, ball, out2.data()) == Status::ok);
         // Left of x = 1/2. The point opposite to the origin, when it is there; otherwise where the plane meets the
         // ball.
         const double opposite = off + (off > 0 ? 1 : -1);

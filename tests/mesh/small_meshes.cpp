@@ -46,7 +46,7 @@ template <int D> void check_mesh(Hierarchical<D>& m, const MeshRequest& request)
     if (request.audit_quality) {
         CHECK(m.result.audit.quality.meshes >= m.result.input.rows - m.result.input.duplicates);
         CHECK(m.result.audit.quality.encroached == 0);
-        CHECK(m.result.audit.quality.cage <= cage_insertion_bound<D>());
+        CHECK(m.result.audit.quality.cage <= cage_insertion_bound(D));
     }
 }
 

@@ -163,7 +163,7 @@ TEST_CASE_TEMPLATE_DEFINE("audits with cages of the thesis find what looking at 
             REQUIRE(mesh.status == Status::ok);
             Judged<D>::check(mesh.result.audit.quality);
             CHECK(mesh.result.audit.quality.meshes >= points.size() / D);
-            CHECK(mesh.result.audit.quality.cage <= cage_insertion_bound<D>(CageKind::thesis));
+            CHECK(mesh.result.audit.quality.cage <= cage_insertion_bound(D, CageKind::thesis));
             released += mesh.result.hierarchy.cages_released;
             most_cages = std::max(most_cages, mesh.result.hierarchy.cages_made);
             // What it watches it does not change.
@@ -423,7 +423,7 @@ TEST_CASE_TEMPLATE_APPLY(stopped, Dimensions<2, 3>);
 TEST_CASE_TEMPLATE_DEFINE("planted violations of whole cells and cages of the thesis are found", T, planted_thesis) {
     constexpr int D = T::value;
     Planted<D> m;
-    const double bound = cage_insertion_bound<D>(CageKind::thesis);
+    const double bound = cage_insertion_bound(D, CageKind::thesis);
     Cage& cage = m.last_cage();
     const QualityAudit sound = m.after(m.whole_mesh());
     REQUIRE(sound.encroached == 0);

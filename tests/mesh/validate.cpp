@@ -60,7 +60,7 @@ public:
         if (!fits) return Verdict::out_of_memory;
         const double nearest2 = store_.vertex(v).nearest2;
         if (!is_bad(corner.distance2, nearest2)) return Verdict::good;
-        this->split_towards(v, corner, this->wanted_distance(square_root(nearest2), pull_back<D>), split);
+        this->split_towards(v, corner, this->wanted_distance(square_root(nearest2), this->pull_back()), split);
         return Verdict::bad;
     }
     void update_distances(const Cavity& cavity, VertexId v) {
