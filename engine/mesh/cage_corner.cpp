@@ -29,26 +29,31 @@ namespace {
     return true;
 }
 
-// Is a vertex inside of the cage nearest to x? Those on its boundary tell: between cells of vertices inside and outside
-// there are facets of two of them. If x is in the cell of a vertex outside, the way from x to a vertex u on the
-// boundary, inside, meets such a facet, at a point y that is as far from a w outside as from one inside, |y - w| <= |y
+// Is a vertex inside of the cage nearest to x, relative to its centre? Those on its boundary tell: between cells of
+// vertices inside and outside there are facets of two of them. If x is in the cell of a vertex outside, the way from x
+// to a vertex u on the boundary, inside, meets such a facet, at a point y that is as far from a w outside as from one
+// inside, |y - w| <= |y
 // - u|: w is no farther from x than u. And the other way round.
 [[gnu::cold]] bool is_in_cage_cell(const AnyStore& store, const Cage& cage, const CageBoundary& boundary,
                                    const double* x) {
     const int dim = store.dim;
-    const double* nearest = store.point(cage.centre);
-    double inside2 = distance2(dim, x, nearest), y[dimension_max];
+    const double* const centre = store.point(cage.centre);
+    const double* nearest = centre;
+    double inside2 = dot(dim, x, x), y[dimension_max];
+    copy(dim, x, y);
     for (std::uint32_t k = 0; k < boundary.count; ++k) {
         store.arena.pass(dim);
         for (const VertexId v : store.cell(boundary[k]).vertex) {
             if (v == none || !is_inside(store, cage, store.point(v))) continue;
-            const double d2 = distance2(dim, x, store.point(v));
+            double from[dimension_max];
+            for (int i = 0; i < dim; ++i) from[i] = x[i] - (store.point(v)[i] - centre[i]);
+            const double d2 = dot(dim, from, from);
             if (!(d2 < inside2)) continue;
             inside2 = d2;
             nearest = store.point(v);
+            copy(dim, from, y);
         }
     }
-    for (int k = 0; k < dim; ++k) y[k] = x[k] - nearest[k];
     const double length = square_root(inside2);
     for (std::uint32_t k = 0; k < boundary.count; ++k) {
         store.arena.pass(dim);

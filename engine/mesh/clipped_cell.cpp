@@ -11,13 +11,14 @@ constexpr double lost2 = 0x1p-60;
 // Those shorter than this have roundings that are not small beside them.
 constexpr double few2 = 0x1p-20;
 
-// Is x as near to v as to all other vertices of its star?
-bool is_in_cell(const AnyStore& store, VertexId v, const double* x, const CellId* star, std::uint32_t count) {
+// Is x, relative to u, as near to v as to all other vertices of its star?
+bool is_in_cell(const AnyStore& store, const double* u, VertexId v, const double* x, const CellId* star,
+                std::uint32_t count) {
     const int dim = store.dim;
     store.arena.pass(1 + count / 8);
     const double* const p = store.point(v);
     double y[dimension_max];
-    for (int k = 0; k < dim; ++k) y[k] = x[k] - p[k];
+    for (int k = 0; k < dim; ++k) y[k] = x[k] - (p[k] - u[k]);
     const double length = square_root(dot(dim, y, y));
     for (std::uint32_t s = 0; s < count; ++s)
         for (const VertexId w : store.cell(star[-1 - static_cast<std::ptrdiff_t>(s)]).vertex) {
@@ -282,7 +283,7 @@ void offer_cut_corners(const AnyStore& store, const Cut& cut, VertexId w, CellId
 
 [[gnu::cold]] void offer_poles(const AnyStore& store, const AnyDomain& ball, const double* u, VertexId v,
                                const CellId* star, std::uint32_t count, AnyCorner* farthest) {
-    const auto contains = [&](const double* x) { return is_in_cell(store, v, x, star, count); };
+    const auto contains = [&](const double* x) { return is_in_cell(store, u, v, x, star, count); };
     for (std::uint32_t s = 0; s < count; ++s) {
         const CellId c = star[-1 - static_cast<std::ptrdiff_t>(s)];
         if (store.is_ghost(c)) continue;

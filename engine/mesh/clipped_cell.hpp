@@ -147,9 +147,9 @@ struct Flat {
     bool poles(const AnyDomain& ball, const double* u, double (&x)[2][dimension_max]) const;
 };
 
-// Offers the poles, as seen from u, of the faces of Vor(w) that its corner c belongs to, where contains(x) is true of
-// them and they are farther than what has been offered; `left`: but for faces that a neighbour of c across a facet at
-// any of these positions belongs to as well.
+// Offers the poles, as seen from u, of the faces of Vor(w) that its corner c belongs to, where contains(x), x relative
+// to u, is true of them and they are farther than what has been offered; `left`: but for faces that a neighbour of c
+// across a facet at any of these positions belongs to as well.
 template <class Contains>
 [[gnu::cold]] void offer_poles(const AnyStore& store, const AnyDomain& ball, const double* u, VertexId w, CellId c,
                                unsigned left, Contains&& contains, AnyCorner* farthest) {
@@ -170,8 +170,9 @@ template <class Contains>
         for (int side = 0; side < (flat.codimension == dim - 1 ? 2 : 1); ++side) {
             const double d2 = dot(dim, at[side], at[side]);
             if (!(d2 > farthest->distance2)) continue;
+            if (!contains(at[side])) continue;
             for (int k = 0; k < dim; ++k) at[side][k] += u[k];
-            if (contains(at[side])) farthest->offer(at[side], d2, c);
+            farthest->offer(at[side], d2, c);
         }
     }
 }

@@ -428,7 +428,6 @@ void Measurement::measure_cells() {
         }
 }
 
-// What lies on a sphere, but on no edge. The lists of the search for domains are not needed any more.
 // Stands in list_ until the next walk.
 CageBoundary Measurement::list_boundary(const Cage& cage) {
     const std::uint32_t cells = visit_ball(cage.centre, cage.radius, [](std::uint32_t, double) {});
@@ -439,6 +438,7 @@ CageBoundary Measurement::list_boundary(const Cage& cage) {
     return {list_ + count, count};
 }
 
+// What lies on a sphere, but on no edge. The lists of the search for domains are not needed any more.
 [[gnu::cold]] Status Measurement::measure_poles() {
     if (is_thesis()) return Status::ok;
     for (VertexId v(0); v < store_.state.vertex_count;)
