@@ -66,7 +66,7 @@ protected:
         unsigned bad = 0;
         for (int i = 0; i <= this->store_.dim; ++i) {
             const Vertex<D>& vertex = this->store_.vertex(cell.vertex[i]);
-            if (!vertex.queued && vertex.marker != Marker::exempt && rule().may_be_bad(cell.radius2, vertex))
+            if (!this->queue_.has(vertex) && vertex.marker != Marker::exempt && rule().may_be_bad(cell.radius2, vertex))
                 bad |= 1u << i;
         }
         return bad;
@@ -79,7 +79,7 @@ protected:
     // not known: then some point of the sphere may be too far too.
     [[gnu::noinline]] void queue_new(const Cavity& cavity, const Domain<D>& ball, VertexId v) {
         const Vertex<D>& vertex = this->store_.vertex(v);
-        if (vertex.queued || vertex.marker == Marker::exempt) return;
+        if (this->queue_.has(vertex) || vertex.marker == Marker::exempt) return;
         if (may_be_blurred(vertex)) return this->queue_.push(v);
         for (std::uint32_t k = 0; k < cavity.facets; ++k) {
             const Cell<D>& cell = this->store_.cell(this->kernel_.new_cell(k));
@@ -161,6 +161,11 @@ protected:
     // A Steiner point is not put farther from its vertex than this times the distance that makes a corner bad, by D:
     // the cell then loses no more than it must, and meshes get smaller than with whole corners. 1 is the limit of 3.3's
     // proof. Smaller values make more layers of vertices, larger ones more vertices a layer.
+    //
+    // Any point x of v's clipped cell at tau / 2 nn(v) or more from v would do for the proof: v is nearest to it, so it
+    // is as far from all other vertices. Others were measured, and meshes became larger: a point as far away on a
+    // Voronoi edge that ends in the corner (off-centres), the mean of the bad corners, the place on the way to one of
+    // them that does away with most of them, whole corners that are only a little too far.
     double pull_back() const { return figures_of<D>(this->store_.dim).pull_back; }
     // The distance at which 3.3 puts a Steiner point, for a nearest neighbour this far away.
     double wanted_distance(double nearest, double pull) const { return pull * 0.5 * tau_ * nearest; }

@@ -7,13 +7,14 @@
 namespace netmesh {
 
 // First in, first out among vertices whose squared nearest-neighbour distances have the same binary exponent. Links run
-// through the vertices, so membership costs no memory. O(1).
+// through the vertices, so membership costs no memory. O(1). Vertices beyond a limit are put off: only marked.
 template <int D> class BucketQueue {
 public:
     // largest2: squared distances are measured down from here; below 2^-511 of it everything is one bucket.
     Status open(Store<D>& store, Arena& arena, double largest2) {
         store_ = &store;
         top_ = exponent_of(largest2);
+        limit2_ = infinity;
         buckets_ = arena.take_low<Bucket>(count);
         if (buckets_ == nullptr) return Status::out_of_memory;
         for (int b = 0; b < count; ++b) buckets_[b] = {none, none};
@@ -25,9 +26,9 @@ public:
     // The same with another squared distance in place of the vertex's own.
     void push(VertexId v, double nearest2) {
         auto&& vertex = store_->vertex(v);
-        const bool is_there = vertex.queued != 0;
+        if (has(vertex)) return;
+        if (nearest2 > limit2_) return put_off(v);
         vertex.queued = listed;
-        if (is_there) return;
         vertex.next = none;
         int b = count - 1 - (top_ - exponent_of(nearest2));
         if (b < 0) b = 0;
@@ -41,9 +42,14 @@ public:
         filled_[b / 64] |= std::uint64_t{1} << (b % 64);
     }
 
-    // v, which is in the queue, is surely good: it is passed over when its turn comes, unless it is pushed until then.
-    // Others keep their turns.
-    void pass_over(VertexId v) { store_->vertex(v).queued = listed | passed_over; }
+    static bool has(const Vertex<D>& vertex) { return (vertex.queued & listed) != 0; }
+
+    // From now on vertices farther than the root of limit2 from their nearest neighbours are not queued but put off,
+    // unless they are in the queue. Whoever sets a limit looks for them: they stay marked until they are pushed.
+    void set_limit(double limit2) { limit2_ = limit2; }
+    // For v that is not in the queue.
+    void put_off(VertexId v) { store_->vertex(v).queued = is_late; }
+    static bool is_put_off(const Vertex<D>& vertex) { return (vertex.queued & is_late) != 0; }
 
     // The next vertex, `none` when there is none.
     VertexId pop() {
@@ -57,11 +63,8 @@ public:
                 bucket.tail = none;
                 filled_[w] &= filled_[w] - 1;
             }
-            const bool is_good = (store_->vertex(v).queued & passed_over) != 0;
             store_->vertex(v).queued = 0;
-            if (!is_good) return v;
-            store_->arena.step(v, 40);
-            --w;  // there may be more in this word
+            return v;
         }
         return none;
     }
@@ -77,19 +80,19 @@ public:
             VertexId last = none;
             for (VertexId v = bucket.head; v != none; v = store_->vertex(v).next) {
                 if (v >= vertices || ++listed > vertices) return "the list of a bucket does not end";
-                if (!store_->vertex(v).queued) return "a vertex in a bucket is not marked as queued";
+                if (!has(store_->vertex(v))) return "a vertex in a bucket is not marked as queued";
                 last = v;
             }
             if (bucket.tail != last) return "the list of a bucket ends elsewhere";
         }
-        for (VertexId v(0); v < vertices; ++v) listed -= store_->vertex(v).queued != 0;
+        for (VertexId v(0); v < vertices; ++v) listed -= has(store_->vertex(v));
         return listed == 0 ? nullptr : "a vertex is marked as queued and in no bucket";
     }
 #endif
 
 private:
     static constexpr int count = 512;
-    static constexpr std::uint8_t listed = 1, passed_over = 8;  // in Vertex::queued
+    static constexpr std::uint8_t listed = 1, is_late = 8;  // in Vertex::queued
     struct Bucket {
         VertexId head, tail;
     };
@@ -103,6 +106,7 @@ private:
     Store<D>* store_;
     Bucket* buckets_;
     int top_;
+    double limit2_;
     std::uint64_t filled_[count / 64];
 };
 

@@ -9,11 +9,16 @@
 namespace netmesh {
 namespace {
 
-// While an input waits until it is medial, cells are held to this times tau. What a cell is refined by then comes in
-// layers from outside inwards; those that grow outwards from the input later fit them better when they are fewer: with
-// 1 the meshes of close pairs would be larger by a third. To hold all cells to it as long as inputs are missing makes
-// meshes of uniform points smaller by 5% and those of curves larger by 17%.
-constexpr double slack_while_waiting = 2;
+// What cells are held to while inputs are missing, if tau is less: what an input that has its turn may make of a cell.
+// A Steiner point that is there before the inputs around it stands where these do not want it: held to tau from the
+// first input on meshes of uniform points are larger by 8%, of clusters in space by 30%. By half of this, half of
+// mediality too, those of close pairs in the plane would be larger by 7%, of uniform points by 1 to 2%.
+constexpr double tau_before = 2 * mediality;
+// Then cells are refined by scales, vertices with the nearest neighbours first: nearest distances up to this times the
+// least one, squared. Layers of vertices have to grow outwards from all close inputs; where they grow from one into
+// what is coarse about the next, meshes of close pairs in space are larger by a third. Within a scale one vertex
+// follows the other, each with all that its splits lead to: what is near in space is near in memory.
+constexpr double scale_span2 = 16;
 
 template <int D> class QualityRule : public AspectRule<D, QualityRule<D>> {
     using Base = AspectRule<D, QualityRule<D>>;
@@ -34,7 +39,9 @@ public:
     QualityRule(Store<D>& store, const MeshRequest& request, const Work& work, MeshResult<D>& result)
         : Base(store, request, work, result), reference_(built::refine && request.method == MeshMethod::reference),
           certify_(request.certify_filter && !is_reference()), pull_(is_reference() ? infinity : Base::pull_back()),
-          tight_(tau_) {}
+          tight_(tau_) {
+        if (!is_reference() && tau_ < tau_before) tau_ = tau_before;
+    }
 
     double choose_domain();
     double promised_radius() const { return is_reference() ? domain_.radius : Base::promised_radius(); }
@@ -42,6 +49,10 @@ public:
     Status begin() { return is_reference() ? insert_boundary_net() : Status::ok; }
     Status take_turn(VertexId p);
     Status finish_mesh();
+#ifdef NETMESH_VALIDATE
+    // Not before all scales are refined.
+    const char* clean_violation() const { return is_finished_ || is_reference() ? Base::clean_violation() : nullptr; }
+#endif
     void queue_bad(CellId c);
     void queue_new(const Cavity& cavity, VertexId v) { Base::queue_new(cavity, domain_, v); }
     Verdict judge(VertexId v, Split<D>* split);
@@ -61,6 +72,7 @@ private:
         double reach2 = 0;           // squared distance from the nearest input to the farthest corner from it
     };
 
+    double least_put_off() const;
     bool is_reference() const { return built::refine && reference_; }
     Status insert_boundary_net();
     bool may_spoil_certificate(VertexId v, const double* x) const;
@@ -72,9 +84,11 @@ private:
 
     const bool reference_, certify_;
     const double pull_;
-    const double tight_;       // what tau_ is when no input is waiting
+    const double tight_;       // what tau_ is when all inputs are in
     VertexId waiting_ = none;  // the input that a cell is being split for
-    bool has_waited_ = false;  // has any had to wait?
+#ifdef NETMESH_VALIDATE
+    bool is_finished_ = false;
+#endif
 };
 
 template <int D> double QualityRule<D>::choose_domain() {
@@ -89,26 +103,39 @@ template <int D> [[gnu::cold]] Status QualityRule<D>::check_goal() {
     return Status::invalid_argument;
 }
 
-// Cells that were good enough while an input was waiting are looked at again: in the order of their vertices, those
-// that no corner can make bad left out.
+// All cells are looked at once, and those that may be bad by then.
 template <int D> Status QualityRule<D>::finish_mesh() {
-    if (!has_waited_) return this->clean();  // all of it, where inputs went in first
+    if (is_reference()) return this->clean();
+    tau_ = tight_;
     for (VertexId v(0); v < store_.state.vertex_count;)
-        for (const std::uint64_t piece = store_.arena.piece(v, store_.state.vertex_count, 40); v < piece; ++v) {
-            if (store_.vertex(v).cell == none || store_.vertex(v).marker == Marker::exempt) continue;
-            queue_.push(v);
-            if (!this->may_be_blurred(store_.vertex(v))) queue_.pass_over(v);
-        }
-    for (CellId c(0); c < store_.state.cell_slots;)
-        for (const std::uint64_t piece = store_.arena.piece(c, store_.state.cell_slots, 40 * store_.dim); c < piece;
-             ++c) {
-            const Cell<D>& cell = store_.cell(c);
-            for (int i = 0; i <= store_.dim && store_.is_live(c); ++i) {
-                if (cell.vertex[i] == none || store_.vertex(cell.vertex[i]).marker == Marker::exempt) continue;
-                if (!is_within(cell, this->least_beyond2(store_.vertex(cell.vertex[i])))) queue_.push(cell.vertex[i]);
+        for (const std::uint64_t piece = store_.arena.piece(v, store_.state.vertex_count, 10); v < piece; ++v)
+            if (store_.vertex(v).cell != none && store_.vertex(v).marker != Marker::exempt) queue_.put_off(v);
+    for (double least2 = least_put_off(); least2 < infinity; least2 = least_put_off()) {
+        const double most2 = scale_span2 * least2;
+        queue_.set_limit(most2);
+        for (VertexId v(0); v < store_.state.vertex_count;)
+            for (const std::uint64_t piece = store_.arena.piece(v, store_.state.vertex_count, 10); v < piece; ++v) {
+                if (!queue_.is_put_off(store_.vertex(v)) || store_.vertex(v).nearest2 > most2) continue;
+                queue_.push(v);
+                const Status status = this->clean();
+                if (status != Status::ok) return status;
             }
-        }
+    }
+    queue_.set_limit(infinity);
+#ifdef NETMESH_VALIDATE
+    is_finished_ = true;
+#endif
     return this->clean();
+}
+
+// The least squared distance of a vertex that is put off to its nearest neighbour; infinity: there is none.
+template <int D> double QualityRule<D>::least_put_off() const {
+    double least2 = infinity;
+    for (VertexId v(0); v < store_.state.vertex_count;)
+        for (const std::uint64_t piece = store_.arena.piece(v, store_.state.vertex_count, 10); v < piece; ++v)
+            if (queue_.is_put_off(store_.vertex(v)) && store_.vertex(v).nearest2 < least2)
+                least2 = store_.vertex(v).nearest2;
+    return least2;
 }
 
 // Splits the cell of the nearest vertex until p is medial, unless p goes in as another cell is split.
@@ -128,9 +155,7 @@ template <int D> Status QualityRule<D>::take_turn(VertexId p) {
                 return Status::out_of_memory;
         }
         if (medial == Verdict::out_of_memory) return Status::out_of_memory;
-        tau_ = medial == Verdict::bad ? slack_while_waiting * tight_ : tight_;
         if (medial == Verdict::bad) {
-            has_waited_ = true;
             waiting_ = p;
             status = this->yielding_insert(split);
             waiting_ = none;
@@ -141,17 +166,14 @@ template <int D> Status QualityRule<D>::take_turn(VertexId p) {
         if (status == Status::ok) status = this->clean();
         from = store_.vertex(u).cell;
     }
-    tau_ = tight_;
     return status;
 }
 
-// u's cell reaches no farther than tau/2 times the way to its nearest neighbour, as the mesh is clean; than twice that
-// when it was cleaned while another input was waiting.
+// u's cell reaches no farther than tau_/2 times the way to its nearest neighbour, as the mesh is clean.
 template <int D> bool QualityRule<D>::is_surely_medial(VertexId p, VertexId u) const {
     const Vertex<D>& vertex = store_.vertex(u);
     const double d2 = distance2<D>(store_.dim, store_.point(p), vertex.x);
-    const double most = 0.5 * tight_ * (has_waited_ ? slack_while_waiting : 1);
-    return vertex.marker == Marker::exempt || !(most * most * vertex.nearest2 > mediality * mediality * d2);
+    return vertex.marker == Marker::exempt || !(this->least_bad2(vertex) > mediality * mediality * d2);
 }
 
 // Does the cell of u, the nearest vertex of p, reach farther than p is medial for? Then it is split there.
@@ -278,7 +300,7 @@ template <int D> bool QualityRule<D>::must_yield(const Split<D>& split, const Ne
     if (input2 < yield_radius * yield_radius * split.empty2 || !(input2 < split.empty2)) return input2 < split.empty2;
     double second2;  // f_P(x) squared
     tree_.nearest(split.x, none, nearest.input, &second2);
-    return (tau_ - 2) * (tau_ - 2) * second2 > (tau_ + 2) * (tau_ + 2) * input2;
+    return (tight_ - 2) * (tight_ - 2) * second2 > (tight_ + 2) * (tight_ + 2) * input2;
 }
 
 }  // namespace

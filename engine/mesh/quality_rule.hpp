@@ -19,17 +19,19 @@ namespace netmesh {
 // tau > 2. The frame of 2 D exempt vertices at four or more times the domain's radius is farther from every input than
 // any other input, as 3.3.2 requires.
 //
+// While inputs are missing cells are held to 2 * mediality (tau if that is more), so that space waits for the inputs
+// that come there; then all are held to tau, scale by scale. The proof is one for both: by 2 * mediality a Steiner
+// point is only farther from v than tau/2 times the distance to its nearest neighbour, and K is that of tau.
+//
 // An input enters when it is medial: the clipped cell of its nearest vertex u reaches no farther than `mediality` times
 // its distance from u. Before that u's cell is split at its farthest corner, yielding to other inputs, and the mesh is
-// cleaned, to twice tau until p is in. So no input that has its turn makes a ratio above 2 * mediality at u. An input
-// that a Steiner point yields to is not asked for that: it is at a tenth or more of the empty ball's radius from every
-// vertex, and ratios up to 39 were seen for it. Neither depends on the spread (4.4). To split the cell of that input's
-// nearest vertex first, too, was tried: no ratio above 16 then, but meshes of curves larger by an eighth. At the end
-// all cells are held to tau.
+// cleaned. So no input that has its turn makes a ratio above 2 * mediality at u. An input that a Steiner point yields
+// to is not asked for that: it is at a tenth or more of the empty ball's radius from every vertex. Neither depends on
+// the spread (4.4).
 //
-// The point x that u's cell is split at does not yield to p. With d = |u - p| and l = |u - x| > 8 d still
+// The point x that u's cell is split at does not yield to p. With d = |u - p| and l = |u - x| > 16 d still
 // f_P(x) <= (K - 1) |x - p|: by the bounds above f_P(u) <= (K - 1) d, so f_P(x) <= l + (K - 1) d and
-// |x - p| >= l - d, and l + (K - 1) d <= (K - 1) (l - d) when l >= (tau/2 + 1) d, that is for tau <= 14. A point that
+// |x - p| >= l - d, and l + (K - 1) d <= (K - 1) (l - d) when l >= (tau/2 + 1) d, that is for tau <= 30. A point that
 // the mesh is cleaned with before p is in yields to p as to any other input.
 //
 // With certify_filter a cell is also bad when the bounds lo and hi of mesh_filter.hpp on the whole of it (corners

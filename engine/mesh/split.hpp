@@ -14,7 +14,7 @@ namespace netmesh {
 constexpr double yield_radius = 0.9;
 // An input is medial, and inserted, when the clipped cell of its nearest vertex reaches no farther than this times the
 // distance to that vertex: 1 / e of thesis 4.4. Smaller values keep intermediate meshes better.
-constexpr double mediality = 8;
+constexpr double mediality = 16;
 // Refinement stops a hair before what it is held to: more than the error of the corners that it sees, so the true
 // ratios keep the bound.
 constexpr double tau_margin = 0x1p-20;

@@ -84,7 +84,7 @@ template <int D> struct Hierarchical {
         request.method = MeshMethod::hierarchy;
         request.tau = 3;
         request.seed = 1;
-        MeshResult<D> result;
+        MeshResult<D> result = {};
         REQUIRE(mesh_points<D>(store, points.data(), points.size() / D, request, {block.arena, monitor}, &result) ==
                 Status::ok);
         domain = result.domain;
