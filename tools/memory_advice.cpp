@@ -25,7 +25,8 @@ bool fits(const Options& options, const Cloud& cloud, std::size_t* plan) {
 // Of the same sets, the offsets of points, where this filter's are others.
 void add_alpha(const Options& options, const Cloud& cloud, std::string* text) {
     const netmesh_filter_info& alpha = about(NETMESH_FILTER_ALPHA);
-    if (std::strcmp(about(filter_of(options)).reference, alpha.reference) != 0 || cloud.dim > NETMESH_DIM_MAX) return;
+    if (filter_of(options) == NETMESH_FILTER_ALPHA || cloud.dim > NETMESH_DIM_MAX) return;
+    if (std::strcmp(about(filter_of(options)).reference, alpha.reference) != 0) return;
     Options exact;
     exact.command = Command::persist;
     exact.filter = NETMESH_FILTER_ALPHA;

@@ -134,10 +134,16 @@ template <int D> Status PlaneRun<D>::open(const std::uint32_t* order, std::size_
 template <int D> bool PlaneRun<D>::has_room(std::size_t cells, std::size_t lines) {
     const std::size_t now = cells * sizeof(PlaneCell) + lines * sizeof(PlaneLine) + Arena::alignment;
     const std::size_t last = state_.cells_offset + (state_.cell_slots + cells) * sizeof(Cell<D>) + Arena::alignment;
-    if (now <= arena_.bytes_free() && last <= cells_end_) return true;
-    const std::size_t in_the_end = last > cells_end_ ? arena_.bytes_free() + (last - cells_end_) : 0;
-    arena_.refuse(now > in_the_end ? now : in_the_end);
-    return false;
+    const std::size_t in_the_end =
+        arena_.bytes_free() + last > cells_end_ ? arena_.bytes_free() + last - cells_end_ : 0;
+    const std::size_t needed = now > in_the_end ? now : in_the_end;
+    if (needed > arena_.bytes_free()) {
+        arena_.refuse(needed);
+        return false;
+    }
+    // Of points on a circle half of the cells are ghosts, which the end does not have, and a list may be as long.
+    arena_.raise_peak(arena_.bytes_used() + needed);
+    return true;
 }
 
 template <int D> [[gnu::cold]] Status PlaneRun<D>::start(const VertexId* ids) {

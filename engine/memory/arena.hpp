@@ -120,7 +120,7 @@ public:
         note_peak();
         return true;
     }
-    // Counts what the same call used before the arena was adopted anew.
+    // Counts what is used without being taken, or was used by the same call before the arena was adopted anew.
     void raise_peak(std::size_t bytes) {
         if (bytes > peak_) peak_ = bytes;
     }

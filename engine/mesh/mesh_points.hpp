@@ -23,7 +23,7 @@ template <int D>
 Status mesh_points(Store<D>& store, const InputRows& points, std::size_t n, const MeshRequest& request,
                    const Work& work, MeshResult<D>* result) {
     AnyStore any(store);
-    AnyMeshResult made;
+    AnyMeshResult made = {};
     const Status status = mesh_points(any, points, n, request, work, &made);
     store.locate_arrays();
     *result = made.of_dimension<D>();

@@ -117,6 +117,29 @@ TEST_CASE("values of radii next to the least double are within the error that is
     CHECK(largest > 1);
 }
 
+// A circle: half of the cells are ghosts while points come, and a search lists all of them.
+TEST_CASE("a block of the peak is enough") {
+    for (const std::uint64_t n : {60, 963}) {
+        inputs::Points circle;
+        for (std::uint64_t i = 0; i < n; ++i) {
+            const auto [c, s] = inputs::turn(i, n);
+            circle.insert(circle.end(), {c, s});
+        }
+        for (const inputs::Points& points : {circle, inputs::uniform(2, n), inputs::grid(2, n < 100 ? 8 : 31)}) {
+            CAPTURE(points.size());
+            Session large(2), exact(2);
+            const netmesh_alpha_request request = large.alpha_request(points);
+            REQUIRE(netmesh_persist_alpha(large.context, &request) == NETMESH_OK);
+            exact.reserve(large.report().memory.peak_bytes + 16);
+            CHECK(netmesh_persist_alpha(exact.context, &request) == NETMESH_OK);
+            CHECK(exact.report().fingerprint == large.report().fingerprint);
+            REQUIRE(large.delaunay(points) == NETMESH_OK);
+            exact.reserve(large.report().memory.peak_bytes + 16);
+            CHECK(exact.delaunay_in_block(points) == NETMESH_OK);
+        }
+    }
+}
+
 TEST_CASE("what cannot be done is said, and leaves an empty context") {
     for (const int dim : dimensions()) {
         Session s(dim);

@@ -2,6 +2,7 @@
 #include <doctest/doctest.h>
 
 #include <cmath>
+#include <vector>
 
 #include "common/dimensions.hpp"
 #include "common/inputs.hpp"
@@ -183,3 +184,34 @@ TEST_CASE_TEMPLATE_DEFINE("cells of three small cages reach root 2 radii of the 
     }
 }
 TEST_CASE_TEMPLATE_APPLY(three_cages, Dimensions<3, 5>);
+
+// The input that a cage was made for is on the edge of the ball that cells in the cage are clipped to, as far as
+// doubles tell: its cell is half of a lens, whose rim has no corner.
+TEST_CASE_TEMPLATE_DEFINE("cells at the edge of a small cage's ball have a rim", T, rims) {
+    constexpr int D = T::value;
+    for (std::uint64_t seed = 1; seed <= 40; ++seed) {
+        CAPTURE(seed);
+        inputs::Random random(seed);
+        inputs::Points points;
+        for (int pair = 0; pair < 2; ++pair) {
+            double at[D];
+            for (int k = 0; k < D; ++k) points.push_back(at[k] = 2 * random.uniform() - 1);
+            for (int k = 0; k < D; ++k) points.push_back(at[k] + 1e-8 * (random.uniform() - 0.5));
+        }
+        const double tau = D < 4 ? 2.05 : 3;
+        Hierarchical<D> m(points, by_hierarchy(tau));
+        REQUIRE(m.status == Status::ok);
+        REQUIRE(m.result.hierarchy.cages > 0);
+        std::vector<double> ratios(m.state.vertex_count);
+        std::vector<std::uint32_t> domains(m.state.vertex_count);
+        HierarchyRequest request = {m.result.cages, m.result.hierarchy.cages, m.result.domain};
+        request.ratios = ratios.data();
+        request.domains = domains.data();
+        HierarchyQuality quality;
+        REQUIRE(measure_hierarchy(m.store, request, m.block.arena, &quality) == Status::ok);
+        CHECK(quality.worst <= tau);
+        // Half of the way to the nearest vertex belongs to the cell, on one side at least.
+        for (int v = 0; v < 4; ++v) CHECK(ratios[static_cast<std::size_t>(v)] > 1);
+    }
+}
+TEST_CASE_TEMPLATE_APPLY(rims, Dimensions<2, 4>);

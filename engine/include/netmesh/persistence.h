@@ -134,7 +134,8 @@ void netmesh_persist_request_init(netmesh_persist_request* request, size_t reque
  * 2^640 in R^6, of which all coordinates are multiples), CHECK_FAILED (ALPHA: a cell that was loaded is flat),
  * NO_RESULT, OUT_OF_MEMORY, CANCELLED. The mesh stays whole on failure. ALPHA: a bar of positive length for each that
  * there is in exact arithmetic, and no other. Births and deaths have exactly the order of the true ones: where many
- * different ones share one double, each is the next double to the one before, within value_error of the report. */
+ * different ones share one double, each is the next double to the one before, within value_error of the report. Radii
+ * above the largest double are that; then value_error is infinite, and bars between two of them are missing. */
 netmesh_status netmesh_persist(netmesh_context* context, const netmesh_persist_request* request);
 
 /* The diagram of the offsets of points by whichever filter costs less. */
