@@ -45,7 +45,7 @@ template <int D> struct Mesh {
         Monitor monitor;
         MeshRequest request = by_quality(tau, factor, true);
         request.size.eps = eps;
-        MeshResult<D> mesh;
+        MeshResult<D> mesh = {};
         REQUIRE(mesh_points<D>(store, points.data(), points.size() / D, request, {block.arena, monitor}, &mesh) ==
                 Status::ok);
         domain = mesh.domain;
