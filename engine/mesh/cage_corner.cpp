@@ -29,11 +29,25 @@ namespace {
     return true;
 }
 
+// Calls visit(v) for the vertices on the boundary, some of them often, or for all in the mesh where those are fewer.
+template <class Visit> void visit_boundary(const AnyStore& store, const CageBoundary& boundary, Visit&& visit) {
+    const std::uint32_t width = static_cast<std::uint32_t>(store.dim) + 1;
+    if (std::uint64_t{boundary.count} * width < store.state.vertex_count) {
+        for (std::uint32_t k = 0; k < boundary.count;)
+            for (const std::uint64_t piece = store.arena.piece(k, boundary.count, 10 * width * width); k < piece; ++k)
+                for (const VertexId v : store.cell(boundary[k]).vertex)
+                    if (v != none) visit(v);
+    } else {
+        for (VertexId v(0); v < store.state.vertex_count;)
+            for (const std::uint64_t piece = store.arena.piece(v, store.state.vertex_count, 10 * width); v < piece; ++v)
+                if (store.vertex(v).cell != none) visit(v);
+    }
+}
+
 // Is a vertex inside of the cage nearest to x, relative to its centre? Those on its boundary tell: between cells of
 // vertices inside and outside there are facets of two of them. If x is in the cell of a vertex outside, the way from x
 // to a vertex u on the boundary, inside, meets such a facet, at a point y that is as far from a w outside as from one
-// inside, |y - w| <= |y
-// - u|: w is no farther from x than u. And the other way round.
+// inside, |y - w| <= |y - u|: w is no farther from x than u. And the other way round.
 [[gnu::cold]] bool is_in_cage_cell(const AnyStore& store, const Cage& cage, const CageBoundary& boundary,
                                    const double* x) {
     const int dim = store.dim;
@@ -41,28 +55,24 @@ namespace {
     const double* nearest = centre;
     double inside2 = dot(dim, x, x), y[dimension_max];
     copy(dim, x, y);
-    for (std::uint32_t k = 0; k < boundary.count; ++k) {
-        store.arena.pass(dim);
-        for (const VertexId v : store.cell(boundary[k]).vertex) {
-            if (v == none || !is_inside(store, cage, store.point(v))) continue;
-            double from[dimension_max];
-            for (int i = 0; i < dim; ++i) from[i] = x[i] - (store.point(v)[i] - centre[i]);
-            const double d2 = dot(dim, from, from);
-            if (!(d2 < inside2)) continue;
-            inside2 = d2;
-            nearest = store.point(v);
-            copy(dim, from, y);
-        }
-    }
+    visit_boundary(store, boundary, [&](VertexId v) {
+        const double* const p = store.point(v);
+        if (!is_inside(store, cage, p)) return;
+        double from[dimension_max];
+        for (int i = 0; i < dim; ++i) from[i] = x[i] - (p[i] - centre[i]);
+        const double d2 = dot(dim, from, from);
+        if (!(d2 < inside2)) return;
+        inside2 = d2;
+        nearest = p;
+        copy(dim, from, y);
+    });
     const double length = square_root(inside2);
-    for (std::uint32_t k = 0; k < boundary.count; ++k) {
-        store.arena.pass(dim);
-        for (const VertexId v : store.cell(boundary[k]).vertex)
-            if (v != none && !is_inside(store, cage, store.point(v)) &&
-                is_nearer_to(dim, store.point(v), nearest, y, length))
-                return false;
-    }
-    return true;
+    bool is_nearest = true;
+    visit_boundary(store, boundary, [&](VertexId v) {
+        const double* const p = store.point(v);
+        if (is_nearest && !is_inside(store, cage, p)) is_nearest = !is_nearer_to(dim, p, nearest, y, length);
+    });
+    return is_nearest;
 }
 
 }  // namespace

@@ -94,10 +94,12 @@ netmesh_status persist_as_asked(Session& session, const Options& options, const 
     const bool cycles =
         filter.has_representatives != 0 && (!options.representatives.empty() || (at_once && options.check));
     diagram.cycles = at_once && cycles;
-    if (!options.auto_filter && filter.source == NETMESH_SOURCE_DELAUNAY && wants_diagram_alone(options))
-        return session.call(NETMESH_STAGE_REDUCE, [&] {
+    if (!options.auto_filter && filter.source == NETMESH_SOURCE_DELAUNAY && wants_diagram_alone(options)) {
+        const netmesh_status status = session.call(NETMESH_STAGE_REDUCE, [&] {
             return session.engine().persist_alpha(session.watched(alpha_request(options, cloud.dim), cloud));
         });
+        return status == NETMESH_OK && options.bounds ? bound_bars(session) : status;
+    }
     netmesh_status status = options.auto_filter ? persist_auto(session, options, cloud)
                             : mesh != nullptr   ? take_mesh(session, *mesh)
                                                 : prepare_for(session, options, filter.filter, cloud);
