@@ -1,6 +1,7 @@
 // Persistence on the triangulation or mesh that the context holds.
 #include "api/measure.hpp"
 #include "api/requests.hpp"
+#include "delaunay/check.hpp"
 #include "jobs/persist_filter.hpp"
 
 namespace netmesh {
@@ -26,6 +27,15 @@ void keep_mesh_diagram(netmesh_context* context, const PersistRequest& request, 
     kept.certified_error = diagram.certificate.error;
     kept.value_error = diagram.value_error;
     if (diagram.clip_radius > 0) context->mesh.radius = diagram.clip_radius;
+}
+
+// What is wrong with cells that were loaded: simplices of anything but a triangulation of the convex hull pair
+// otherwise than those of the points do.
+CheckResult check_loaded(netmesh_context& context, Monitor& monitor) {
+    const AnyStore store = store_of(context);
+    monitor.begin(NETMESH_STAGE_CHECK, store.state.cell_slots);
+    const CheckResult found = check_combinatorial(store);
+    return found.violation != nullptr || monitor.has_stopped() ? found : check_geometric(store);
 }
 
 }  // namespace
@@ -58,6 +68,11 @@ extern "C" netmesh_status netmesh_persist(netmesh_context* context, const netmes
     clear_diagram(context);
     Monitor monitor = monitor_of(request.monitor);
     const Watch watch(context->arena, monitor);
+    if (context->mesh.is_loaded && filter->source == FilterSource::delaunay) {
+        const CheckResult why = check_loaded(*context, monitor);
+        if (why.violation != nullptr) return finish(context, Status::check_failed, why.violation, why.cell);
+        if (monitor.has_stopped()) return finish(context, Status::cancelled);
+    }
     FilterDiagram diagram;
     const Status found = persist_filter(filtered_mesh_of(*context), wanted, {context->arena, monitor}, &diagram);
     const Status status = watch.heed(found);
@@ -68,6 +83,5 @@ extern "C" netmesh_status netmesh_persist(netmesh_context* context, const netmes
     clear_diagram(context);
     if (status == Status::not_finite)
         return finish(context, status, "the function is not finite at a vertex", diagram.culprit);
-    if (status == Status::check_failed) return finish(context, status, "a cell that was loaded is flat: no radius");
     return finish(context, status);
 }

@@ -40,18 +40,70 @@ VertexId across_ridge(const AnyStore& store, CellId c, int facet, int ridge) {
     return none;
 }
 
-// Does cell c contain x, boundary included?
-bool contains(const AnyStore& store, CellId c, const double* x, PredicateCounts& counts) {
-    const int dim = store.dim;
-    const double* p[dimension_max + 1];
-    points_of(store, c, p);
-    for (int i = 0; i <= dim; ++i) {
-        const double* const kept = p[i];
-        p[i] = x;
-        if (orientation(dim, p, counts) == Sign::negative) return false;
-        p[i] = kept;
+// The sign of orient with p[at] a point o inside cell 0: v_0 + e (v_1 - v_0) + e^2 (v_2 - v_0) + ..., e > 0 as small as
+// need be, so that no double has to lie there. orient is affine in each of its points: the sign is that with the first
+// v_b in place of o with which it is not zero. Zero only when the other points are affinely dependent, as cell 0 is not
+// flat. Mostly one test, dim + 1 at worst. Changes p[at].
+Sign seen_from_inside(const AnyStore& store, const double** p, int at, PredicateCounts& counts) {
+    Sign sign = Sign::zero;
+    for (int b = 0; b <= store.dim && sign == Sign::zero; ++b) {
+        p[at] = store.point(store.cell(0u).vertex[b]);
+        sign = orientation(store.dim, p, counts);
+    }
+    return sign;
+}
+
+// Does the ray from o through hull facet `target` pass through another one, whose vertices are in p but for p[at], and
+// which has o on its inner side? The ray goes through a point of the target that is made of its vertices as o is of
+// those of cell 0, with an e so small that o is decided first. No sign is zero: it would be with each vertex of the
+// target, and all of these would lie in the affine hull of a ridge.
+bool ray_meets(const AnyStore& store, FacetId target, const double** p, int at, PredicateCounts& counts) {
+    for (int j = 0; j <= store.dim; ++j) {
+        if (j == at) continue;
+        const double* const kept = p[j];
+        Sign sign = Sign::zero;
+        for (int a = 0; a <= store.dim && sign == Sign::zero; ++a) {
+            if (a == static_cast<int>(target.position())) continue;
+            p[j] = store.point(store.cell(target.cell()).vertex[a]);
+            sign = seen_from_inside(store, p, at, counts);
+        }
+        p[j] = kept;
+        if (sign != Sign::positive) return false;
     }
     return true;
+}
+
+// Cells are positively oriented, neighbours on opposite sides of their facet, and each ridge of the hull is locally
+// convex. Then this is a triangulation of the convex hull of its vertices if and only if
+//   (1) o is strictly inside of each hull facet, and
+//   (2) a ray from o, in general position, passes through one hull facet only.
+// Proof. In the boundary of the sum of all cells, as an oriented chain, inner facets cancel. The hull is what remains:
+// a cycle, so its winding number about a point off it is how many facets a generic ray from there meets, with signs,
+// and is the number of cells over the point. About o all signs are + by (1), and (2) says 1: each generic ray from o
+// meets one facet. So the cones from o over hull facets fill space and overlap nowhere, and each wall of a cone, over a
+// ridge, is one of the cone that across_ridge finds. The function that is linear on each cone and 1 on its facet is
+// then continuous and, as ridges are locally convex, convex along each line that meets walls inside only: almost all
+// lines, hence all. So the hull is where a convex function is 1, the boundary of a convex body. About points in it the
+// winding number is 1, about others 0: each generic point of the body is in one cell. The body, having its corners
+// among the vertices, is their convex hull. And cells that fill it facet to facet meet in common faces, which rules out
+// vertices that are two in one place. The converse is plain.
+CheckResult check_hull(const AnyStore& store, PredicateCounts& counts) {
+    const int dim = store.dim;
+    const double* p[dimension_max + 1];
+    FacetId target = none;
+    for (CellId c(0); c < store.state.cell_slots;)
+        for (const std::uint64_t piece = store.arena.piece(c, store.state.cell_slots, 40 * dim); c < piece; ++c)
+            for (int i = 0; i <= dim; ++i) {
+                if (store.cell(c).neighbour[i] != none) continue;
+                points_of(store, c, p);
+                bool fails = seen_from_inside(store, p, i, counts) != Sign::positive;
+                if (target == none)
+                    target = FacetId(c, static_cast<std::uint32_t>(i));
+                else
+                    fails = fails || ray_meets(store, target, p, i, counts);
+                if (fails) return {"the hull is not that of one convex body", c};
+            }
+    return {nullptr, none};
 }
 
 }  // namespace
@@ -97,10 +149,16 @@ CheckResult check_geometric(const AnyStore& store) {
     for (CellId c(0); c < store.state.cell_slots;)
         for (const std::uint64_t piece = store.arena.piece(c, store.state.cell_slots, 80 * dim); c < piece; ++c) {
             points_of(store, c, p);
-            if (orientation(dim, p, counts) != Sign::positive) return {"a cell is not positively oriented", c};
+            if (orientation(dim, p, counts) != Sign::positive) return {"a cell is flat or not positively oriented", c};
             for (int i = 0; i <= dim; ++i) {
-                if (store.cell(c).neighbour[i] != none) continue;
+                const FacetId beyond = store.cell(c).neighbour[i];
                 const double* const kept = p[i];
+                if (beyond != none && beyond.cell() < c) {
+                    p[i] = store.point(store.cell(beyond.cell()).vertex[beyond.position()]);
+                    if (orientation(dim, p, counts) == Sign::positive) return {"two neighbours overlap", c};
+                    p[i] = kept;
+                }
+                if (beyond != none) continue;
                 for (int j = 0; j <= dim; ++j) {
                     if (j == i) continue;
                     const VertexId w = across_ridge(store, c, i, j);
@@ -111,30 +169,7 @@ CheckResult check_geometric(const AnyStore& store) {
                 p[i] = kept;
             }
         }
-    if (store.state.cell_slots == 0) return {nullptr, none};
-    // A point inside cell 0: its barycentre, pulled towards nothing else, is in no other cell.
-    double x[dimension_max];
-    points_of(store, CellId(0), p);
-    for (int k = 0; k < dim; ++k) {
-        x[k] = 0;
-        for (int i = 0; i <= dim; ++i) x[k] += p[i][k] * (1.0 / (dim + 1));
-    }
-    if (!contains(store, CellId(0), x, counts)) return {nullptr, none};  // a cell too thin for a double inside
-    for (CellId c(1); c < store.state.cell_slots; ++c) {
-        store.arena.step(c, 40 * dim);
-        if (!contains(store, c, x, counts)) continue;
-        // On a common facet is fine, inside of both is not.
-        points_of(store, c, p);
-        bool inside = true;
-        for (int i = 0; i <= dim && inside; ++i) {
-            const double* const kept = p[i];
-            p[i] = x;
-            inside = orientation(dim, p, counts) == Sign::positive;
-            p[i] = kept;
-        }
-        if (inside) return {"two cells overlap", c};
-    }
-    return {nullptr, none};
+    return check_hull(store, counts);
 }
 
 CheckResult check_delaunay(const AnyStore& store) {

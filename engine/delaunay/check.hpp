@@ -11,14 +11,15 @@ struct CheckResult {
     std::uint32_t cell;     // where; `none` when it is not about one cell
 };
 
-// On a compact store, O(cells) each (in-ball and orientation tests: one a facet). The first violation found is
-// returned.
+// On a compact store, O(cells) each (in-ball and orientation tests: one a facet, about 2 D one of the hull). The first
+// violation found is returned.
 
 // Vertices distinct and in range, neighbours mutual with equal facets, each vertex's cell at that vertex.
 CheckResult check_combinatorial(const AnyStore& store);
 
-// Every cell positively oriented, and the hull closed and locally convex: with one point covered exactly once (which is
-// checked too) the cells then cover the convex hull once. Needs check_combinatorial.
+// The cells are a triangulation of the convex hull of their vertices: each positively oriented, neighbours on opposite
+// sides of their facet, the hull closed and locally convex, and as a whole the boundary of one convex body, once (proof
+// at check_hull). So nothing is pinched, doubled, apart from the rest or wound twice. Needs check_combinatorial.
 CheckResult check_geometric(const AnyStore& store);
 
 // No vertex opposite a facet strictly inside the ball on the other side; with the above, by Delaunay's lemma, no vertex

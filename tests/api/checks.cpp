@@ -1,8 +1,10 @@
 // What netmesh_check says, in every dimension, about meshes that break one promise each.
 #include <doctest/doctest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <string>
+#include <vector>
 
 #include "common/arrays.hpp"
 #include "common/dimensions.hpp"
@@ -228,5 +230,81 @@ TEST_CASE("rows of points that scales cannot be meshed with") {
         CHECK(s.detail().field == NETMESH_FIELD_SIZES);
         p[2 * d] = HUGE_VAL;
         refused(p, NETMESH_NOT_FINITE, 2, 0);
+    }
+}
+
+namespace {
+
+void alpha_refuses(const Arrays& cells) {
+    Session s(static_cast<int>(cells.dim));
+    s.reserve(std::size_t{1} << 24);
+    REQUIRE(cells.load(s) == NETMESH_OK);
+    CHECK(s.persist(NETMESH_FILTER_ALPHA) == NETMESH_CHECK_FAILED);
+    CHECK(!said(s).empty());
+    CHECK(s.report().diagram.present == 0);
+    CHECK(s.report().mesh.cells == cells.cells.size() / (cells.dim + 1));
+    CHECK(s.check(NETMESH_CHECK_GEOMETRIC) == NETMESH_CHECK_FAILED);
+}
+
+Arrays by_hand(std::uint32_t dim, const std::vector<double>& vertices, const std::vector<std::uint32_t>& cells) {
+    Arrays made(dim);
+    made.vertices = vertices;
+    made.cells = cells;
+    made.markers.assign(vertices.size() / dim, 0);
+    return made;
+}
+
+}  // namespace
+
+TEST_CASE("alpha refuses cells that are no ball") {
+    alpha_refuses(by_hand(2, {0, 0, 10, 1, 10, 3, 10, -1, 10, -3}, {0, 1, 2, 0, 3, 4}));
+    alpha_refuses(by_hand(2, {0, 0, 4, 0.1, 2, 3.3, 2, -1, 4, 2.5, 0, 2.4}, {0, 1, 3, 1, 2, 4, 2, 0, 5}));
+    // A ring of triangles about a square.
+    alpha_refuses(by_hand(2, {-1, -1, 1, -1, 1, 1.1, -1, 1, -3, -3, 3, -3, 3, 3.1, -3, 3},
+                          {0, 1, 4, 1, 5, 4, 1, 2, 5, 2, 6, 5, 2, 3, 6, 3, 7, 6, 3, 0, 7, 0, 4, 7}));
+    alpha_refuses(
+        by_hand(3, {0, 0, 0, 0, 0, 1, 3, 1, 0, 3, -1, 0.2, -3, 1, 0, -3, -1.1, 0.2}, {0, 1, 2, 3, 0, 1, 4, 5}));
+    for (const int dim : dimensions()) {
+        CAPTURE(dim);
+        const std::size_t d = static_cast<std::size_t>(dim), corners = d + 1;
+        Session s(dim);
+        REQUIRE(s.delaunay(inputs::uniform(dim, d + 8, 3)) == NETMESH_OK);
+        REQUIRE(s.persist(NETMESH_FILTER_ALPHA) == NETMESH_OK);
+        const auto bars = read_all(s.context, netmesh_get_pair);
+        Arrays whole(s);
+        whole.domain.clear();
+        Session loaded(dim);
+        loaded.reserve(std::size_t{1} << 24);
+        REQUIRE(whole.load(loaded) == NETMESH_OK);
+        CHECK(loaded.persist(NETMESH_FILTER_ALPHA) == NETMESH_OK);
+        const auto again = read_all(loaded.context, netmesh_get_pair);
+        REQUIRE(again.size() == bars.size());
+        for (std::size_t i = 0; i < bars.size(); ++i) {
+            CHECK(again[i].birth == bars[i].birth);
+            CHECK(again[i].death == bars[i].death);
+        }
+        Arrays twice = whole, two = whole;
+        twice.cells.insert(twice.cells.end(), whole.cells.end() - static_cast<std::ptrdiff_t>(corners),
+                           whole.cells.end());
+        {
+            Session other(dim);
+            other.reserve(std::size_t{1} << 24);
+            const netmesh_status status = twice.load(other);
+            CHECK((status == NETMESH_CHECK_FAILED || other.persist(NETMESH_FILTER_ALPHA) == NETMESH_CHECK_FAILED));
+        }
+        const std::uint32_t first = static_cast<std::uint32_t>(whole.markers.size());
+        for (const double x : whole.vertices) two.vertices.push_back(x + 9);
+        for (const std::uint32_t v : whole.cells) two.cells.push_back(v + first);
+        two.markers.resize(2 * whole.markers.size(), 0);
+        alpha_refuses(two);
+        // Without one cell, all of whose vertices are in others.
+        for (std::size_t out = 0; out < whole.cells.size(); out += corners) {
+            Arrays rest = whole;
+            const auto at = rest.cells.begin() + static_cast<std::ptrdiff_t>(out);
+            rest.cells.erase(at, at + static_cast<std::ptrdiff_t>(corners));
+            std::vector<bool> used(first);
+            for (const std::uint32_t v : rest.cells) used[v] = true;
+            if (std::find(used.begin(), used.end(), false) == used.end()) alpha_refuses(rest);
+        }
     }
 }

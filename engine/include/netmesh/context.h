@@ -45,8 +45,9 @@ typedef enum netmesh_status {
     NETMESH_TOO_CLOSE = 7,       /* points index_a < index_b are distinct but closer than 64 units in the last place, or
                                   * the more that a tau near 2 or a ratio below 2 needs (see netmesh_mesh) */
     NETMESH_NO_RESULT = 8,       /* the call needs an earlier step that has not been done */
-    NETMESH_CHECK_FAILED = 9,    /* a checker found a violation; detail.message says which. Also from any job on a mesh
-                                    taken over by netmesh_load whose cells are no triangulated ball or, ALPHA, flat */
+    NETMESH_CHECK_FAILED = 9,    /* a checker found a violation; detail.message says which. Also from jobs on what
+                                    netmesh_load took over: ALPHA when it is no triangulation of a convex hull, others
+                                    when they find that it is no triangulated ball, which they need not */
     NETMESH_FLOATING_POINT = 10, /* the floating-point mode is not IEEE double, round to nearest, no flush to zero */
     NETMESH_INTERNAL = 11,       /* an invariant of the library does not hold: a defect, please report it */
     NETMESH_NOT_A_COMPLEX = 12,  /* simplex index_a has no place in a filtered complex; detail.fault says why */

@@ -73,9 +73,9 @@ typedef struct netmesh_weighted_cell {
 netmesh_status netmesh_weighted_cells(netmesh_context* context, netmesh_weighted_cell* cells);
 
 typedef enum netmesh_check_what {
-    NETMESH_CHECK_COMBINATORIAL = 1, /* neighbours mutual, facets shared by two, the hull a sphere */
-    NETMESH_CHECK_GEOMETRIC = 2,     /* every cell positively oriented, exactly */
-    NETMESH_CHECK_DELAUNAY = 4,      /* every interior facet locally Delaunay, the hull convex, exactly */
+    NETMESH_CHECK_COMBINATORIAL = 1, /* neighbours mutual, facets shared by two */
+    NETMESH_CHECK_GEOMETRIC = 2,     /* a triangulation of the convex hull of its vertices, exactly */
+    NETMESH_CHECK_DELAUNAY = 4,      /* GEOMETRIC, and every interior facet locally Delaunay, exactly */
     NETMESH_CHECK_QUALITY = 8,       /* of meshes: clipped aspect ratios recomputed, at most tau, and sizes; with a
                                         certificate.ratio what it asks for instead; with cages the ratios of the
                                         hierarchy, that no cage is encroached (4.5), and 4.6.1 and

@@ -194,8 +194,9 @@ void netmesh_load_request_init(netmesh_load_request* request, size_t request_byt
 
 /* Takes a mesh over to be checked or filtered. Cells are oriented and linked here; whether it is a Delaunay
  * triangulation is what netmesh_check tells. Replaces what the context held, also on failure. O(cells).
- * INVALID_ARGUMENT, NOT_FINITE, OUT_OF_MEMORY, CANCELLED, CHECK_FAILED when the cells are not a triangulated ball (a
- * facet of three cells, a bad index...). */
+ * INVALID_ARGUMENT, NOT_FINITE, OUT_OF_MEMORY, CANCELLED, CHECK_FAILED when a facet has three cells or a cell has a
+ * vertex twice or one that does not exist. Cells that are otherwise no triangulated ball are loaded: ALPHA and
+ * netmesh_check (GEOMETRIC) refuse each of them, other jobs only those that their own work shows. */
 netmesh_status netmesh_load(netmesh_context* context, const netmesh_load_request* request);
 
 /* A cage (4.5, epsilon = 1/2): its centre, an input; inputs within half of its radius; between there and the radius its

@@ -131,7 +131,10 @@ void netmesh_persist_request_init(netmesh_persist_request* request, size_t reque
  * function cannot be: at a vertex it is less than cut and lipschitz allow so far from the domain's sphere.
  * INVALID_ARGUMENT (K: more than the number of different points), NOT_FINITE (index_a: the vertex at which the function
  * is not finite), OUT_OF_RANGE (ALPHA: differences of coordinates above 2^1670 units in the plane, 2^1190 in space,
- * 2^640 in R^6, of which all coordinates are multiples), CHECK_FAILED (ALPHA: a cell that was loaded is flat),
+ * 2^640 in R^6, of which all coordinates are multiples), CHECK_FAILED (ALPHA: what was loaded is
+ * no triangulation of the convex hull of its vertices, exactly: a cell is flat, cells overlap, are apart or meet at a
+ * vertex only, the hull has a dent; whether it is Delaunay is left to netmesh_check. Others: no triangulated ball was
+ * loaded, as far as the job depends on it),
  * NO_RESULT, OUT_OF_MEMORY, CANCELLED. The mesh stays whole on failure. ALPHA: a bar of positive length for each that
  * there is in exact arithmetic, and no other. Births and deaths have exactly the order of the true ones: where many
  * different ones share one double, each is the next double to the one before, within value_error of the report. Radii
