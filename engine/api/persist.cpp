@@ -3,6 +3,7 @@
 #include "api/requests.hpp"
 #include "delaunay/check.hpp"
 #include "jobs/persist_filter.hpp"
+#include "vocabulary/features.hpp"
 
 namespace netmesh {
 namespace {
@@ -68,7 +69,7 @@ extern "C" netmesh_status netmesh_persist(netmesh_context* context, const netmes
     clear_diagram(context);
     Monitor monitor = monitor_of(request.monitor);
     const Watch watch(context->arena, monitor);
-    if (context->mesh.is_loaded && filter->source == FilterSource::delaunay) {
+    if (built::alpha && context->mesh.is_loaded && filter->source == FilterSource::delaunay) {
         const CheckResult why = check_loaded(*context, monitor);
         if (why.violation != nullptr) return finish(context, Status::check_failed, why.violation, why.cell);
         if (monitor.has_stopped()) return finish(context, Status::cancelled);

@@ -217,7 +217,7 @@ TEST_CASE("seeds change what is random, and are refused where nothing is") {
     REQUIRE(folder.run("sample ball --dim 2 -n 400 -o p.csv").exit == 0);
     for (const char* const line :
          {"mesh p.csv", "mesh p.csv --method netmesh", "mesh p.csv --method refine", "delaunay p.csv", "persist p.csv",
-          "persist p.csv --filter alpha", "persist p.csv --ratio 2.5", "vineyard p.csv --k 1..2"}) {
+          "persist p.csv --filter alpha --mesh m.node", "persist p.csv --ratio 2.5", "vineyard p.csv --k 1..2"}) {
         CAPTURE(line);
         const std::string json = std::string(line) + " --json -q";
         CHECK(see(folder, json + " --seed 7").all != see(folder, json).all);

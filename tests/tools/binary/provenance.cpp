@@ -224,7 +224,7 @@ TEST_CASE("provenance: the head, line by line") {
 
 TEST_CASE("provenance: tampering is found, with line and reason") {
     const Folder folder;
-    CHECK(folder.run("sample annulus -n 40 -o p.csv").exit == 0);
+    CHECK(folder.run("sample annulus -n 40 --seed 5 -o p.csv").exit == 0);
     CHECK(folder.run("sample annulus -n 40 --seed 2 -o q.csv").exit == 0);
     CHECK(folder.run("sample annulus -n 41 -o r.csv").exit == 0);
     CHECK(folder.run("sample annulus -n 40 --dim 3 -o s.csv").exit == 0);
