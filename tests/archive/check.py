@@ -454,7 +454,7 @@ def main():
     stack.add_argument("--recursion-only", action="store_true")
     size = sub.add_parser("size")
     size.add_argument("--records", required=True)
-    size.add_argument("--bytes", type=int, default=1_199_000)
+    size.add_argument("--bytes", type=int, default=1_230_000)
     size.add_argument("--nm", default="nm")
     options = parser.parse_args()
     if options.check == "size":
