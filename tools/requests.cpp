@@ -67,20 +67,25 @@ bool wants_diagram_alone(const Options& options) {
            options.representatives.empty();
 }
 
-requests::Alpha alpha_request(const Options& options, std::uint32_t dim) {
-    requests::Alpha request(dim);
+namespace {
+
+// What alpha and auto ask for alike.
+template <class Request> Request diagram_request(const Options& options, std::uint32_t dim) {
+    Request request(dim);
     request.seed = options.seed;
     request.max_degree = max_degree_of(options, dim);
     request.keep_zero_pairs = options.all ? 1 : 0;
     return request;
 }
 
+}  // namespace
+
+requests::Alpha alpha_request(const Options& options, std::uint32_t dim) {
+    return diagram_request<requests::Alpha>(options, dim);
+}
+
 requests::Auto auto_request(const Options& options, std::uint32_t dim) {
-    requests::Auto request(dim);
-    request.seed = options.seed;
-    request.max_degree = max_degree_of(options, dim);
-    request.keep_zero_pairs = options.all ? 1 : 0;
-    return request;
+    return diagram_request<requests::Auto>(options, dim);
 }
 
 requests::Persist persist_request(const Options& options, const DiagramRequest& diagram, std::uint32_t dim) {
