@@ -58,6 +58,7 @@ std::uint32_t list_star(const AnyStore& any, VertexId v) {
         if (!star.add(store.vertex(v).cell)) return 0;
         for (std::uint32_t k = 0; k < star.size(); ++k) {
             const Cell<D>& cell = store.cell(star[k]);
+            if (k + 2 < star.size()) ask_for_marks(store, v, star[k + 2]);
             for (int i = 0; i <= D; ++i) {
                 const FacetId facet = cell.neighbour[i];
                 if (cell.vertex[i] != v && facet != none && !star.add(facet.cell())) return 0;

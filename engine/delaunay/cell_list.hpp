@@ -43,7 +43,8 @@ private:
 template <int D> void ask_for_marks(const Store<D>& store, VertexId v, CellId c) {
     const Cell<D>& cell = store.cell(c);
     for (int i = 0; i <= D; ++i)
-        if (cell.vertex[i] != v) __builtin_prefetch(&store.cell(cell.neighbour[i].cell()).mark);
+        if (cell.vertex[i] != v && cell.neighbour[i] != none)
+            __builtin_prefetch(&store.cell(cell.neighbour[i].cell()).mark);
 }
 
 // Calls visit(cell) for each cell at vertex v, ghosts included, from Vertex::cell on. Stops early, returning false,

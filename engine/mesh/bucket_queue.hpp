@@ -14,7 +14,7 @@ public:
     Status open(Store<D>& store, Arena& arena, double largest2) {
         store_ = &store;
         top_ = exponent_of(largest2);
-        limit2_ = infinity;
+        limit2_ = least_late2_ = infinity;
         buckets_ = arena.take_low<Bucket>(count);
         if (buckets_ == nullptr) return Status::out_of_memory;
         for (int b = 0; b < count; ++b) buckets_[b] = {none, none};
@@ -27,7 +27,7 @@ public:
     void push(VertexId v, double nearest2) {
         auto&& vertex = store_->vertex(v);
         if (has(vertex)) return;
-        if (nearest2 > limit2_) return put_off(v);
+        if (nearest2 > limit2_) return put_off(v, nearest2);
         vertex.queued = listed;
         vertex.next = none;
         int b = count - 1 - (top_ - exponent_of(nearest2));
@@ -47,8 +47,17 @@ public:
     // From now on vertices farther than the root of limit2 from their nearest neighbours are not queued but put off,
     // unless they are in the queue. Whoever sets a limit looks for them: they stay marked until they are pushed.
     void set_limit(double limit2) { limit2_ = limit2; }
-    // For v that is not in the queue.
-    void put_off(VertexId v) { store_->vertex(v).queued = is_late; }
+    // For v that is not in the queue, and put off or not.
+    void put_off(VertexId v, double nearest2) {
+        store_->vertex(v).queued = is_late;
+        if (nearest2 < least_late2_) least_late2_ = nearest2;
+    }
+    // The least squared distance of those put off since this was called last; infinity: there were none.
+    double take_least_put_off() {
+        const double least2 = least_late2_;
+        least_late2_ = infinity;
+        return least2;
+    }
     static bool is_put_off(const Vertex<D>& vertex) { return (vertex.queued & is_late) != 0; }
 
     // The next vertex, `none` when there is none.
@@ -106,7 +115,7 @@ private:
     Store<D>* store_;
     Bucket* buckets_;
     int top_;
-    double limit2_;
+    double limit2_, least_late2_;
     std::uint64_t filled_[count / 64];
 };
 

@@ -20,6 +20,11 @@ public:
         items_[count_++] = v;
         return true;
     }
+    bool has(VertexId v) const {
+        for (int i = 0; i < count_; ++i)
+            if (items_[i] == v) return true;
+        return false;
+    }
     bool empty() const { return count_ == 0; }
     VertexId top() const { return items_[count_ - 1]; }
     void pop() { --count_; }
@@ -143,7 +148,8 @@ template <int D> Status HierarchyRule<D>::insert_input(VertexId p, CellId from, 
 }
 
 // Climbs from p, which is not medial, through inputs farther and farther from its nearest neighbour, which are to be
-// inserted first, to the cage that contains them all, if there is room for one.
+// inserted first, to the cage that contains them all, if there is room for one. Who waits for p already is passed: two
+// inputs with different nearest neighbours can each be what the other would wait for.
 template <int D> Status HierarchyRule<D>::climb_to_cage(VertexId p, const Cavity& cavity, bool cleaning) {
     near_ = hierarchy_.locate(p, this->nearest_in_conflict(p, cavity), &passed_);
     if (store_.vertex(near_.vertex).marker != Marker::input) return Status::ok;
@@ -158,7 +164,8 @@ template <int D> Status HierarchyRule<D>::climb_to_cage(VertexId p, const Cavity
         if (q == none) return new_cage(p, farthest, reach);
         reach = square_root(d2);
         farthest = VertexId(q);
-        if (!cleaning && store_.vertex(q).cell == none && !path_.push(VertexId(q))) return Status::ok;
+        const bool waits = !cleaning && store_.vertex(q).cell == none && !path_.has(farthest);
+        if (waits && !path_.push(farthest)) return Status::ok;
     }
     return Status::ok;
 }

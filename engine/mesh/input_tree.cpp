@@ -98,13 +98,14 @@ Status AnyInputTree::build(const AnyStore& store, Arena& arena, std::uint32_t co
 
 template <int W, class Consider, class Bound>
 void AnyInputTree::visit(const double* x, Consider&& consider, Bound&& bound2) const {
-    const std::uint64_t before = touches_;
+    std::uint64_t reported = touches_;
     TreePart<W> stack[40];
     int depth = 0;
     stack[depth++] = {{0, count_}, 0, {}};
     while (depth > 0) {
         const TreePart<W> from = stack[--depth];
         if (from.least2 > bound2()) continue;
+        report(&reported);
         TreeRange range = from.range;
         while (!range.is_leaf()) {
             const std::uint32_t middle = range.middle();
@@ -130,7 +131,6 @@ void AnyInputTree::visit(const double* x, Consider&& consider, Bound&& bound2) c
         }
         for (std::uint32_t i = range.begin; i < range.end; ++i) consider(items_[i]);
     }
-    report(before);
 }
 
 template <int D>
@@ -197,7 +197,7 @@ void AnyInputTree::nearest_k(const double* x, std::uint32_t k, Neighbour* neighb
 std::uint32_t AnyInputTree::farthest_in_ring(const double* x, double inner, double outer, double* distance2) const {
     std::uint32_t best = none;
     double best1 = inner, best2 = inner * inner;
-    const std::uint64_t before = touches_;
+    std::uint64_t reported = touches_;
     const auto consider = [&](std::uint32_t v) {
         const double d2 = squared_distance(x, v);
         if (d2 <= outer * outer && (d2 > best2 || (d2 == best2 && v < best && best != none))) {
@@ -213,6 +213,7 @@ std::uint32_t AnyInputTree::farthest_in_ring(const double* x, double inner, doub
     while (depth > 0) {
         const TreePart<dimension_max> from = stack[--depth];
         const TreeRange range = from.range;
+        report(&reported);
         if (range.is_leaf()) {
             for (std::uint32_t i = range.begin; i < range.end; ++i) consider(items_[i]);
             continue;
@@ -226,7 +227,6 @@ std::uint32_t AnyInputTree::farthest_in_ring(const double* x, double inner, doub
         stack[depth] = from.beyond(axis_[middle], offset, offset < 0 ? range.above() : range.below());
         if (!(stack[depth].least2 > outer * outer)) ++depth;
     }
-    report(before);
     *distance2 = best2;
     return best;
 }

@@ -96,10 +96,14 @@ protected:
     template <int W, class Consider, class Bound>
     void visit(const double* x, Consider&& consider, Bound&& bound2) const;
 
-    // Reports a search that has looked at many inputs, as it does where these are crowded; others are their callers'.
-    void report(std::uint64_t touches_before) const {
+    // Reports what a search has looked at since touches were *reported, where that is much, as it is where inputs are
+    // crowded; less is its callers' to report.
+    void report(std::uint64_t* reported) const {
         constexpr std::uint64_t many = 64;
-        if (touches_ - touches_before > many) arena_->pass(static_cast<std::uint32_t>((touches_ - touches_before) / 8));
+        const std::uint64_t looked = touches_ - *reported;
+        if (looked <= many) return;
+        arena_->pass(static_cast<std::uint32_t>(looked / 8));
+        *reported = touches_;
     }
 
     std::uint32_t* items_;

@@ -19,9 +19,10 @@ namespace netmesh {
 // tau > 2. The frame of 2 D exempt vertices at four or more times the domain's radius is farther from every input than
 // any other input, as 3.3.2 requires.
 //
-// While inputs are missing cells are held to 2 * mediality (tau if that is more), so that space waits for the inputs
-// that come there; then all are held to tau, scale by scale. The proof is one for both: by 2 * mediality a Steiner
-// point is only farther from v than tau/2 times the distance to its nearest neighbour, and K is that of tau.
+// While inputs are missing cells are held to the dimension's waiting_tau, at most 2 * mediality (tau if that is more),
+// so that space waits for the inputs that come there; then all are held to tau, scale by scale. The proof is one for
+// both: by waiting_tau a Steiner point is only farther from v than tau/2 times the distance to its nearest neighbour,
+// and K is that of tau.
 //
 // An input enters when it is medial: the clipped cell of its nearest vertex u reaches no farther than `mediality` times
 // its distance from u. Before that u's cell is split at its farthest corner, yielding to other inputs, and the mesh is

@@ -93,6 +93,8 @@ std::string name_of(std::uint64_t address) {
     const auto after = names.upper_bound(address);
     std::string name = after == names.begin() ? "?" : std::prev(after)->second;
     name.erase(std::remove(name.begin(), name.end(), '\n'), name.end());
+    const std::string unnamed = "(anonymous namespace)::";
+    for (std::size_t at; (at = name.find(unnamed)) != std::string::npos;) name.erase(at, unnamed.size());
     return name.substr(0, name.find('('));
 }
 
