@@ -47,6 +47,7 @@ public:
     // From now on vertices farther than the root of limit2 from their nearest neighbours are not queued but put off,
     // unless they are in the queue. Whoever sets a limit looks for them: they stay marked until they are pushed.
     void set_limit(double limit2) { limit2_ = limit2; }
+    bool puts_off() const { return limit2_ < infinity; }
     // For v that is not in the queue, and put off or not.
     void put_off(VertexId v, double nearest2) {
         store_->vertex(v).queued = is_late;

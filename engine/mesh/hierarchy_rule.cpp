@@ -55,7 +55,9 @@ public:
     static constexpr bool searches_rings = true, notes_nearest_inputs = false, makes_shells = true, heeds_sizes = true;
 
     HierarchyRule(Store<D>& store, const MeshRequest& request, const Work& work, MeshResult<D>& result)
-        : Base(store, request, work, result) {}
+        : Base(store, request, work, result) {
+        this->wait_for_inputs();
+    }
 
     Status reserve(std::size_t n);
     Status take_turn(VertexId p);
@@ -72,6 +74,10 @@ public:
         return store_.vertex(v).marker == Marker::exempt ? judge_cage(hierarchy_.of(v), split) : judge_vertex(v, split);
     }
     void requeue(VertexId v);
+    bool is_judged(VertexId v) { return Base::is_judged(v) || is_cage(v); }
+    double queued_distance2(VertexId v) {
+        return is_cage(v) ? hierarchy_.cage(hierarchy_.of(v)).nearest2 : Base::queued_distance2(v);
+    }
     Status after_step() { return release_encroached(); }
     Status finish_mesh();
     Hierarchy<D>* hierarchy() { return &hierarchy_; }
@@ -80,7 +86,7 @@ public:
     const char* step_violation() const { return cages_violation<D>(store_, hierarchy_, inputs_); }
     // Cells that a released cage has kept apart are found by the sweep at the end.
     const char* clean_violation() const {
-        if (hierarchy_.live() != hierarchy_.made()) return nullptr;
+        if (hierarchy_.live() != hierarchy_.made() || !this->is_held_to_tau()) return nullptr;
         return aspect_violation<D>(store_, this->request_.tau, [this](VertexId v) {
             const std::uint32_t d = innermost_cage<D>(store_, hierarchy_, store_.point(v), 0);
             return domain_ball(store_, hierarchy_.cages(), d, domain_);
@@ -99,6 +105,12 @@ private:
     void queue_bad_vertices(CellId c);
     void queue_all_far(CellId c);
     void queue_bad_cages(CellId c);
+    // Does a cage wait in the place of v?
+    bool is_cage(VertexId v) {
+        if (store_.vertex(v).marker != Marker::exempt) return false;
+        const std::uint32_t d = hierarchy_.of(v);
+        return d != none && hierarchy_.cage(d).shell == v;
+    }
     void queue_cage(std::uint32_t d) {
         const Cage& cage = hierarchy_.cage(d);
         queue_.push(VertexId(cage.shell), cage.nearest2);
@@ -436,7 +448,8 @@ template <int D> [[gnu::cold]] Status HierarchyRule<D>::sweep() {
 }
 
 template <int D> Status HierarchyRule<D>::finish_mesh() {
-    const Status swept = sweep();
+    this->stop_waiting();
+    const Status cleaned = this->clean_by_scales(), swept = cleaned == Status::ok ? sweep() : cleaned;
     if (swept != Status::ok || !this->request_.finish) return swept;
     observers_.stop_measuring();
     for (std::uint32_t d = 0; d < hierarchy_.made();)

@@ -9,19 +9,6 @@
 namespace netmesh {
 namespace {
 
-// What cells are held to while inputs are missing is figures_of().waiting_tau, or tau if that is more. A Steiner point
-// that is there before the inputs around it stands where these do not want it: held to tau from the first input on
-// meshes of uniform points are larger by 8%, of clusters in space by 30%. In the plane 16 in place of 32 makes those of
-// uniform points larger by 1.5%. From three dimensions on sizes are within 3% of one another, and 32 takes more time,
-// 7% in three dimensions and 30% in four and five: cells of bad ratio border many others.
-//
-// Then cells are refined by scales, vertices with the nearest neighbours first: nearest distances up to the root of this
-// times the least one. Layers of vertices have to grow outwards from all close inputs; where they grow from one into
-// what is coarse about the next, meshes of close pairs in space are larger by a third. 16 in place of 2 makes meshes of
-// uniform points larger by .7% and saves 2 to 4% of the time a vertex. Within a scale one vertex follows the other,
-// each with all that its splits lead to: what is near in space is near in memory.
-constexpr double scale_span2 = 2;
-
 template <int D> class QualityRule : public AspectRule<D, QualityRule<D>> {
     using Base = AspectRule<D, QualityRule<D>>;
     using Base::domain_;
@@ -40,10 +27,8 @@ public:
 
     QualityRule(Store<D>& store, const MeshRequest& request, const Work& work, MeshResult<D>& result)
         : Base(store, request, work, result), reference_(built::refine && request.method == MeshMethod::reference),
-          certify_(request.certify_filter && !is_reference()), pull_(is_reference() ? infinity : Base::pull_back()),
-          tight_(tau_) {
-        const double waiting_tau = figures_of<D>(store.dim).waiting_tau;
-        if (!is_reference() && tau_ < waiting_tau) tau_ = waiting_tau;
+          certify_(request.certify_filter && !is_reference()), pull_(is_reference() ? infinity : Base::pull_back()) {
+        if (!is_reference()) this->wait_for_inputs();
     }
 
     double choose_domain();
@@ -52,10 +37,6 @@ public:
     Status begin() { return is_reference() ? insert_boundary_net() : Status::ok; }
     Status take_turn(VertexId p);
     Status finish_mesh();
-#ifdef NETMESH_VALIDATE
-    // Not before all scales are refined.
-    const char* clean_violation() const { return is_finished_ || is_reference() ? Base::clean_violation() : nullptr; }
-#endif
     void queue_bad(CellId c);
     void queue_new(const Cavity& cavity, VertexId v) { Base::queue_new(cavity, domain_, v); }
     Verdict judge(VertexId v, Split<D>* split);
@@ -86,11 +67,7 @@ private:
 
     const bool reference_, certify_;
     const double pull_;
-    const double tight_;       // what tau_ is when all inputs are in
     VertexId waiting_ = none;  // the input that a cell is being split for
-#ifdef NETMESH_VALIDATE
-    bool is_finished_ = false;
-#endif
 };
 
 template <int D> double QualityRule<D>::choose_domain() {
@@ -105,36 +82,10 @@ template <int D> [[gnu::cold]] Status QualityRule<D>::check_goal() {
     return Status::invalid_argument;
 }
 
-// All cells are looked at once, and those that may be bad by then.
 template <int D> Status QualityRule<D>::finish_mesh() {
     if (is_reference()) return this->clean();
-    tau_ = tight_;
-    for (VertexId v(0); v < store_.state.vertex_count;)
-        for (const std::uint64_t piece = store_.arena.piece(v, store_.state.vertex_count, 10); v < piece; ++v) {
-            const Vertex<D>& vertex = store_.vertex(v);
-            if (vertex.cell != none && vertex.marker != Marker::exempt) queue_.put_off(v, vertex.nearest2);
-        }
-    for (double least2; (least2 = queue_.take_least_put_off()) < infinity;) {
-        const double most2 = scale_span2 * least2;
-        queue_.set_limit(most2);
-        for (VertexId v(0); v < store_.state.vertex_count;)
-            for (const std::uint64_t piece = store_.arena.piece(v, store_.state.vertex_count, 10); v < piece; ++v) {
-                const Vertex<D>& vertex = store_.vertex(v);
-                if (!queue_.is_put_off(vertex)) continue;
-                if (vertex.nearest2 > most2) {
-                    queue_.put_off(v, vertex.nearest2);
-                    continue;
-                }
-                queue_.push(v);
-                const Status status = this->clean();
-                if (status != Status::ok) return status;
-            }
-    }
-    queue_.set_limit(infinity);
-#ifdef NETMESH_VALIDATE
-    is_finished_ = true;
-#endif
-    return this->clean();
+    this->stop_waiting();
+    return this->clean_by_scales();
 }
 
 // Splits the cell of the nearest vertex until p is medial, unless p goes in as another cell is split.
@@ -299,7 +250,8 @@ template <int D> bool QualityRule<D>::must_yield(const Split<D>& split, const Ne
     if (input2 < yield_radius * yield_radius * split.empty2 || !(input2 < split.empty2)) return input2 < split.empty2;
     double second2;  // f_P(x) squared
     tree_.nearest(split.x, none, nearest.input, &second2);
-    return (tight_ - 2) * (tight_ - 2) * second2 > (tight_ + 2) * (tight_ + 2) * input2;
+    const double tau = this->tight_;
+    return (tau - 2) * (tau - 2) * second2 > (tau + 2) * (tau + 2) * input2;
 }
 
 }  // namespace

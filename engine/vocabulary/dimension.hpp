@@ -82,7 +82,7 @@ struct Figures {
     // Meshing
     double tau_default;  // bound on aspect ratios when the caller names none
     double pull_back;    // see mesh/aspect_rule.hpp
-    double waiting_tau;  // what cells are held to while inputs are missing, see mesh/quality_rule.cpp
+    double waiting_tau;  // what cells are held to while inputs are missing, see there
     // Distance of the frame over the domain's radius: its hull, a cross-polytope, must contain the ball of 2.2 radii in
     // which everything stays (mesh/quality_rule.hpp), so more than 2.2 sqrt(D), and 4 at least for a coarse mesh
     // between domain and frame.
@@ -109,16 +109,16 @@ template <> struct FiguresOf<2> {
     static constexpr Figures value = {2.5, 1.25, 32, 4, 0.1, 0.5, 4, 24, 2.05, 3.0, 2.1, 7, 6, 16, 8, 40, 40};
 };
 template <> struct FiguresOf<3> {
-    static constexpr Figures value = {2.5, 1.1, 16, 4, 0.25, 0.5, 20, 240, 6.5, 4.35, 4.1, 10, 15, 32, 24, 150, 40};
+    static constexpr Figures value = {2.5, 1.1, 24, 4, 0.25, 0.5, 20, 240, 6.5, 4.35, 4.1, 10, 15, 32, 24, 150, 40};
 };
 template <> struct FiguresOf<4> {
-    static constexpr Figures value = {3.08, 1.05, 16, 4.6, 1, 0.5, 120, 3000, 28, 6.3, 8.5, 12, 21, 64, 96, 250, 5};
+    static constexpr Figures value = {3.08, 1.05, 20, 4.6, 1, 0.5, 120, 3000, 28, 6.3, 8.5, 12, 21, 64, 96, 250, 5};
 };
 template <> struct FiguresOf<5> {
-    static constexpr Figures value = {4, 1, 16, 5.2, 4, 0.6, 700, 40000, 140, 9.1, 12, 13, 26, 128, 480, 1500, 5};
+    static constexpr Figures value = {4, 1, 20, 5.2, 4, 0.6, 700, 40000, 140, 9.1, 12, 13, 26, 128, 480, 1500, 5};
 };
 template <> struct FiguresOf<6> {
-    static constexpr Figures value = {4, 1, 16, 5.7, 16, 0.7, 4000, 400000, 600, 13.3, 15, 14, 36, 256, 2400, 8000, 5};
+    static constexpr Figures value = {4, 1, 20, 5.7, 16, 0.7, 4000, 400000, 600, 13.3, 15, 14, 36, 256, 2400, 8000, 5};
 };
 template <int D> constexpr const Figures& figures = FiguresOf<D>::value;
 
