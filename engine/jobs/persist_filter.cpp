@@ -32,8 +32,9 @@ Status persist_filter(const AnyMesh& mesh, const PersistRequest& request, const 
     if (status == Status::ok) status = evaluate(filtered, request.filter, work, &evaluation);
     out->culprit = evaluation.culprit;
     if (status == Status::ok)
-        status = persist_packed(mesh.store, ends, mesh_filtration(filtered, evaluation.value, evaluation.zero_born),
-                                request.diagram, work, &found, true);
+        status =
+            persist_packed<true>(mesh.store, ends, mesh_filtration(filtered, evaluation.value, evaluation.zero_born),
+                                 request.diagram, work, &found);
     if (status != Status::ok) return status;
     if (filtered.present != nullptr) out->clip_radius = filtered.domain.radius;
     out->pairs = found.pairs;

@@ -73,8 +73,10 @@ TEST_CASE_TEMPLATE_DEFINE("persist_packed: bars as of the mesh as it stands, whi
         const std::vector<Pair> bars = pairs_of(plain.pairs);
         m.block.arena.release_low(low);
         const auto persist = [&](CountedPairs* found, bool is_short) {
-            return persist_packed(m.store, {behind, high}, filtration.template of_dimension<any_dimension>(D).get(),
-                                  {D - 1}, work, found, is_short);
+            return (is_short ? persist_packed<true>
+                             : persist_packed<false>)(m.store, {behind, high},
+                                                      filtration.template of_dimension<any_dimension>(D).get(), {D - 1},
+                                                      work, found);
         };
         REQUIRE(persist(&shorter, true) == Status::ok);
         const BarList short_bars = {shorter.pairs.pairs, shorter.pairs.count, true};
@@ -115,8 +117,8 @@ TEST_CASE_TEMPLATE_DEFINE("persist_packed: any gap leaves the mesh whole", Dim, 
     for (std::size_t gap = high - low; gap >= 64; gap = gap / 16 * 15 / 16 * 16) {
         m.block.arena.release_high(low + gap);
         CountedPairs found = {};
-        const Status status = persist_packed(m.store, {behind, low + gap},
-                                             {AnyStore(m.store).view(), value, m.inputs()}, {D - 1}, work, &found);
+        const Status status = persist_packed<false>(
+            m.store, {behind, low + gap}, {AnyStore(m.store).view(), value, m.inputs()}, {D - 1}, work, &found);
         REQUIRE((status == Status::ok || status == Status::out_of_memory));
         (status == Status::ok ? made : refused)++;
         if (status == Status::ok && bars.empty()) bars = pairs_of(found.pairs);
