@@ -159,7 +159,7 @@ if(NETMESH_ONE_SOURCE)
     # Passes that g++ runs at -Os, too, and that make this code larger.
     target_compile_options(netmesh PRIVATE
       -fno-tree-loop-im -fno-move-loop-invariants -fno-ipa-sra -fno-tree-dominator-opts -fno-guess-branch-probability
-      -fno-tree-vrp -fno-caller-saves)
+      -fno-tree-vrp -fno-caller-saves -fno-shrink-wrap)
     if(CMAKE_CXX_COMPILER_VERSION VERSION_GREATER_EQUAL 12)
       target_compile_options(netmesh PRIVATE -Oz)
     endif()

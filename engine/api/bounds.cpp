@@ -11,7 +11,7 @@ Status bound_diagram(netmesh_context* context, const netmesh_function* function,
     const Work work = {context->arena, monitor};
     const Filter* const filter = find_filter(diagram.filter);
     const BoundBarsRequest request = {{diagram.filter, values_of(diagram.values), diagram.k, function},
-                                      {diagram.pairs.in(context), diagram.pairs.count},
+                                      diagram.bars(context),
                                       diagram.vertex_values.in(context),
                                       diagram.certified_error};
     const bool has_cells = filter != nullptr && filter->has(filter_trait::bounds_by_scale);

@@ -73,12 +73,15 @@ struct KeptDiagram {
     netmesh_values values = NETMESH_VALUES_CERTIFIED;
     std::uint32_t max_degree = 0, k = 0;
     Slice<Pair> pairs;
+    bool is_short = false;        // pairs are of the short form (BarList)
     Slice<double> vertex_values;  // of a filter on meshes: one for each vertex
     std::uint64_t simplices = 0;
     double certified_ratio = 0, certified_ratio_best = 0, certified_from = 0, certified_focus = 0;
     double certified_error = 0, value_error = 0, fitted_error = 0;
     netmesh_why why = NETMESH_WHY_ASKED;
     std::uint64_t tried_points = 0, tried_cells = 0;
+
+    BarList bars(const void* block) const { return {pairs.in(block), pairs.count, is_short}; }
 };
 
 struct KeptBounds {

@@ -12,7 +12,7 @@ netmesh_status find_cycle(const netmesh_context* context, std::uint64_t index, A
     if (!usable(context)) return NETMESH_INVALID_ARGUMENT;
     if (!context->cycles.present) return NETMESH_NO_RESULT;
     if (index >= context->diagram.pairs.count) return NETMESH_INVALID_ARGUMENT;
-    const Pair& pair = context->diagram.pairs.in(context)[index];
+    const Pair pair = context->diagram.bars(context)[index];
     *arena = context->arena;
     arena->rebase(const_cast<netmesh_context*>(context));
     *degree = pair.degree;
@@ -48,7 +48,7 @@ void mesh_simplex(const netmesh_context* context, const std::uint32_t* vertices,
 // A simplex of points, of a diagram joined of scales.
 void point_simplex(const netmesh_context* context, std::uint64_t pair, const std::uint32_t* vertices,
                    netmesh_simplex* simplex) {
-    simplex->value = context->diagram.pairs.in(context)[pair].birth;
+    simplex->value = context->diagram.bars(context)[pair].birth;
     for (std::uint32_t i = 0; i <= simplex->degree; ++i) simplex->vertices[i] = vertices[i];
 }
 

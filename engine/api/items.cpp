@@ -67,9 +67,10 @@ netmesh_status netmesh_get_cage(const netmesh_context* context, uint64_t index, 
 
 netmesh_status netmesh_get_pair(const netmesh_context* context, uint64_t index, netmesh_pair* pair) {
     if (!usable(context)) return NETMESH_INVALID_ARGUMENT;
-    const Pair* const kept = item_of(context, context->diagram.present, context->diagram.pairs, index);
-    if (kept == nullptr) return NETMESH_INVALID_ARGUMENT;
-    return give_item({0, kept->degree, kept->birth, kept->death}, pair);
+    const KeptDiagram& diagram = context->diagram;
+    if (!diagram.present || index >= diagram.pairs.count) return NETMESH_INVALID_ARGUMENT;
+    const Pair kept = diagram.bars(context)[index];
+    return give_item({0, kept.degree, kept.birth, kept.death}, pair);
 }
 
 netmesh_status netmesh_get_bar_bounds(const netmesh_context* context, uint64_t index, netmesh_bar_bounds* bounds) {

@@ -19,6 +19,7 @@ void keep_mesh_diagram(netmesh_context* context, const PersistRequest& request, 
     kept.max_degree = request.diagram.max_degree;
     kept.k = request.filter.k;
     kept.pairs = Slice<Pair>::of(arena, diagram.pairs.pairs, diagram.pairs.count);
+    kept.is_short = diagram.is_short;
     if (diagram.value != nullptr)
         kept.vertex_values = Slice<double>::of(arena, diagram.value, context->mesh.store.vertex_count);
     kept.simplices = diagram.simplices;

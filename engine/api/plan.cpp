@@ -154,7 +154,7 @@ template <int D> double planned_vertices(const MeshKind& kind, double points) {
     const double shell = kind.shell ? f.shell * square_root(growth) * to_power(n, f.shell_power) : 0;
     if (kind.cages) growth *= f.cages_growth;
     double vertices = points * (1 + growth * (1 + f.spread_root / square_root(spread) + f.spread / spread)) + shell;
-    if (points < 100) vertices += (D == 3 ? 2.5 : 1) * (100 - points);
+    if (points < 100) vertices += (D == 3 ? 3.8 : 1) * (100 - points);
     if (kind.net) vertices += f.net_fixed + f.net * to_power(n, f.net_power) + f.net_each * points;
     if constexpr (D <= thesis_dim_max)
         if (kind.thesis) vertices += 1.6 * RootTemplate<D>::size;

@@ -25,11 +25,12 @@ template <int D> void add_mesh(Fingerprint& f, const netmesh_context* context) {
 }
 
 void add_pairs(Fingerprint& f, const netmesh_context* context) {
-    const Pair* const pairs = context->diagram.pairs.in(context);
-    for (std::uint64_t i = 0; i < context->diagram.pairs.count; ++i) {
-        f.add(static_cast<std::uint64_t>(pairs[i].degree));
-        f.add(pairs[i].birth);
-        f.add(pairs[i].death);
+    const BarList pairs = context->diagram.bars(context);
+    for (std::uint64_t i = 0; i < pairs.count; ++i) {
+        const Pair pair = pairs[i];
+        f.add(static_cast<std::uint64_t>(pair.degree));
+        f.add(pair.birth);
+        f.add(pair.death);
     }
 }
 
@@ -125,16 +126,17 @@ void report_predicates(const StoreState& store, netmesh_predicates_report* to) {
 
 void report_diagram(const netmesh_context* context, netmesh_diagram_report* to) {
     const KeptDiagram& diagram = context->diagram;
-    const Pair* const pairs = diagram.pairs.in(context);
+    const BarList pairs = diagram.bars(context);
     to->present = 1;
     to->filter = diagram.filter;
     to->values = diagram.values;
     to->max_degree = diagram.max_degree;
     to->k = diagram.k;
     to->representatives = context->cycles.present;
-    for (std::uint64_t i = 0; i < diagram.pairs.count; ++i) {
-        ++to->pairs[pairs[i].degree];
-        to->essential[pairs[i].degree] += pairs[i].death == infinity;
+    for (std::uint64_t i = 0; i < pairs.count; ++i) {
+        const Pair pair = pairs[i];
+        ++to->pairs[pair.degree];
+        to->essential[pair.degree] += pair.death == infinity;
     }
     to->simplices = diagram.simplices;
     to->certified_ratio = diagram.certified_ratio;
@@ -150,7 +152,7 @@ void report_diagram(const netmesh_context* context, netmesh_diagram_report* to) 
 }
 
 void report_bounds(const netmesh_context* context, netmesh_bounds_report* to) {
-    const Pair* const pairs = context->diagram.pairs.in(context);
+    const BarList pairs = context->diagram.bars(context);
     const BarBounds* const bars = context->bounds.bars.in(context);
     to->present = 1;
     to->max_degree = context->diagram.max_degree;
@@ -160,7 +162,7 @@ void report_bounds(const netmesh_context* context, netmesh_bounds_report* to) {
 
 void report_decision(const netmesh_context* context, netmesh_decision_report* to) {
     const KeptBounds& bounds = context->bounds;
-    const Pair* const pairs = context->diagram.pairs.in(context);
+    const BarList pairs = context->diagram.bars(context);
     const DecisionView view = decision_of(context);
     to->present = 1;
     to->max_degree = context->diagram.max_degree;

@@ -12,7 +12,7 @@ Status find_cycles(netmesh_context* context, Monitor& monitor, Representation* m
     const RepresentRequest request = {{diagram.filter, values_of(diagram.values), diagram.k},
                                       diagram.vertex_values.in(context),
                                       {diagram.max_degree, diagram.keeps_zero},
-                                      {diagram.pairs.in(context), diagram.pairs.count}};
+                                      diagram.bars(context)};
     return represent(filtered_mesh_of(*context), request, {context->arena, monitor}, made);
 }
 
@@ -35,6 +35,7 @@ extern "C" netmesh_status netmesh_represent(netmesh_context* context, const netm
     const Status status = watch.heed(find_cycles(context, monitor, &made));
     if (status != Status::ok) return finish(context, status);
     context->diagram.pairs = Slice<Pair>::of(context->arena, made.pairs.pairs, made.pairs.count);
+    context->diagram.is_short = false;
     keep_cycles(context, made.cycles, high);
     if (made.is_listed) keep_complex(context, made.complex);
     return finish(context, status);

@@ -17,17 +17,19 @@ template <int D> double distance_to_inputs(const Store<D>& store, VertexId v) {
     return distance<D>(store.dim, store.point(v), store.point(nearest_input<D>(store, v)));
 }
 
-// out_radius[v]: R_v or more, over all corners of v's cell; reach[v]: the largest distance from a corner to v's nearest
-// input or more; reach may be null. The unbounded sides of cells on the hull are not seen. O(cells).
-template <int D> void measure_cells(const Store<D>& store, double* out_radius, double* reach) {
+// out_radius[v]: R_v or more, over all corners of v's cell; reach[v - first], v >= first: the largest distance from a
+// corner to v's nearest input or more; reach may be null. The unbounded sides of cells on the hull are not seen.
+// O(cells).
+template <int D> void measure_cells(const Store<D>& store, double* out_radius, double* reach, std::uint32_t first = 0) {
     const std::uint32_t count = store.state.vertex_count;
     for (VertexId v(0); v < count;)
         for (const std::uint64_t piece = store.arena.piece(v, count, 4); v < piece; ++v) {
             out_radius[v] = 0;
         }
-    for (VertexId v(0); v < count && reach != nullptr;)
-        for (const std::uint64_t piece = store.arena.piece(v, count, 4); v < piece && reach != nullptr; ++v) {
-            reach[v] = 0;
+    if (reach == nullptr) first = count;
+    for (VertexId v(first); v < count;)
+        for (const std::uint64_t piece = store.arena.piece(v, count, 4); v < piece; ++v) {
+            reach[v - first] = 0;
         }
     for (CellId c(0); c < store.state.cell_slots;)
         for (const std::uint64_t piece = store.arena.piece(c, store.state.cell_slots, 30 * (D + 1)); c < piece; ++c) {
@@ -37,9 +39,9 @@ template <int D> void measure_cells(const Store<D>& store, double* out_radius, d
             const double r = (radius + doubt) * up;
             for (const VertexId v : cell.vertex) {
                 if (!(r <= out_radius[v])) out_radius[v] = r;
-                if (reach == nullptr) continue;
+                if (v < first) continue;
                 const double far = (distance<D>(cell.centre, store.point(nearest_input<D>(store, v))) + doubt) * up;
-                if (!(far <= reach[v])) reach[v] = far;
+                if (!(far <= reach[v - first])) reach[v - first] = far;
             }
         }
 }
@@ -52,6 +54,6 @@ inline VertexId nearest_input(const AnyStore& store, VertexId v) {
 inline double distance_to_inputs(const AnyStore& store, VertexId v) {
     return distance(store.dim, store.point(v), store.point(nearest_input(store, v)));
 }
-void measure_cells(const AnyStore& store, double* out_radius, double* reach);
+void measure_cells(const AnyStore& store, double* out_radius, double* reach, std::uint32_t first = 0);
 
 }  // namespace netmesh

@@ -58,16 +58,18 @@ public:
             arena.release_low(behind_);
         const std::uint64_t count = store_.state.cell_slots;
         arena.each(count, 20, [this, count](std::uint64_t k) {
-            __builtin_memmove(whole(count - 1 - k), packed(count - 1 - k), packed_bytes_);
-            store_.cell(static_cast<std::uint32_t>(count - 1 - k)).mark = 0;
+            const std::uint64_t c = count - 1 - k;
+            __builtin_memmove(whole(c), packed(c), packed_bytes_);
+            __builtin_memset(whole(c) + packed_bytes_, 0, cell_bytes_ - packed_bytes_);
         });
         recompute_balls(store_);
         return fits;
     }
 
 private:
-    void* whole(std::uint64_t c) const { return store_.arena.at(store_.state.cells_offset) + c * cell_bytes_; }
-    void* packed(std::uint64_t c) const { return store_.arena.at(store_.state.cells_offset) + c * packed_bytes_; }
+    unsigned char* at(std::uint64_t bytes) const { return store_.arena.at(store_.state.cells_offset) + bytes; }
+    unsigned char* whole(std::uint64_t c) const { return at(c * cell_bytes_); }
+    unsigned char* packed(std::uint64_t c) const { return at(c * packed_bytes_); }
 
     const AnyStore store_;
     const std::size_t cell_bytes_, packed_bytes_;

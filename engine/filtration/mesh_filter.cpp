@@ -12,8 +12,10 @@ struct CellBounds {
     const AnyMesh& mesh;
     const AnyStore& store;
     double rho;
-    double* out_radius;  // R_v, or more
-    double* reach;       // largest distance from a point of v's cell to v's nearest input, or more
+    double* out_radius;     // R_v, or more
+    double* steiner_reach;  // without inputs: largest distance from a point of v's cell to v's nearest input, or more
+
+    double& reach(VertexId v) const { return steiner_reach[v - mesh.inputs]; }
 
     // lo_v and hi_v, both cut at rho; of an absent vertex what holds of any cell.
     [[gnu::noinline]] Interval interval(VertexId v) const {
@@ -22,7 +24,7 @@ struct CellBounds {
         if (vertex.marker == Marker::input)
             return cut_at(rho, input_interval(square_root(vertex.nearest2), out_radius[v]));
         const double d = distance_to_inputs(store, v);
-        return cut_at(rho, bounded ? steiner_interval(d, out_radius[v], reach[v]) : unbounded_interval(d));
+        return cut_at(rho, bounded ? steiner_interval(d, out_radius[v], reach(v)) : unbounded_interval(d));
     }
     // The thesis's own value: s of 7.4.2.
     [[gnu::noinline]] double own_value(VertexId v) const {
@@ -45,7 +47,7 @@ Status clip_as_needed(const CellBounds& bounds, CellClipper& clipper, const Clam
     }
     if (!clipper.open(v)) return Status::out_of_memory;
     const bool is_input = vertex.marker == Marker::input;
-    double& far = is_input ? bounds.out_radius[v] : bounds.reach[v];
+    double& far = is_input ? bounds.out_radius[v] : bounds.reach(v);
     const double* const from = bounds.store.point(nearest_input(bounds.store, v));
     if (!is_input && !(own <= c * i.lo)) {
         const double half = 0.5 * distance_to_inputs(bounds.store, v);
@@ -70,14 +72,15 @@ Status mesh_filter(const AnyMesh& mesh, bool basic, FilterValues values, const W
     const AnyStore& store = mesh.store;
     const std::uint32_t count = mesh.vertices();
     work.monitor.begin(NETMESH_STAGE_CERTIFY, store.state.cell_slots);
-    const CellBounds bounds{mesh, store, mesh.cut, work.arena.take_high<double>(count),
-                            work.arena.take_high<double>(count)};
-    if (bounds.out_radius == nullptr || bounds.reach == nullptr) return Status::out_of_memory;
-    measure_cells(store, bounds.out_radius, bounds.reach);
+    // Radii stand where values do until these are made of them.
+    const CellBounds bounds{mesh, store, mesh.cut, out->value, work.arena.take_high<double>(count - mesh.inputs)};
+    if (bounds.steiner_reach == nullptr) return Status::out_of_memory;
+    measure_cells(store, bounds.out_radius, bounds.steiner_reach, mesh.inputs);
     const bool clips = built::certificate && mesh.present != nullptr, clips_all = basic || out->interval != nullptr;
     const NeededReach needed = {clips ? mesh.present : nullptr, true, mesh.cut};
     if (clips && clips_all) {
-        const Status status = clip_cell_bounds(mesh.store, mesh.domain, needed, bounds.out_radius, bounds.reach);
+        const Status status =
+            clip_cell_bounds(mesh.store, mesh.domain, needed, bounds.out_radius, bounds.steiner_reach, mesh.inputs);
         if (status != Status::ok) return status;
     }
     CellClipper clipper(mesh.store, mesh.domain, needed);

@@ -29,7 +29,7 @@
 
 namespace netmesh {
 
-constexpr std::size_t mesh_filter_vertex_bytes = 2 * sizeof(double);  // scratch: bounds of every cell
+constexpr std::size_t mesh_filter_vertex_bytes = sizeof(double);  // scratch of each vertex that is no input
 
 // value[v]: t(v), cut at rho; the basic filter gives inputs 0 and says from which scale its ratio holds, the largest
 // out-radius of an input. O(cells). out_of_memory.

@@ -107,7 +107,7 @@ void bound_each(const Interleaving& interleaving, const BarList& bars, bool zero
                 const Arena& arena, BarBounds* bounds) {
     for (std::uint64_t i = 0; i < bars.count;)
         for (const std::uint64_t piece = arena.piece(i, bars.count, 1200); i < piece; ++i) {
-            const double birth = bars.pairs[i].birth, death = bars.pairs[i].death;
+            const double birth = bars[i].birth, death = bars[i].death;
             const double latest = interleaving.phi(birth), after = certain_after(latest);
             bounds[i] = {interleaving.psi_inverse(birth),
                          latest,
@@ -204,10 +204,10 @@ Status bound_by_ratio(const UniformBound& bound, const BarList& bars, Arena& are
     double from = 0;
     for (std::uint64_t i = 0; i < bars.count;)
         for (const std::uint64_t piece = arena.piece(i, bars.count, 80); i < piece; ++i) {
-            bounds[i] = has_ratio ? by_ratio(bars.pairs[i], ratio, slack, bound.in_order)
+            bounds[i] = has_ratio ? by_ratio(bars[i], ratio, slack, bound.in_order)
                                   : BarBounds{-infinity, infinity, -infinity, infinity, infinity, 0, 0};
-            if (is_additive) narrow(bars.pairs[i], bound.error, &bounds[i]);
-            if (bars.pairs[i].birth < from) from = bars.pairs[i].birth;
+            if (is_additive) narrow(bars[i], bound.error, &bounds[i]);
+            if (bars[i].birth < from) from = bars[i].birth;
         }
     *curve = {arena.take_low<ScaleStep>(ratio > 1 ? 1 : 0), ratio > 1 ? 1u : 0u};
     if (curve->steps == nullptr) return Status::out_of_memory;

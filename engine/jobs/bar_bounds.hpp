@@ -40,11 +40,6 @@ struct FilterBounds {
     std::uint32_t count;
 };
 
-struct BarList {
-    const Pair* pairs;  // [count]
-    std::uint64_t count;
-};
-
 // How far apart scales are that belong to one step, or of a bar that is worth work: a factor; or a difference.
 struct Spacing {
     double difference = 0;  // of a factor of 2, and as much of it as a factor is above 1; 0: factors, of values >= 0

@@ -127,7 +127,7 @@ private:
 
     const JoinShift* join_;
     const Arena* arena_ = nullptr;
-    const Pair* pairs_ = nullptr;
+    BarList bars_ = {};
     const BarBounds* bounds_ = nullptr;              // by interleaving
     std::uint64_t count_ = 0, begin_ = 0, end_ = 0;  // the degree's bars
     Claim *now_ = nullptr, *first_ = nullptr, *second_ = nullptr;
@@ -136,7 +136,7 @@ private:
 Status Ledger::open(const BarList& bars, const BarBounds* bounds, Arena& arena) {
     const std::uint64_t count = bars.count;
     arena_ = &arena;
-    pairs_ = bars.pairs;
+    bars_ = bars;
     bounds_ = bounds;
     count_ = count;
     now_ = arena.take_high<Claim>(static_cast<std::size_t>(count));
@@ -177,15 +177,14 @@ std::uint64_t Ledger::add_new(Claim* to, const CoverSequence& covers, const Pair
     for (std::uint64_t i = 0; i < list.count;)
         for (const std::uint64_t piece = arena_->piece(i, list.count, 40); i < piece; ++i) {
             Claim claim;
-            if (list.pairs[i].degree != pairs_[begin_].degree ||
-                !claim_of(covers, join_, list.pairs[i], number, &claim))
+            if (list.pairs[i].degree != bars_[begin_].degree || !claim_of(covers, join_, list.pairs[i], number, &claim))
                 continue;
             if (!excludes(to, claim, false, number)) continue;
             std::uint64_t best = end_;
             for (std::uint64_t j = begin_; j < end_;)
                 for (const std::uint64_t piece = arena_->piece(j, end_, 12); j < piece; ++j) {
-                    if (to[j].sequence == 0 && claim.contains(pairs_[j]) &&
-                        (best == end_ || pairs_[j].death - pairs_[j].birth > pairs_[best].death - pairs_[best].birth))
+                    if (to[j].sequence == 0 && claim.contains(bars_[j]) &&
+                        (best == end_ || bars_[j].death - bars_[j].birth > bars_[best].death - bars_[best].birth))
                         best = j;
                 }
             if (best == end_) continue;
@@ -206,9 +205,9 @@ bool Ledger::keeps_interleaved(const Claim* set) const {
 
 void Ledger::consider(const CoverSequence& covers, const PairList& list, std::uint32_t degree, int number) {
     begin_ = 0;
-    while (begin_ < count_ && pairs_[begin_].degree < degree) ++begin_;
+    while (begin_ < count_ && bars_[begin_].degree < degree) ++begin_;
     end_ = begin_;
-    while (end_ < count_ && pairs_[end_].degree == degree) ++end_;
+    while (end_ < count_ && bars_[end_].degree == degree) ++end_;
     if (begin_ == end_) return;
     std::uint64_t now = 0;
     for (std::uint64_t i = begin_; i < end_;)
@@ -254,7 +253,7 @@ public:
         double best = spacing_.after(spacing_.is_difference() ? 0 : 1, shortest);
         bool found = false;
         for (std::uint64_t i = 0; i < bars.count; ++i) {
-            const Pair& bar = bars.pairs[i];
+            const Pair bar = bars[i];
             if (bar.degree < least_degree || ledger.claims(i) || !(bar.death < infinity)) continue;
             if (!spacing_.is_difference() && !(bar.birth > 0)) continue;
             const double length = spacing_.is_difference() ? bar.death - bar.birth : bar.death / bar.birth;
@@ -329,7 +328,7 @@ public:
     // Another sequence: the level at which each vertex enters. False: there is none.
     bool next();
     const double* level() const { return level_; }
-    std::uint32_t top_degree() const { return bars_.pairs[bars_.count - 1].degree; }
+    std::uint32_t top_degree() const { return bars_[bars_.count - 1].degree; }
     // Its diagram.
     void consider(const PairList& pairs) {
         for (std::uint32_t degree = least_degree_; degree <= top_degree(); ++degree)

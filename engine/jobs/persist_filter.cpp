@@ -23,7 +23,7 @@ Status persist_filter(const AnyMesh& mesh, const PersistRequest& request, const 
         out->simplices = found.simplices;
         return status;
     }
-    const std::size_t behind = work.arena.low_mark();
+    const MeshEnds ends = {work.arena.low_mark(), work.arena.high_mark()};
     ArenaScope scope(work.arena);
     Evaluation evaluation = {work.arena.take_low<double>(mesh.vertices())};
     if (evaluation.value == nullptr) return Status::out_of_memory;
@@ -32,11 +32,13 @@ Status persist_filter(const AnyMesh& mesh, const PersistRequest& request, const 
     if (status == Status::ok) status = evaluate(filtered, request.filter, work, &evaluation);
     out->culprit = evaluation.culprit;
     if (status == Status::ok)
-        status = persist_packed(mesh.store, behind, mesh_filtration(filtered, evaluation.value, evaluation.zero_born),
-                                request.diagram, work, &found);
+        status =
+            persist_packed<true>(mesh.store, ends, mesh_filtration(filtered, evaluation.value, evaluation.zero_born),
+                                 request.diagram, work, &found);
     if (status != Status::ok) return status;
     if (filtered.present != nullptr) out->clip_radius = filtered.domain.radius;
     out->pairs = found.pairs;
+    out->is_short = true;
     out->simplices = found.simplices;
     out->certificate = evaluation.certificate;
     out->value = evaluation.value;

@@ -12,6 +12,7 @@ struct PersistRequest {
 
 struct FilterDiagram {
     PairList pairs = {};
+    bool is_short = false;        // pairs are of the short form (BarList)
     std::uint64_t simplices = 0;  // of the filtered complex
     Certificate certificate = {};
     double value_error = 0;         // alpha: of births and deaths, relative

@@ -192,8 +192,8 @@ Status ScalesJoin::persist_mesh(const AnyMesh& whole, MeshBars* bars) {
     if (status == Status::ok) status = evaluate(mesh, which, work, &filter);
     CountedPairs found = {};
     if (status == Status::ok)
-        status = persist_packed(mesh.store, behind, mesh_filtration(mesh, value, n),
-                                {request_.max_degree, request_.keep_zero}, work, &found);
+        status = persist_packed<false>(mesh.store, {behind, arena_.high_mark()}, mesh_filtration(mesh, value, n),
+                                       {request_.max_degree, request_.keep_zero}, work, &found);
     if (status != Status::ok) return status;
     bars->list = found.pairs;
     count_mesh(n, vertices, found.simplices, filter.certificate, result_);

@@ -39,7 +39,7 @@ bool same_bars(const BarList& bars, const PairList& pairs, const Arena& arena) {
     if (pairs.count != bars.count) return false;
     for (std::uint64_t i = 0; i < pairs.count;)
         for (const std::uint64_t piece = arena.piece(i, pairs.count, 12); i < piece; ++i) {
-            const Pair &a = bars.pairs[i], &b = pairs.pairs[i];
+            const Pair a = bars[i], &b = pairs.pairs[i];
             if (a.degree != b.degree || a.birth != b.birth || a.death != b.death) return false;
         }
     return true;

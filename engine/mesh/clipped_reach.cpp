@@ -137,7 +137,7 @@ void CellClipper::clip(double* out_radius, double* reach) const {
     const AnyVertex vertex = store_.vertex(v_);
     if (vertex.marker == Marker::input) {
         *out_radius = bound(vertex.x, *out_radius, needed_.cut);
-        *reach = smaller(*reach, *out_radius);
+        if (reach != nullptr) *reach = smaller(*reach, *out_radius);
         return;
     }
     const double enough = needed_.least_alone ? 0.5 * distance_to_inputs(store_, v_) : infinity;
@@ -346,7 +346,7 @@ double CellClipper::bound(const double* u, double whole, double enough) const {
 }
 
 Status clip_cell_bounds(const AnyStore& store, const AnyDomain& ball, const NeededReach& needed, double* out_radius,
-                        double* reach) {
+                        double* reach, std::uint32_t first) {
     CellClipper clipper(store, ball, needed);
     clipper.mark();
     Status status = Status::ok;
@@ -354,7 +354,7 @@ Status clip_cell_bounds(const AnyStore& store, const AnyDomain& ball, const Need
         for (const std::uint64_t piece = store.arena.piece(v, store.state.vertex_count, 6); v < piece; ++v) {
             if (!clipper.is_marked(v)) continue;
             if (clipper.open(v))
-                clipper.clip(&out_radius[v], &reach[v]);
+                clipper.clip(&out_radius[v], v < first ? nullptr : &reach[v - first]);
             else
                 status = Status::out_of_memory;
         }

@@ -55,10 +55,10 @@ struct NeededReach {
     double cut = infinity;                  // nor a reach, or out_radius of an input, that is more than this
 };
 
-// Lowers out_radius[v] and reach[v], as of measure_cells, to what holds in the ball: R_v of the clipped cell or more,
-// and the largest distance of a point of it from v's nearest input or more. Both stay what they are for exempt vertices
-// and where the whole cell is in the ball. Of a cell outside of the ball they say nothing, and what is not needed may
-// stay.
+// Lowers out_radius[v] and reach[v - first], as of measure_cells, to what holds in the ball: R_v of the clipped cell or
+// more, and the largest distance of a point of it from v's nearest input or more. Both stay what they are for exempt
+// vertices and where the whole cell is in the ball. Of a cell outside of the ball they say nothing, and what is not
+// needed may stay.
 //
 // How much they are too large: s has to be so much more than the reach t that the half-space of a true edge, moved by
 // the bounds of corners and by roundings, is still one for more than t: s^2 - t^2 >= S = 4 |u - c| d + 8 e. s/t - 1 is
@@ -70,7 +70,7 @@ struct NeededReach {
 // Uses the marks `queued`, which must be 0 and are again, and those of cells. Needs a compact store and room for the
 // star of a vertex in its gap. O(cells) and, of what the sphere crosses, a few walks over each star. out_of_memory.
 Status clip_cell_bounds(const AnyStore& store, const AnyDomain& ball, const NeededReach& needed, double* out_radius,
-                        double* reach);
+                        double* reach, std::uint32_t first = 0);
 
 // The same cell by cell, for those that can do without some: mark(), then for each that is_marked open() and what is
 // needed, or pass_over(). Costs and needs as above.
@@ -85,7 +85,7 @@ public:
     void pass_over(VertexId v) { store_.vertex(v).queued = 0; }
     // Takes the mark of v. False: no room for its star. What follows is about v.
     bool open(VertexId v);
-    // Lowers its bounds as clip_cell_bounds does.
+    // Lowers its bounds as clip_cell_bounds does; reach may be null for an input.
     void clip(double* out_radius, double* reach) const;
     // No point of the clipped cell is farther from u than this; `whole` holds for the whole cell, and is what comes
     // back when some point is as far as `enough`.

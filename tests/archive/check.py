@@ -3,10 +3,13 @@
 
   check.py archive  --archive libnetmesh.a [--plain]     symbols, data, instructions of the archive
   check.py includes --engine engine                      headers by allow-list, folders by layer
-  check.py stack    --records DIR [--bytes N] [--bytes-low-dim N] [--recursion-only]
+  check.py stack    --records DIR [--objects FILE] [--bytes N] [--bytes-low-dim N] [--recursion-only]
                                                          worst call chain of every public function
-  check.py size     --records DIR [--bytes N]            code and constants by folder and dimension
+  check.py size     --records DIR [--objects FILE] [--bytes N]
+                                                         code and constants by folder and dimension
 
+--objects: a list of the objects that count, one a line; without, all below DIR, those of sources that have left a
+           build folder, too.
 --plain: inner symbols may be global (an archive that could not be finished).
 --tables: it was compiled without the engine's flags; tables for unwinding may be there.
 --helpers: the target has no unit for doubles or 64-bit division; the compiler's own routines may be called.
@@ -27,6 +30,19 @@ HELPERS = re.compile(r"__aeabi_\w+$|__c[lt]z[sd]i2$"
 
 def run(*command):
     return subprocess.run(command, check=True, stdout=subprocess.PIPE, universal_newlines=True).stdout
+
+
+def records_below(folder, endings, objects):
+    """Paths of the files with these endings, in order; with a list of objects theirs alone."""
+    counted = None
+    if objects:
+        with open(objects, encoding="utf-8") as f:
+            counted = {os.path.splitext(os.path.realpath(line.strip()))[0] for line in f if line.strip()}
+    for base, _, names in sorted(os.walk(folder)):
+        for name in sorted(names):
+            stem, ending = os.path.splitext(os.path.join(base, name))
+            if ending in endings and (counted is None or os.path.realpath(stem) in counted):
+                yield stem + ending
 
 
 # ---------------------------------------------------------------------------------------------------- the archive
@@ -226,15 +242,13 @@ class Graph:
     def __init__(self):
         self.frame, self.label, self.calls, self.faults, self.files = {}, {}, {}, [], 0
 
-    def read(self, records):
+    def read(self, records, objects):
         """All .ci files below a folder. A template instantiated in several files counts with its largest frame."""
-        for folder, _, names in sorted(os.walk(records)):
-            for name in sorted(names):
-                if name.endswith(".ci"):
-                    self.files += 1
-                    with open(os.path.join(folder, name), encoding="utf-8") as f:
-                        for line in f:
-                            self.read_line(line)
+        for path in records_below(records, {".ci"}, objects):
+            self.files += 1
+            with open(path, encoding="utf-8") as f:
+                for line in f:
+                    self.read_line(line)
 
     def read_line(self, line):
         m = NODE.match(line)
@@ -352,9 +366,9 @@ def dimension_of(title):
     return int(m.group(1)) if m else None
 
 
-def check_stack(records, limit, limit_low, recursion_only):
+def check_stack(records, objects, limit, limit_low, recursion_only):
     graph = Graph()
-    graph.read(records)
+    graph.read(records, objects)
     graph.link()
     if not graph.frame:
         print("FAULT no call graphs (.ci) under %s" % records)
@@ -399,24 +413,21 @@ def check_stack(records, limit, limit_low, recursion_only):
 # ----------------------------------------------------------------------------------------------------------- size
 
 
-def check_size(records, nm, limit):
+def check_size(records, objects, nm, limit):
     """Bytes of code and constants, a line for each folder and a column for each dimension, from their objects."""
     table = {}
-    for folder, _, names in sorted(os.walk(records)):
-        for name in sorted(names):
-            if not name.endswith((".o", ".obj")):
-                continue
-            parts = os.path.relpath(folder, records).split(os.sep)
-            room = parts[1] if parts[0] == "engine" and len(parts) > 1 else parts[0]
-            row = table.setdefault(room, {})
-            seen = {}
-            for line in run(nm, "-P", "-S", "--defined-only", os.path.join(folder, name)).splitlines():
-                field = line.split()
-                if len(field) >= 4 and field[1].lower() in "trvwdbnu":
-                    seen[(field[0], field[2])] = int(field[3], 16)
-            for (symbol, _), size in seen.items():
-                dim = dimension_of(symbol)
-                row[dim] = row.get(dim, 0) + size
+    for path in records_below(records, {".o", ".obj"}, objects):
+        parts = os.path.relpath(os.path.dirname(path), records).split(os.sep)
+        room = parts[1] if parts[0] == "engine" and len(parts) > 1 else parts[0]
+        row = table.setdefault(room, {})
+        seen = {}
+        for line in run(nm, "-P", "-S", "--defined-only", path).splitlines():
+            field = line.split()
+            if len(field) >= 4 and field[1].lower() in "trvwdbnu":
+                seen[(field[0], field[2])] = int(field[3], 16)
+        for (symbol, _), size in seen.items():
+            dim = dimension_of(symbol)
+            row[dim] = row.get(dim, 0) + size
     columns = [2, 3, 4, 5, 6, None]
     heads = ["any D" if d is None else "D = %d" % d for d in columns] + ["sum"]
     print("%-12s" % "bytes" + "".join("%10s" % head for head in heads))
@@ -449,22 +460,25 @@ def main():
     includes.add_argument("--engine", required=True)
     stack = sub.add_parser("stack")
     stack.add_argument("--records", required=True)
+    stack.add_argument("--objects")
     stack.add_argument("--bytes", type=int, default=32768)
     stack.add_argument("--bytes-low-dim", type=int, default=16384)
     stack.add_argument("--recursion-only", action="store_true")
     size = sub.add_parser("size")
     size.add_argument("--records", required=True)
-    size.add_argument("--bytes", type=int, default=1_230_000)
+    size.add_argument("--objects")
+    size.add_argument("--bytes", type=int, default=1_200_000)
     size.add_argument("--nm", default="nm")
     options = parser.parse_args()
     if options.check == "size":
-        faults = check_size(options.records, options.nm, options.bytes)
+        faults = check_size(options.records, options.objects, options.nm, options.bytes)
     elif options.check == "archive":
         faults = check_archive(options)
     elif options.check == "includes":
         faults = check_includes(options.engine)
     else:
-        faults = check_stack(options.records, options.bytes, options.bytes_low_dim, options.recursion_only)
+        faults = check_stack(options.records, options.objects, options.bytes, options.bytes_low_dim,
+                             options.recursion_only)
     return 1 if faults else 0
 
 

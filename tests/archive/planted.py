@@ -36,6 +36,7 @@ STACK = {
 SIZE = {
     "clean": (None, ""),
     "large": ("FAULT 3", ""),
+    "left_over": (None, ""),  # large, but no object of the build
 }
 # fault: (words of the compiler, flags)
 COMPILE = {
@@ -97,8 +98,16 @@ def plant_stack(options, fault):
 
 def plant_size(options, fault):
     words, flags = SIZE[fault]
-    compile_fault(options, fault, "-O2", os.path.join(options.work, fault + ".cpp.o"))
-    return words, check("size", "--records", options.work)
+    records = ["--records", options.work]
+    if fault == "left_over":
+        for part in ("large", "clean"):
+            compile_fault(options, part, flags or "-O2", os.path.join(options.work, part + ".cpp.o"))
+        objects = os.path.join(options.work, "objects.txt")
+        with open(objects, "w", encoding="utf-8") as f:
+            f.write(os.path.join(options.work, "clean.cpp.o") + "\n")
+        return words, check("size", *records, "--objects", objects)
+    compile_fault(options, fault, flags or "-O2", os.path.join(options.work, fault + ".cpp.o"))
+    return words, check("size", *records)
 
 
 def plant_compile(options, fault):

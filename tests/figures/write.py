@@ -40,7 +40,9 @@ def put(document, name, lines):
 def check(what, build, *options):
     """The output of tests/archive/check.py on the objects of a build."""
     records = os.path.join(build, "CMakeFiles", "netmesh_engine.dir")
-    command = [sys.executable, os.path.join(TESTS, "archive", "check.py"), what, "--records", records, *options]
+    objects = os.path.join(build, "tests", "archive", "objects.txt")
+    command = [sys.executable, os.path.join(TESTS, "archive", "check.py"), what, "--records", records,
+               "--objects", objects, *options]
     return subprocess.run(command, stdout=subprocess.PIPE, text=True, check=True).stdout.splitlines()
 
 

@@ -79,6 +79,16 @@ public:
         CHECK(ball_.radius == ball_.enclosing_radius * clip_factor);
     }
 
+    // The same bounds when none of the inputs' reaches are asked for.
+    void check_without_inputs(const std::vector<double>& out_radius, const std::vector<double>& reach) {
+        const std::uint32_t first = this->inputs();
+        std::vector<double> radius(count()), rest(count() - first);
+        measure_cells<D>(store, radius.data(), rest.data(), first);
+        REQUIRE(clip_cell_bounds(store, ball_, {}, radius.data(), rest.data(), first) == Status::ok);
+        CHECK(radius == out_radius);
+        CHECK(std::equal(rest.begin(), rest.end(), reach.begin() + first));
+    }
+
     // Proven reaches contain all that was sampled and are not much more than what is measured. Returns how many cells
     // are cut by the sphere.
     int check_reach() {
@@ -88,6 +98,7 @@ public:
         const std::size_t low = this->block.arena.low_mark(), high = this->block.arena.high_mark();
         REQUIRE(clip_cell_bounds(store, ball_, {}, out_radius.data(), reach.data()) == Status::ok);
         CHECK((this->block.arena.low_mark() == low && this->block.arena.high_mark() == high));
+        check_without_inputs(out_radius, reach);
         for (const Sample<D>& s : samples_) {
             const VertexId v(s.vertex);
             if (is_exempt(v)) continue;

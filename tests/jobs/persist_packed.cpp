@@ -23,6 +23,11 @@ template <int D> bool are_same(const std::vector<Cell<D>>& a, const std::vector<
 }
 
 std::vector<Pair> pairs_of(const PairList& list) { return {list.pairs, list.pairs + list.count}; }
+std::vector<Pair> pairs_of(const BarList& bars) {
+    std::vector<Pair> pairs;
+    for (std::uint64_t i = 0; i < bars.count; ++i) pairs.push_back(bars[i]);
+    return pairs;
+}
 bool are_same(const std::vector<Pair>& a, const std::vector<Pair>& b) {
     bool same = a.size() == b.size();
     for (std::size_t i = 0; same && i < a.size(); ++i)
@@ -63,12 +68,25 @@ TEST_CASE_TEMPLATE_DEFINE("persist_packed: bars as of the mesh as it stands, whi
         const std::size_t low = m.block.arena.low_mark(), high = m.block.arena.high_mark();
         const LowerStarFiltration<D> filtration = {m.store.view(), value, m.inputs()};
         const Work work = {m.block.arena, m.monitor};
-        CountedPairs plain = {}, packed = {};
+        CountedPairs plain = {}, packed = {}, shorter = {};
         REQUIRE(persist_lower_star<D>(filtration, {D - 1}, work, &plain) == Status::ok);
         const std::vector<Pair> bars = pairs_of(plain.pairs);
         m.block.arena.release_low(low);
-        REQUIRE(persist_packed(m.store, behind, filtration.template of_dimension<any_dimension>(D).get(), {D - 1}, work,
-                               &packed) == Status::ok);
+        const auto persist = [&](CountedPairs* found, bool is_short) {
+            return (is_short ? persist_packed<true>
+                             : persist_packed<false>)(m.store, {behind, high},
+                                                      filtration.template of_dimension<any_dimension>(D).get(), {D - 1},
+                                                      work, found);
+        };
+        REQUIRE(persist(&shorter, true) == Status::ok);
+        const BarList short_bars = {shorter.pairs.pairs, shorter.pairs.count, true};
+        CHECK(are_same(bars, pairs_of(short_bars)));
+        CHECK(m.block.arena.low_mark() == m.block.arena.offset_of(short_bars.first) + 16 * bars.size());
+        CHECK(shorter.simplices == plain.simplices);
+        CHECK(are_same<D>(cells, cells_of(m.store)));
+        m.block.arena.release_low(low);
+        REQUIRE(m.block.arena.template take_high<double>(10) != nullptr);  // given back
+        REQUIRE(persist(&packed, false) == Status::ok);
         CHECK(are_same(bars, pairs_of(packed.pairs)));
         CHECK(packed.simplices == plain.simplices);
         CHECK(are_same<D>(cells, cells_of(m.store)));
@@ -99,8 +117,8 @@ TEST_CASE_TEMPLATE_DEFINE("persist_packed: any gap leaves the mesh whole", Dim, 
     for (std::size_t gap = high - low; gap >= 64; gap = gap / 16 * 15 / 16 * 16) {
         m.block.arena.release_high(low + gap);
         CountedPairs found = {};
-        const Status status =
-            persist_packed(m.store, behind, {AnyStore(m.store).view(), value, m.inputs()}, {D - 1}, work, &found);
+        const Status status = persist_packed<false>(
+            m.store, {behind, low + gap}, {AnyStore(m.store).view(), value, m.inputs()}, {D - 1}, work, &found);
         REQUIRE((status == Status::ok || status == Status::out_of_memory));
         (status == Status::ok ? made : refused)++;
         if (status == Status::ok && bars.empty()) bars = pairs_of(found.pairs);

@@ -18,21 +18,20 @@ namespace netmesh {
 class JoinList {
 public:
     struct Join {
-        std::uint32_t rank, vertex;
+        std::uint32_t vertex, rank;
+        std::uint64_t key() const { return std::uint64_t{rank} << 32 | vertex; }
     };
     explicit JoinList(Arena& arena) : arena_(arena), top_(arena.high_mark()) {}
 
     bool add(std::uint32_t rank, std::uint32_t vertex) {
         if (count_ % 2 == 0 && arena_.take_high<Join>(2) == nullptr) return false;
         ++count_;
-        *first() = Join{rank, vertex};
+        *first() = Join{vertex, rank};
         return true;
     }
     void sort_by_rank() {
         sort(
-            first(), count_,
-            [](const Join& a, const Join& b) { return a.rank != b.rank ? a.rank < b.rank : a.vertex < b.vertex; },
-            arena_);
+            first(), count_, [](const Join& a, const Join& b) { return a.key() < b.key(); }, arena_);
     }
     std::size_t count() const { return count_; }
     const Join& operator[](std::size_t i) const { return first()[i]; }
