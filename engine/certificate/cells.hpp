@@ -36,10 +36,10 @@ template <int D> void measure_cells(const Store<D>& store, double* out_radius, d
             const double doubt = static_cast<double>(cell.error) * radius;
             const double r = (radius + doubt) * up;
             for (const VertexId v : cell.vertex) {
-                if (!(r <= out_radius[v])) out_radius[v] = r;
+                out_radius[v] = out_radius[v] > r ? out_radius[v] : r;  // without branches; also r if that is no number
                 if (reach == nullptr) continue;
                 const double far = (distance<D>(cell.centre, store.point(nearest_input<D>(store, v))) + doubt) * up;
-                if (!(far <= reach[v])) reach[v] = far;
+                reach[v] = reach[v] > far ? reach[v] : far;
             }
         }
 }
