@@ -14,6 +14,7 @@
 #include <cstdint>
 
 #include "homology/lower_star/triangulated_ball.hpp"
+#include "memory/prefetch.hpp"
 #include "numerics/bits.hpp"
 
 namespace netmesh {
@@ -110,9 +111,12 @@ inline bool SpaceStar::open(const TriangulatedBall<3>& ball, VertexId v) {
     upper_neighbour_ = none;
     lower_adjacent_[0] = 0;
     ball.slot[v] = upper;
+    const std::uint32_t last = ball.begin[ball.vertex_count] - 1;
     std::uint32_t with_upper[5] = {};  // cells with so many vertices that are not lower
     for (std::uint32_t t = ball.begin[v]; t < ball.begin[v + 1]; ++t) {
-        ball.prefetch(t + 16);
+        ball.prefetch(t + 24);
+        const VertexId* const q = ball.complex.vertices(ball.incidence[t + 8 < last ? t + 8 : last].cell());
+        for (std::uint32_t j = 0; j < 4; ++j) prefetch(ball.slot + q[j]), prefetch(ball.rank + q[j]);
         const VertexId* const p = ball.complex.vertices(ball.incidence[t].cell());
         std::uint32_t slot[4], uppers = 0;
         std::uint64_t labels = 0;  // bit 0 is of no meaning
