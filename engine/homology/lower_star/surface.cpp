@@ -111,13 +111,15 @@ void Surface::read_cell(CellId c) {
     sort_small<3>(by_rank);
     const auto first = static_cast<std::uint32_t>(by_rank[0]), middle = static_cast<std::uint32_t>(by_rank[1]),
                last = static_cast<std::uint32_t>(by_rank[2]);
-    above_[first] = above_[middle] = last;
+    const std::uint32_t crossings = above_[middle] & walk_to_come;
+    above_[first] = (above_[first] & walk_to_come) | last;
+    above_[middle] = (crossings == walk_to_come ? crossings : crossings + crossing) | last;
     below_[last] = below_[middle] = first;
-    crossings_[middle] += crossings_[middle] < walked_from ? 1 : 0;
     for (std::uint32_t i = 0; i < 3; ++i) {
         if (complex_.facet_beyond(c, i) != none) continue;
         ++hull_edges_;
-        crossings_[p[(i + 1) % 3]] = crossings_[p[(i + 2) % 3]] = walked_from;
+        above_[p[(i + 1) % 3]] |= walk_to_come;
+        above_[p[(i + 2) % 3]] |= walk_to_come;
     }
 }
 
@@ -128,24 +130,23 @@ bool Surface::reserve() {
     if (order_ == nullptr || rank_ == nullptr || !rank_vertices(value_, n, arena_, order_, rank_)) return false;
     below_ = arena_.take_high<std::uint32_t>(n);
     above_ = arena_.take_high<std::uint32_t>(std::size_t{n} + 1);
-    crossings_ = arena_.take_high<std::uint8_t>(n);
-    return below_ != nullptr && above_ != nullptr && crossings_ != nullptr;
+    return below_ != nullptr && above_ != nullptr;
 }
 
 Status Surface::run() {
-    if (!reserve()) return Status::out_of_memory;
     const std::uint32_t n = complex_.vertex_count, cells = complex_.cell_count;
+    if (n > cells + 2) return Status::invalid_argument;
+    if (!reserve()) return Status::out_of_memory;
     // Pairs of zero length are counted by walks, too.
-    const std::uint8_t unseen = writer_.keeps_zero() ? walked_from : 0;
+    const std::uint32_t unseen = writer_.keeps_zero() ? walk_to_come : 0;
     arena_.each(n, 3, [this, unseen](std::uint64_t v) {
         below_[v] = none;
-        above_[v] = static_cast<std::uint32_t>(v);
-        crossings_[v] = unseen;
+        above_[v] = unseen | static_cast<std::uint32_t>(v);
     });
     arena_.each(cells, 40, [this](std::uint64_t c) { read_cell(CellId(static_cast<std::uint32_t>(c))); });
     for (std::uint32_t v = 0; v < n; ++v) {
         arena_.step(v, 4);
-        if (below_[v] == none && above_[v] == v) return Status::invalid_argument;
+        if (below_[v] == none && (above_[v] & ~walk_to_come) == v) return Status::invalid_argument;
     }
     monitor_.begin(NETMESH_STAGE_GRADIENT, cells);
     JoinList joins(arena_);
@@ -153,13 +154,13 @@ Status Surface::run() {
         for (const std::uint64_t piece = arena_.piece(c, cells, 15); c < piece; ++c) {
             for (int i = 0; i < 3; ++i) {
                 const VertexId v = complex_.vertices(c)[i];
-                if (crossings_[v] != walked_from) continue;
-                crossings_[v] = 0;
+                if (above_[v] < walk_to_come) continue;
                 if (!read_link(v, c, joins)) return Status::out_of_memory;
                 if (monitor_.advance(c)) return Status::cancelled;
             }
         }
     if (arena_.has_stopped()) return Status::cancelled;
+    arena_.each(n, 2, [this](std::uint64_t v) { above_[v] &= ~walk_to_come; });
     above_[outside()] = outside();
     joins.sort_by_rank();
     const VertexOrder vertices = {value_, order_, n, zero_born_count_};

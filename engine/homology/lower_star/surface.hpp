@@ -2,7 +2,7 @@
 // has an edge from lower to upper vertices in each cell of which the vertex is neither the first nor the last. With two
 // of them or none the lower and the upper part are in one piece each, and any vertex stands for a piece: one pass over
 // the cells tells all that. Only around the other vertices, and around those of the hull, a walk leads from cell to
-// cell. Degrees 0 and 1 are merge trees. Four words and a byte a vertex are kept, nothing else.
+// cell. Degrees 0 and 1 are merge trees. Four words a vertex are kept, nothing else.
 #pragma once
 #include "homology/lower_star/lower_star.hpp"
 #include "homology/lower_star/merge_tree.hpp"
@@ -62,9 +62,11 @@ private:
     PairWriter writer_;
     std::uint32_t zero_born_count_;
     bool with_loops_;
-    static constexpr std::uint8_t walked_from = 3;
+    // Until all links are read, above_ has in two bits in how many cells its vertex is neither first nor last; all set:
+    // a walk is to come. A disc has at most two vertices more than cells, so that vertices leave these bits free.
+    static constexpr std::uint32_t crossing = 1u << 30, walk_to_come = 3 * crossing;
+    static_assert(FacetId::cells_max < crossing - 2, "bits of a vertex are free");
     std::uint32_t *order_ = nullptr, *rank_ = nullptr, *below_ = nullptr, *above_ = nullptr;
-    std::uint8_t* crossings_ = nullptr;  // [vertex_count] cells in the midst of which a vertex is; `walked_from` or more
     std::uint32_t hull_edges_ = 0;
 };
 
