@@ -4,6 +4,7 @@
 
 #include "certificate/rounding.hpp"
 #include "delaunay/any_store.hpp"
+#include "memory/prefetch.hpp"
 #include "numerics/vector.hpp"
 
 namespace netmesh {
@@ -21,6 +22,7 @@ template <int D> double distance_to_inputs(const Store<D>& store, VertexId v) {
 // corner to v's nearest input or more; reach may be null. The unbounded sides of cells on the hull are not seen.
 // O(cells).
 template <int D> void measure_cells(const Store<D>& store, double* out_radius, double* reach, std::uint32_t first = 0) {
+    constexpr std::uint32_t ahead = 8;
     const std::uint32_t count = store.state.vertex_count;
     for (VertexId v(0); v < count;)
         for (const std::uint64_t piece = store.arena.piece(v, count, 4); v < piece; ++v) {
@@ -33,15 +35,20 @@ template <int D> void measure_cells(const Store<D>& store, double* out_radius, d
         }
     for (CellId c(0); c < store.state.cell_slots;)
         for (const std::uint64_t piece = store.arena.piece(c, store.state.cell_slots, 30 * (D + 1)); c < piece; ++c) {
+            if (D == 2 && c + 2 * ahead < store.state.cell_slots) {  // in space a vertex is in four times as many cells
+                for (const VertexId v : store.cell(c + 2 * ahead).vertex) prefetch(&store.vertex(v));
+                for (const VertexId v : store.cell(c + ahead).vertex) prefetch(store.point(nearest_input<D>(store, v)));
+            }
             const Cell<D>& cell = store.cell(c);
             const double radius = square_root(cell.radius2);
             const double doubt = static_cast<double>(cell.error) * radius;
             const double r = (radius + doubt) * up;
             for (const VertexId v : cell.vertex) {
-                if (!(r <= out_radius[v])) out_radius[v] = r;
+                out_radius[v] = out_radius[v] > r ? out_radius[v] : r;  // without branches; also r if that is no number
                 if (v < first) continue;
                 const double far = (distance<D>(cell.centre, store.point(nearest_input<D>(store, v))) + doubt) * up;
-                if (!(far <= reach[v - first])) reach[v - first] = far;
+                double& farthest = reach[v - first];
+                farthest = farthest > far ? farthest : far;
             }
         }
 }

@@ -1,6 +1,7 @@
 #include "delaunay/sphere.hpp"
 
 #include "delaunay/flat_centre.hpp"
+#include "memory/prefetch.hpp"
 #include "numerics/minors.hpp"
 #include "numerics/real.hpp"
 #include "numerics/vector.hpp"
@@ -109,6 +110,8 @@ template <int D> void recompute_balls(Store<D>& store) {
             if constexpr (D > 4) {  // a call is little beside the rest
                 solve_cell<D>(store, corner_error_max, store.cell(c));
             } else {
+                const std::uint32_t later = c + 8 < store.state.cell_slots ? c + 8 : c;
+                for (const VertexId v : store.cell(later).vertex) prefetch(store.point(v));
                 const double* p[D + 1];
                 for (int i = 0; i <= D; ++i) p[i] = store.point(store.cell(c).vertex[i]);
                 solve_sphere<D>(p, corner_error_max, store.cell(c));

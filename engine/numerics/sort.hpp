@@ -139,10 +139,10 @@ void sort_alike(T* items, std::uint64_t count, Less less, const Reports& reports
 }
 
 // Ascending, without branches.
-template <int N> void sort_small(std::uint32_t* items) {
+template <int N, class T> void sort_small(T* items) {
     for (int end = N - 1; end > 0; --end) {
         for (int i = 0; i < end; ++i) {
-            const std::uint32_t a = items[i], b = items[i + 1];
+            const T a = items[i], b = items[i + 1];
             items[i] = a < b ? a : b;
             items[i + 1] = a < b ? b : a;
         }

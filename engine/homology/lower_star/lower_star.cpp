@@ -35,6 +35,9 @@ private:
         if (Link<D>::tells_all(ball_.dim()) && !sweeps_ && !any_large_) return true;
         return star_.reserve(ball_, star_bound_, arena_);
     }
+    // Whether lower links in space are enough, where they are small.
+    bool sweeps_by_links() const { return D == 3 && !with_cycles_ && !writer_.keeps_zero(); }
+    Status classify_in_space(SpaceStar& star, VertexId v, JoinList& joins);
     Status classify_links(JoinList& joins);
     bool classify_small_link(Link<D>& link, VertexId v, JoinList& joins);
     Status classify_stars(JoinList& joins);
@@ -50,7 +53,7 @@ private:
     bool sweeps_;
     std::uint32_t *below_ = nullptr, *above_ = nullptr, *labels_ = nullptr;
     std::uint64_t star_bound_ = 1, simplex_count_ = 0;
-    bool any_large_ = false;
+    bool any_large_ = false, with_cycles_ = false;
 };
 
 template <int D> bool LowerStars<D>::reserve() {
@@ -103,8 +106,25 @@ template <int D> bool LowerStars<D>::classify_small_link(Link<D>& link, VertexId
     return count_star(v, counts, regular);
 }
 
+// Of a whole star of few cells. Columns begin only where there are two upper pieces or more.
+template <int D> Status LowerStars<D>::classify_in_space(SpaceStar& star, VertexId v, JoinList& joins) {
+    if (!star.open(ball_, v)) return Status::internal;
+    star.close(ball_, v);
+    below_[v] = star.lower_count() == 0 ? std::uint32_t{none} : star.lower_vertex(1);
+    above_[v] = star.upper_neighbour() == none ? v : star.upper_neighbour();
+    for (std::uint32_t i = 1; i < star.lower_pieces(); ++i) {
+        if (!joins.add(ball_.rank[v], star.lower_vertex(lowest_bit(star.lower_piece(i))))) return Status::out_of_memory;
+    }
+    const std::uint32_t counts[DimensionOf<D>::most + 1] = {1, star.lower_count(), star.lower_edges(),
+                                                            star.lower_triangles()};
+    const std::uint32_t size = counts[0] + counts[1] + counts[2] + counts[3];
+    if (size > star_bound_) star_bound_ = size;
+    return count_star(v, counts, star.upper_pieces() <= 1) ? Status::ok : Status::out_of_memory;
+}
+
 template <int D> Status LowerStars<D>::classify_links(JoinList& joins) {
     Link<D> link(ball_.dim());
+    [[maybe_unused]] SpaceStar star;
     monitor_.begin(NETMESH_STAGE_GRADIENT, ball_.vertex_count);
     for (VertexId v(0); v < ball_.vertex_count;)
         for (const std::uint64_t piece = arena_.piece(v, ball_.vertex_count, 10); v < piece; ++v) {
@@ -114,6 +134,14 @@ template <int D> Status LowerStars<D>::classify_links(JoinList& joins) {
                 continue;
             }
             const bool cut = (ball_.flags[v] & TriangulatedBall<D>::cut) != 0;
+            if (monitor_.advance(v, 1 + (ball_.begin[v + 1] - ball_.begin[v]) / 3)) return Status::cancelled;
+            if constexpr (D == 3) {
+                if (sweeps_by_links() && !cut && SpaceStar::is_small(ball_, v)) {
+                    const Status status = classify_in_space(star, v, joins);
+                    if (status != Status::ok) return status;
+                    continue;
+                }
+            }
             if (cut && (ball_.flags[v] & TriangulatedBall<D>::on_hull) == 0) {
                 link.count(ball_, v);
             } else {
@@ -131,7 +159,6 @@ template <int D> Status LowerStars<D>::classify_links(JoinList& joins) {
                     return Status::out_of_memory;
                 }
             }
-            if (monitor_.advance(v, 1 + (ball_.begin[v + 1] - ball_.begin[v]) / 3)) return Status::cancelled;
         }
     above_[ball_.outside] = ball_.outside;
     return Status::ok;
@@ -174,6 +201,7 @@ template <int D> Status LowerStars<D>::classify_stars(JoinList& joins) {
 }
 
 template <int D> Status LowerStars<D>::run(CycleWriter* cycles) {
+    with_cycles_ = cycles != nullptr;
     if (!reserve()) return Status::out_of_memory;
     JoinList joins(arena_);
     Status status = classify_links(joins);
@@ -191,7 +219,7 @@ template <int D> Status LowerStars<D>::run(CycleWriter* cycles) {
         if (!join_sublevel(vertices, below_, lists, 2, ball_.rank, writer_, cycles)) return Status::out_of_memory;
     }
     if (!sweeps_) return Status::ok;
-    Sweep<D> sweep(ball_, star_, above_, writer_, cycles, monitor_);
+    Sweep<D> sweep(ball_, star_, above_, sweeps_by_links(), writer_, cycles, monitor_);
     return sweep.run(arena_);
 }
 

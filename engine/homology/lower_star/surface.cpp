@@ -1,6 +1,7 @@
 #include "homology/lower_star/surface.hpp"
 
 #include "homology/rank.hpp"
+#include "numerics/sort.hpp"
 
 namespace netmesh {
 
@@ -32,7 +33,6 @@ bool Surface::add_link_vertex(Circle* circle, std::uint32_t u, JoinList* joins) 
         circle->run_best = u;
     }
     if (lower) ++circle->lower_vertices;
-    if (lower && circle->last_lower && circle->seen > 1) ++circle->lower_edges;
     if (lower != circle->last_lower) {
         if (!end_run(*circle, joins)) return false;
         ++circle->changes;
@@ -61,7 +61,6 @@ bool Surface::walk(Circle* circle, Corner* corner, bool open, JoinList* joins, b
     }
     if (!end_run(*circle, joins)) return false;
     if (circle->first_lower != circle->last_lower) ++circle->changes;
-    if (circle->first_lower && circle->last_lower) ++circle->lower_edges;
     return true;
 }
 
@@ -69,7 +68,7 @@ bool Surface::read_link(VertexId v, CellId cell, JoinList& joins) {
     const VertexId* p = complex_.vertices(cell);
     const std::uint32_t at = p[0] == v ? 0 : p[1] == v ? 1 : 2;
     Corner start = {cell, at == 0 ? 1u : 0u, at == 2 ? 1u : 2u};
-    const Circle unseen = {v, rank_[v], 0, 0, 0, 0, none, none, none, false, false};
+    const Circle unseen = {v, rank_[v], 0, 0, 0, none, none, none, false, false};
     Circle circle = unseen;
     Corner corner = start;
     bool closed;
@@ -89,13 +88,12 @@ bool Surface::read_link(VertexId v, CellId cell, JoinList& joins) {
         again.highest = circle.highest;
         if (!walk(&again, &start, open, &joins, &closed)) return false;
     }
-    return count_star(circle);
+    return add_zero_pairs(circle);
 }
 
-// Counts the lower star; its edges are one with the vertex, a critical one for each further piece, and one for each
-// triangle but the last of a maximum.
-bool Surface::count_star(const Circle& circle) {
-    simplex_count_ += std::uint64_t{1} + circle.lower_vertices + circle.lower_edges;
+// The edges of a lower star are one with the vertex, a critical one for each further piece, and one for each triangle
+// but the last of a maximum.
+bool Surface::add_zero_pairs(const Circle& circle) {
     if (!writer_.keeps_zero() || circle.lower_vertices == 0) return true;
     const double value = value_[circle.vertex];
     const std::uint32_t critical = circle.changes > 2 ? circle.changes / 2 - 1 : 0;
@@ -103,6 +101,26 @@ bool Surface::count_star(const Circle& circle) {
         if (!writer_.add(value, value, 1)) return false;
     }
     return true;
+}
+
+// What the cell says of the links of its vertices.
+void Surface::read_cell(CellId c) {
+    const VertexId* const p = complex_.vertices(c);
+    std::uint64_t by_rank[3];
+    for (int i = 0; i < 3; ++i) by_rank[i] = std::uint64_t{rank_[p[i]]} << 32 | p[i];
+    sort_small<3>(by_rank);
+    const auto first = static_cast<std::uint32_t>(by_rank[0]), middle = static_cast<std::uint32_t>(by_rank[1]),
+               last = static_cast<std::uint32_t>(by_rank[2]);
+    const std::uint32_t crossings = above_[middle] & walk_to_come;
+    above_[first] = (above_[first] & walk_to_come) | last;
+    above_[middle] = (crossings == walk_to_come ? crossings : crossings + crossing) | last;
+    below_[last] = below_[middle] = first;
+    for (std::uint32_t i = 0; i < 3; ++i) {
+        if (complex_.facet_beyond(c, i) != none) continue;
+        ++hull_edges_;
+        above_[p[(i + 1) % 3]] |= walk_to_come;
+        above_[p[(i + 2) % 3]] |= walk_to_come;
+    }
 }
 
 bool Surface::reserve() {
@@ -116,26 +134,33 @@ bool Surface::reserve() {
 }
 
 Status Surface::run() {
+    const std::uint32_t n = complex_.vertex_count, cells = complex_.cell_count;
+    if (n > cells + 2) return Status::invalid_argument;
     if (!reserve()) return Status::out_of_memory;
-    const std::uint32_t n = complex_.vertex_count;
-    arena_.each(n, 2, [this](std::uint64_t v) { below_[v] = none; });
-    for (CellId c(0); c < complex_.cell_count;)
-        for (const std::uint64_t piece = arena_.piece(c, complex_.cell_count, 20); c < piece; ++c) {
-            for (int i = 0; i < 3; ++i) below_[complex_.vertices(c)[i]] = c;
-        }
-    monitor_.begin(NETMESH_STAGE_GRADIENT, n);
-    // Vertices as they are last met in the cells, which are near each other in memory when they are in the plane.
-    JoinList joins(arena_);
-    std::uint32_t done = 0;
-    for (CellId c(0); c < complex_.cell_count; ++c) {
-        for (int i = 0; i < 3; ++i) {
-            const VertexId v = complex_.vertices(c)[i];
-            if (below_[v] != c) continue;
-            if (!read_link(v, c, joins)) return Status::out_of_memory;
-            if (monitor_.advance(done++)) return Status::cancelled;
-        }
+    // Pairs of zero length are counted by walks, too.
+    const std::uint32_t unseen = writer_.keeps_zero() ? walk_to_come : 0;
+    arena_.each(n, 3, [this, unseen](std::uint64_t v) {
+        below_[v] = none;
+        above_[v] = unseen | static_cast<std::uint32_t>(v);
+    });
+    arena_.each(cells, 40, [this](std::uint64_t c) { read_cell(CellId(static_cast<std::uint32_t>(c))); });
+    for (std::uint32_t v = 0; v < n; ++v) {
+        arena_.step(v, 4);
+        if (below_[v] == none && (above_[v] & ~walk_to_come) == v) return Status::invalid_argument;
     }
-    if (done != n) return Status::invalid_argument;
+    monitor_.begin(NETMESH_STAGE_GRADIENT, cells);
+    JoinList joins(arena_);
+    for (CellId c(0); c < cells;)
+        for (const std::uint64_t piece = arena_.piece(c, cells, 15); c < piece; ++c) {
+            for (int i = 0; i < 3; ++i) {
+                const VertexId v = complex_.vertices(c)[i];
+                if (above_[v] < walk_to_come) continue;
+                if (!read_link(v, c, joins)) return Status::out_of_memory;
+                if (monitor_.advance(c)) return Status::cancelled;
+            }
+        }
+    if (arena_.has_stopped()) return Status::cancelled;
+    arena_.each(n, 2, [this](std::uint64_t v) { above_[v] &= ~walk_to_come; });
     above_[outside()] = outside();
     joins.sort_by_rank();
     const VertexOrder vertices = {value_, order_, n, zero_born_count_};

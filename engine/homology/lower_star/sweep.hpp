@@ -16,6 +16,7 @@
 #pragma once
 #include "homology/lower_star/cell_components.hpp"
 #include "homology/lower_star/front.hpp"
+#include "homology/lower_star/space_star.hpp"
 #include "homology/lower_star/star.hpp"
 #include "homology/lower_star/star_cycles.hpp"
 #include "homology/lower_star/triangulated_ball.hpp"
@@ -40,11 +41,12 @@ struct LaterRanks {
 template <int D> class Sweep {
 public:
     // above[vertex_count + 1]: for each vertex a higher vertex of its link or `outside`, itself if there is none.
+    // by_links: whether small stars in space are swept by their links; no cycles then, and no pairs of zero length.
     // cycles: null when none are wanted.
-    Sweep(const TriangulatedBall<D>& ball, Star<D>& star, std::uint32_t* above, PairWriter& writer, CycleWriter* cycles,
-          Monitor& monitor)
-        : ball_(ball), star_(star), writer_(writer), monitor_(monitor), cycles_(cycles),
-          star_cycles_(ball, star, front_, cycles, monitor),
+    Sweep(const TriangulatedBall<D>& ball, Star<D>& star, std::uint32_t* above, bool by_links, PairWriter& writer,
+          CycleWriter* cycles, Monitor& monitor)
+        : ball_(ball), star_(star), above_(above), by_links_(by_links), writer_(writer), monitor_(monitor),
+          cycles_(cycles), star_cycles_(ball, star, front_, cycles, monitor),
           components_(ball, star, above, writer, cycles == nullptr ? nullptr : &star_cycles_) {}
 
     // Needs the ball's `irregular` flags. ok, out_of_memory, cancelled, internal.
@@ -52,6 +54,9 @@ public:
 
 private:
     Status visit(std::uint32_t r);
+    Status visit_link(std::uint32_t r);
+    bool join_above(SpaceStar& star, VertexId v);
+    Status reduce_in_link(const SpaceStar& star, std::uint32_t r);
     void prefetch_star(std::uint32_t r);
     bool reserve_columns(Arena& arena);
     bool add_zero_pairs(double value);
@@ -61,6 +66,14 @@ private:
     bool gather(std::uint32_t c, std::uint32_t r);
     bool reduce(std::uint32_t c, VertexId v);
     void add_outer_facet(std::uint32_t i);
+    // The same of an edge in a link.
+    void add_edge(std::uint32_t a, std::uint32_t b) {
+        a = ball_.rank[a];
+        b = ball_.rank[b];
+        std::uint32_t* const ranks = outer_ + std::size_t{2} * outer_count_++;
+        ranks[0] = a > b ? a : b;
+        ranks[1] = a > b ? b : a;
+    }
     template <std::uint32_t N> bool add_outer_facets(std::uint32_t c);
     bool flush(std::uint32_t c);
     bool take_pivot(std::uint32_t c, std::uint32_t i, VertexId v);
@@ -76,6 +89,8 @@ private:
 
     const TriangulatedBall<D>& ball_;
     Star<D>& star_;
+    std::uint32_t* const above_;
+    const bool by_links_;
     PairWriter& writer_;
     Monitor& monitor_;
     Front front_;
@@ -122,6 +137,10 @@ template <int D> bool Sweep<D>::reserve_columns(Arena& arena) {
 // A star is visited because it is irregular or because a column waits there. In the plane there are no columns.
 template <int D> Status Sweep<D>::visit(std::uint32_t r) {
     const VertexId v(ball_.order[r]);
+    if constexpr (D == 3) {
+        const bool is_whole = (ball_.flags[v] & TriangulatedBall<D>::cut) == 0;
+        if (by_links_ && is_whole && SpaceStar::is_small(ball_, v)) return visit_link(r);
+    }
     irregular_ = (ball_.flags[v] & TriangulatedBall<D>::irregular) != 0;
     if (!star_.open(ball_, v)) return Status::internal;
     prefetch_star(front_.waiting().top());
@@ -134,6 +153,80 @@ template <int D> Status Sweep<D>::visit(std::uint32_t r) {
     if (ball_.dim() > 2 && status == Status::ok) status = reduce_columns_at(r);
     star_.close(ball_);
     return status;
+}
+
+template <int D> Status Sweep<D>::visit_link(std::uint32_t r) {
+    const VertexId v(ball_.order[r]);
+    SpaceStar star;
+    if (!star.open(ball_, v)) return Status::internal;
+    prefetch_star(front_.waiting().top());
+    work_ += (ball_.begin[v + 1] - ball_.begin[v]) / 2;
+    const bool joins = (ball_.flags[v] & TriangulatedBall<D>::irregular) != 0;
+    const Status status = joins && !join_above(star, v) ? Status::out_of_memory : reduce_in_link(star, r);
+    star.close(ball_, v);
+    return status;
+}
+
+// Degree 2 at v, and the columns that begin there. False: out of memory.
+template <int D> bool Sweep<D>::join_above(SpaceStar& star, VertexId v) {
+    const auto is_older = [this](std::uint32_t x, std::uint32_t y) {
+        return y != ball_.outside && (x == ball_.outside || ball_.rank[x] > ball_.rank[y]);
+    };
+    star.open_upper(ball_, v);
+    above_[v] = v;  // a component of its own, which the first piece ends: of no length
+    for (std::uint64_t left = star.upper_set(); left != 0;) {
+        const std::uint64_t piece = star.upper_piece_of(lowest_bit(left));
+        std::uint32_t older = v, younger = star.upper_vertex(lowest_bit(left));
+        left &= ~piece;
+        if (unite(above_, older, younger, is_older)) {
+            if (!writer_.add(ball_.value[v], ball_.value[younger], 2)) return false;
+            continue;
+        }
+        const std::uint32_t c = front_.new_column(++next_age_, ball_.rank[v], 2);
+        if (c == none) return false;
+        star.surround(ball_, v, piece, [this](std::uint32_t a, std::uint32_t b) { add_edge(a, b); });
+        if (!add_outer_facets<2>(c)) return false;
+        front_.wait(c);
+    }
+    return true;
+}
+
+// The columns that have arrived, the older ones first.
+template <int D> Status Sweep<D>::reduce_in_link(const SpaceStar& star, std::uint32_t r) {
+    struct Owner {
+        std::uint32_t column;
+        std::uint64_t ends, odd;
+    };
+    Owner owners[64];  // of pieces, by their last one
+    std::uint64_t owned = 0;
+    std::uint32_t following;
+    for (std::uint32_t c = sorted(front_.arrive(r)); c != none; c = following) {
+        following = front_.next(c);
+        std::uint32_t ranks[DimensionOf<D>::most];
+        std::uint64_t ends = 0;
+        while (front_.take_entry(c, r, ranks))
+            ends ^= std::uint64_t{1} << star.lower_label(ball_, ball_.order[ranks[1]]);
+        if ((ends & ~star.lower_set()) != 0) return Status::internal;
+        std::uint64_t odd = star.odd_pieces(ends);
+        while (odd != 0 && (owned >> highest_bit(odd) & 1) != 0) {
+            writer_.arena().pass(1);
+            const Owner& older = owners[highest_bit(odd)];
+            ends ^= older.ends;
+            odd ^= older.odd;
+            if (!front_.unite_runs(older.column) || !front_.add_column(c, older.column)) return Status::out_of_memory;
+        }
+        if (odd == 0) {
+            star.join(ends, [this](std::uint32_t a, std::uint32_t b) { add_edge(a, b); });
+            if (!add_outer_facets<2>(c)) return Status::out_of_memory;
+            front_.wait(c);
+        } else {
+            owners[highest_bit(odd)] = {c, ends, odd};
+            owned |= std::uint64_t{1} << highest_bit(odd);
+            if (!write_pair(c, 1, VertexId(ball_.order[r]))) return Status::out_of_memory;
+        }
+    }
+    for (; owned != 0; owned &= owned - 1) front_.drop(owners[lowest_bit(owned)].column);
+    return Status::ok;
 }
 
 // From the top dimension down: the columns of the star's own critical simplices, then those that have arrived.
