@@ -29,7 +29,10 @@ namespace netmesh {
 //
 // ReleaseCage happens when a Steiner point comes nearer than a cage's clearance, which only gaps not much wider than a
 // cage needs let happen. Cages are never made again about the same inputs, as their shells stay as vertices, so
-// refinement ends where it would end without cages. The shell of a neighbouring cage and Steiner points inside it are
+// refinement ends where it would end without cages. Its cells were clipped to the ball of e r; now those beside that
+// sphere reach as far as the shell, so until they are refined ratios are as large as the gap was beside their in-radii.
+// 4.8's bound on intermediate meshes does not hold then: a chain of 11 inputs in the plane, each an eighth to a fifth as
+// far from the last one as the one before, with three far away, comes to 2e6 and degree 33. The shell of a neighbouring cage and Steiner points inside it are
 // as near as its centre, up to a quarter, and do not count as encroaching. Vertices whose cells are no longer clipped
 // to a released cage are found by a look at all cells after the last insertion; those next to the shell at once.
 //
@@ -37,6 +40,10 @@ namespace netmesh {
 // way to the centre. A Steiner point yields to an input within nine tenths of its empty ball's radius and to no other:
 // the rule by f_P that quality_rule.hpp adds is for the proof of termination for tau near 2 without cages. An input
 // that a Steiner point yields to is inserted without going back to others: it is medial as it stands.
+//
+// While inputs are missing cells, and those of cages, are held to waiting_tau (aspect_rule.hpp). By tau 2.5 or 3.08 a
+// Steiner point would yield to inputs nearer to its vertex than any neighbour, one after the other, and meshes of close
+// pairs in space would have twice the vertices.
 //
 // FinishMesh releases all cages and cleans. Steiner points are pulled back towards their vertices, so the layers that
 // grow out of a shell are those that growing the cage step by step would give. What it leaves is a mesh as that of

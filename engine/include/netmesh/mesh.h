@@ -96,8 +96,8 @@ typedef struct netmesh_certificate_goal {
 /* LOCATION: point location as in 4.7.2. Every input that is not inserted yet is stored in all D-balls (circumscribed
  * balls) that contain it, and inputs are inserted in rounds of range nets (4.7.5), each of which is drawn from again
  * until the largest load has halved. QUALITY: aspect ratios, degrees and the invariants of 4.8 and 4.9 are measured
- * after each insertion, until FinishMesh begins (with cages of the thesis to the end, of whole cells); K and K' until
- * over-refinement begins. */
+ * after each vertex, or cage with its whole shell, until FinishMesh begins (with cages of the thesis to the end, of
+ * whole cells); K and K' until over-refinement begins. */
 typedef enum netmesh_audit_what {
     NETMESH_AUDIT_LOCATION = 1,
     NETMESH_AUDIT_QUALITY = 2

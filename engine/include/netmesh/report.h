@@ -68,7 +68,10 @@ typedef struct netmesh_mesh_report {
     uint64_t cells, cells_created;
     netmesh_method method;              /* SVR after load */
     double domain[NETMESH_DIM_MAX + 1]; /* centre, radius at index D */
-    double aspect_ratio_max; /* actual worst clipped aspect ratio over vertices that are not exempt; 0 if none */
+    /* Worst clipped aspect ratio over vertices that are not exempt, of corners as computed; 0 if none. Where vertices
+     * are so near to one another that coordinates blur the corners, 2^-28 of their size, one in truth may be a
+     * thousandth larger, but not above tau. */
+    double aspect_ratio_max;
     double tau;              /* bound asked for; 0 for a mesh refined by the certificate */
     netmesh_certificate_goal certificate; /* asked for */
     netmesh_sizes_report sizes;
