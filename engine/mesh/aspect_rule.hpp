@@ -18,16 +18,17 @@ namespace netmesh {
 // yield_radius) l or more from v. Where that is less than nn(v), one input after the other can come nearer while the
 // corner that v was split for stays, and ratios grow without bound.
 template <int D>
-constexpr bool yields_no_nearer = (1 - yield_radius) * (1 + 0x1p-40) * figures<D>.pull_back * figures<D>.waiting_tau >= 2;
+constexpr bool yields_no_nearer = (1 - yield_radius) * (1 + 0x1p-40) * figures<D>.pull_back* figures<D>.waiting_tau >=
+                                  2;
 #define NETMESH_HOLDS(D) static_assert(yields_no_nearer<D>);
 NETMESH_EACH_DIMENSION(NETMESH_HOLDS)
 #undef NETMESH_HOLDS
 
-// Then cells are refined by scales, vertices with the nearest neighbours first: nearest distances up to the root of this
-// times the least one. Layers of vertices have to grow outwards from all close inputs; where they grow from one into
-// what is coarse about the next, meshes of close pairs in space are larger by a third. 16 in place of 2 makes meshes of
-// uniform points larger by .7% and saves 2 to 4% of the time a vertex. Within a scale one vertex follows the other,
-// each with all that its splits lead to: what is near in space is near in memory.
+// Then cells are refined by scales, vertices with the nearest neighbours first: nearest distances up to the root of
+// this times the least one. Layers of vertices have to grow outwards from all close inputs; where they grow from one
+// into what is coarse about the next, meshes of close pairs in space are larger by a third. 16 in place of 2 makes
+// meshes of uniform points larger by .7% and saves 2 to 4% of the time a vertex. Within a scale one vertex follows the
+// other, each with all that its splits lead to: what is near in space is near in memory.
 constexpr double scale_span2 = 2;
 
 // What is refined is the farthest corner of a clipped cell: a Voronoi corner inside the ball that the cell is clipped

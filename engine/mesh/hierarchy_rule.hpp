@@ -31,10 +31,11 @@ namespace netmesh {
 // cage needs let happen. Cages are never made again about the same inputs, as their shells stay as vertices, so
 // refinement ends where it would end without cages. Its cells were clipped to the ball of e r; now those beside that
 // sphere reach as far as the shell, so until they are refined ratios are as large as the gap was beside their in-radii.
-// 4.8's bound on intermediate meshes does not hold then: a chain of 11 inputs in the plane, each an eighth to a fifth as
-// far from the last one as the one before, with three far away, comes to 2e6 and degree 33. The shell of a neighbouring cage and Steiner points inside it are
-// as near as its centre, up to a quarter, and do not count as encroaching. Vertices whose cells are no longer clipped
-// to a released cage are found by a look at all cells after the last insertion; those next to the shell at once.
+// 4.8's bound on intermediate meshes does not hold then: a chain of 11 inputs in the plane, each an eighth to a fifth
+// as far from the last one as the one before, with three far away, comes to 2e6 and degree 33. The shell of a
+// neighbouring cage and Steiner points inside it are as near as its centre, up to a quarter, and do not count as
+// encroaching. Vertices whose cells are no longer clipped to a released cage are found by a look at all cells after the
+// last insertion; those next to the shell at once.
 //
 // YieldingInsert. A shell vertex never yields: the thesis's gamma is .25, and no input is nearer to it than .4 of the
 // way to the centre. A Steiner point yields to an input within nine tenths of its empty ball's radius and to no other:

@@ -67,7 +67,6 @@ private:
 
     const bool reference_, certify_;
     const double pull_;
-    VertexId waiting_ = none;  // the input that a cell is being split for
 };
 
 template <int D> double QualityRule<D>::choose_domain() {
@@ -105,14 +104,8 @@ template <int D> Status QualityRule<D>::take_turn(VertexId p) {
                 return Status::out_of_memory;
         }
         if (medial == Verdict::out_of_memory) return Status::out_of_memory;
-        if (medial == Verdict::bad) {
-            waiting_ = p;
-            status = this->yielding_insert(split);
-            waiting_ = none;
-        } else {
-            status = this->fill(p, cavity);
-            if (status == Status::ok) status = this->finish_step(p, false);
-        }
+        status = medial == Verdict::bad ? this->yielding_insert(split) : this->fill(p, cavity);
+        if (status == Status::ok && medial == Verdict::good) status = this->finish_step(p, false);
         if (status == Status::ok) status = this->clean();
         from = store_.vertex(u).cell;
     }
@@ -246,7 +239,6 @@ template <int D> Verdict QualityRule<D>::judge(VertexId v, Split<D>* split) {
 // What the proof in the header asks of inputs that are not inserted yet.
 template <int D> bool QualityRule<D>::must_yield(const Split<D>& split, const NearestInput& nearest) const {
     const double input2 = nearest.distance2;
-    if (nearest.input == waiting_) return false;
     if (input2 < yield_radius * yield_radius * split.empty2 || !(input2 < split.empty2)) return input2 < split.empty2;
     double second2;  // f_P(x) squared
     tree_.nearest(split.x, none, nearest.input, &second2);

@@ -32,8 +32,9 @@ namespace netmesh {
 //
 // The point x that u's cell is split at does not yield to p. With d = |u - p| and l = |u - x| > 16 d still
 // f_P(x) <= (K - 1) |x - p|: by the bounds above f_P(u) <= (K - 1) d, so f_P(x) <= l + (K - 1) d and
-// |x - p| >= l - d, and l + (K - 1) d <= (K - 1) (l - d) when l >= (tau/2 + 1) d, that is for tau <= 30. A point that
-// the mesh is cleaned with before p is in yields to p as to any other input.
+// |x - p| >= l - d, and l + (K - 1) d <= (K - 1) (l - d) when l >= (tau/2 + 1) d, that is for tau <= 30. By a larger
+// tau p may enter instead: then l < (tau/2 + 1) d, so that the ratio at u is below tau + 2. A point that the mesh is
+// cleaned with before p is in yields to p as to any other input.
 //
 // With certify_filter a cell is also bad when the bounds lo and hi of mesh_filter.hpp on the whole of it (corners
 // outside the domain too) say hi > (2 + tau) lo or hi > tau s, s the thesis's filter value: half of nn(v) for an

@@ -115,6 +115,20 @@ TEST_CASE("vertices in no cell, and triangulations, are loaded and checked") {
     }
 }
 
+TEST_CASE("a triangulation that is not Delaunay is refused, whatever else is asked for") {
+    if (dimensions({2}).empty()) return;
+    Session s(2);
+    REQUIRE(s.delaunay({0, 0, 2, 0, 0, 2, 3, 3}) == NETMESH_OK);
+    Arrays cells(s);
+    cells.domain.clear();
+    for (double& x : cells.vertices)
+        if (x == 3) x = 1.2;  // into the circle of the other three
+    REQUIRE(cells.load(s) == NETMESH_OK);
+    CHECK(s.check(NETMESH_CHECK_COMBINATORIAL | NETMESH_CHECK_GEOMETRIC) == NETMESH_OK);
+    for (const std::uint32_t what : {NETMESH_CHECK_DELAUNAY + 0u, NETMESH_CHECK_ALL + 0u})
+        CHECK(s.check(what) == NETMESH_CHECK_FAILED);
+}
+
 // Of a flat cell no radius is known, and with any number for it faces could enter after their cofaces.
 TEST_CASE("alpha refuses cells that were loaded flat") {
     for (const int dim : dimensions()) {

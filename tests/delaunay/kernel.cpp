@@ -235,6 +235,25 @@ TEST_CASE_TEMPLATE_DEFINE("any arena size, where one cavity is all there is in t
 }
 TEST_CASE_TEMPLATE_APPLY(large_cavity, Dimensions<2, 2>);
 
+// Cells are small while a triangulation in the plane grows, and get their circles in the end, where they need room.
+TEST_CASE_TEMPLATE_DEFINE("any arena size, where cells in the plane grow in the end", Dim, plane_sizes) {
+    const inputs::Points points = inputs::uniform(2, 60);
+    const Triangulated<2> roomy(points, std::size_t{1} << 20);
+    REQUIRE(roomy.status == Status::ok);
+    std::uint32_t whole = 0, partial = 0;
+    for (std::size_t bytes = 3000; bytes < roomy.block.arena.bytes_peak() + 1000; bytes += 16) {
+        Triangulated<2> tight(points, bytes);
+        REQUIRE((tight.status == Status::ok || tight.status == Status::out_of_memory));
+        if (tight.state.cell_slots == 0) continue;
+        REQUIRE(violation<2>(tight.store) == nullptr);
+        if (tight.status == Status::ok) CHECK(tight.state.cell_slots == roomy.state.cell_slots);
+        ++(tight.status == Status::ok ? whole : partial);
+    }
+    CHECK(partial > 50);
+    CHECK(whole > 50);
+}
+TEST_CASE_TEMPLATE_APPLY(plane_sizes, Dimensions<2, 2>);
+
 TEST_CASE("any arena size ends in a status and, once there is a cell, in a triangulation") {
     const inputs::Points points = inputs::uniform(3, 60);
     std::uint32_t partial = 0, whole = 0;

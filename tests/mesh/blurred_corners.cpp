@@ -9,6 +9,7 @@
 #include "common/meshed.hpp"
 #include "common/session.hpp"
 #include "hierarchical.hpp"
+#include "mesh/clipped_cell.hpp"
 #include "mesh/separation.hpp"
 
 using namespace netmesh;
@@ -178,12 +179,23 @@ TEST_CASE_TEMPLATE_DEFINE("cells of three small cages reach root 2 radii of the 
         REQUIRE(measure_hierarchy(m.store, request, m.block.arena, &quality) == Status::ok);
         CHECK(quality.worst <= 3);
         for (int cage = 0; cage < 3; ++cage) {
-            CHECK(radii[2 * cage] == doctest::Approx(std::sqrt(0.75)).epsilon(1e-6));
-            CHECK(radii[2 * cage + 1] == doctest::Approx(std::sqrt(2.)).epsilon(1e-6));
+            CHECK(radii[2 * cage] == doctest::Approx(std::sqrt(0.75)).epsilon(1e-8));
+            CHECK(radii[2 * cage + 1] == doctest::Approx(std::sqrt(2.)).epsilon(1e-8));
         }
     }
 }
 TEST_CASE_TEMPLATE_APPLY(three_cages, Dimensions<3, 5>);
+
+TEST_CASE("which of two vertices is nearer to a place is told however near these are to each other") {
+    const double p[2] = {0, 0}, y[2] = {0.5, 0.3};
+    const double length = std::sqrt(0.34);
+    for (double gap = 0.25; gap > 1e-300; gap /= 8) {
+        const double before[2] = {gap, 0}, behind[2] = {-gap, 0}, beside[2] = {-0.6 * gap, gap};
+        CHECK(is_nearer_to(2, before, p, y, length));
+        CHECK(!is_nearer_to(2, behind, p, y, length));
+        CHECK(!is_nearer_to(2, beside, p, y, length));  // as near but for gap squared
+    }
+}
 
 // The input that a cage was made for is on the edge of the ball that cells in the cage are clipped to, as far as
 // doubles tell: its cell is half of a lens, whose rim has no corner.

@@ -12,10 +12,11 @@
 extern "C" {
 #endif
 
-/* Measures each vertex's cell: ratios[vertices] gets its clipped aspect ratio, 0 for exempt vertices; domains[vertices]
- * the innermost cage that it is in, NETMESH_NONE for none. Of a Delaunay triangulation: the aspect ratio of the whole
- * cell, +infinity on the hull or where doubles do not know a corner; 0 for points that are not inserted. Scratch in the
- * block. INVALID_ARGUMENT, NO_RESULT, OUT_OF_MEMORY. */
+/* Measures each vertex's cell: ratios[vertices] gets its clipped aspect ratio, 0 for exempt vertices and for those of
+ * the shell of a released cage that are out of the domain with their cells; domains[vertices] the innermost cage that
+ * it is in, NETMESH_NONE for none. Of a Delaunay triangulation: the aspect ratio of the whole cell, +infinity on the
+ * hull or where doubles do not know a corner; 0 for points that are not inserted. Scratch in the block.
+ * INVALID_ARGUMENT, NO_RESULT, OUT_OF_MEMORY. */
 netmesh_status netmesh_measure_cells(netmesh_context* context, double* ratios, uint32_t* domains);
 
 /* The Voronoi cell of a vertex (5.1). Its corners are the centres of the D-balls of the vertex's cells, the Delaunay

@@ -72,7 +72,7 @@ typedef struct netmesh_mesh_report {
      * are so near to one another that coordinates blur the corners, 2^-28 of their size, one in truth may be a
      * thousandth larger, but not above tau. */
     double aspect_ratio_max;
-    double tau;              /* bound asked for; 0 for a mesh refined by the certificate */
+    double tau;                           /* bound asked for; 0 for a mesh refined by the certificate */
     netmesh_certificate_goal certificate; /* asked for */
     netmesh_sizes_report sizes;
     netmesh_hierarchy_report hierarchy;
