@@ -152,12 +152,12 @@ template <int D> double planned_vertices(const MeshKind& kind, double points) {
     double growth = kind.ratio > 0 ? interpolated(kind.ratio - root2, places, f.by_ratio)
                                    : interpolated(kind.tau - 2, taus, f.by_tau);
     const double shell = kind.shell ? f.shell * square_root(growth) * to_power(n, f.shell_power) : 0;
-    if (kind.cages) growth *= f.cages_growth;
+    if (kind.cages && !kind.thesis) growth *= f.cages_growth;
     double vertices = points * (1 + growth * (1 + f.spread_root / square_root(spread) + f.spread / spread)) + shell;
     if (points < 100) vertices += (D == 3 ? 3.8 : 1) * (100 - points);
     if (kind.net) vertices += f.net_fixed + f.net * to_power(n, f.net_power) + f.net_each * points;
     if constexpr (D <= thesis_dim_max)
-        if (kind.thesis) vertices += 1.6 * RootTemplate<D>::size;
+        if (kind.thesis) vertices += 1.55 * RootTemplate<D>::size;
     double fine = kind.eps > 0 ? f.sizes : 0;
     for (int k = 0; k < D && kind.eps > 0; ++k) fine /= kind.eps;
     if (fine > 0) fine = points * (f.sizes_each + fine) * (1 + 3.2 / square_root(points));
