@@ -14,9 +14,10 @@ namespace netmesh {
 // uniform points larger by 1.5%. From three dimensions on sizes are within 3% of one another, and 32 takes more time
 // than 16, 7% in three dimensions and 30% in four and five: cells of bad ratio border many others.
 //
-// It is no matter of size alone. A Steiner point at a distance l from its vertex v yields to inputs at (1 -
-// yield_radius) l or more from v. Where that is less than nn(v), one input after the other can come nearer while the
-// corner that v was split for stays, and ratios grow without bound.
+// It is no matter of size alone. A Steiner point at a distance l = pull_back waiting_tau / 2 nn(v) from its vertex v
+// yields to inputs at (1 - yield_radius) l or more from v. Where that is less than nn(v), one input after the other can
+// come nearer while the corner that v was split for stays, and ratios grow without bound. In five and six dimensions
+// the two are equal but for roundings.
 template <int D>
 constexpr bool yields_no_nearer = (1 - yield_radius) * (1 + 0x1p-40) * figures<D>.pull_back* figures<D>.waiting_tau >=
                                   2;

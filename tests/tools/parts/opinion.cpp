@@ -301,7 +301,7 @@ TEST_CASE("opinion: what the engine made is confirmed; forged values, ratios and
         const double certified = ratio;
         for (const double wrong : {certified * 1.01, certified * 0.99}) {
             ratio = wrong;
-            CHECK(made.refuses("follows from"));  // the cells of the mesh, or one cell, whose value has it as a factor
+            CHECK(made.refuses("follows from"));  // the cells of the mesh, or one of them, whose value the ratio tells
         }
         ratio = certified;
         for (Bar& bar : made.file.bars) {
