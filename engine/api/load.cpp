@@ -183,7 +183,7 @@ netmesh_status netmesh_load_cages(netmesh_context* context, const netmesh_cages_
     for (size_t d = 0; d < request.cage_count;)
         for (const std::uint64_t piece = context->arena.piece(d, request.cage_count, 30); d < piece; ++d) {
             const netmesh_cage cage = cage_at(request, d);
-            kept[d] = {cage.centre, none, none, none, cage.radius, infinity};
+            kept[d] = {cage.centre, none, none, none, cage.radius, infinity, cage_epsilon * cage.radius};
         }
     return with_dimension(context->input.dim, [&](auto dimension) {
         constexpr int D = decltype(dimension)::value;

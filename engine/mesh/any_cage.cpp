@@ -7,7 +7,7 @@ AnyDomain domain_ball(const AnyStore& store, const Cage* cages, std::uint32_t do
     AnyDomain ball;
     ball.dim = store.dim;
     copy(store.dim, store.point(cages[domain].centre), ball.centre);
-    ball.radius = ball.enclosing_radius = cage_epsilon * cages[domain].radius;
+    ball.radius = ball.enclosing_radius = cages[domain].clip;
     return ball;
 }
 

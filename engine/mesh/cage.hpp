@@ -49,6 +49,7 @@ struct Cage {
     std::uint32_t next;    // scratch of whoever walks over cages
     double radius;
     double nearest2;  // squared distance from the centre to the nearest vertex outside: f_M of the cage, squared
+    double clip;      // compact cages: radius of the ball that the cells inside are clipped to, see is_growing
 };
 
 template <int D> inline bool is_inside(const Store<D>& store, const Cage& cage, const double* x) {
@@ -58,6 +59,10 @@ template <int D> inline bool is_inside(const Store<D>& store, const Cage& cage, 
 // In-radius of the cell of a cage (thesis 4.6): half of the way to the nearest vertex outside, measured from the shell.
 inline double in_radius(const Cage& cage) { return 0.5 * (square_root(cage.nearest2) + shell_least * cage.radius); }
 
+// The ball that cells are clipped to is that of e r until the cage is to be released: then it grows first, so that
+// cells beside it never reach much farther at once (hierarchy_rule.hpp).
+inline bool is_growing(const Cage& cage) { return cage.clip > cage_epsilon * cage.radius; }
+
 // The ball that the cells of a domain's vertices are clipped to.
 template <int D>
 inline Domain<D> domain_ball(const Store<D>& store, const Cage* cages, std::uint32_t domain,
@@ -65,7 +70,7 @@ inline Domain<D> domain_ball(const Store<D>& store, const Cage* cages, std::uint
     if (domain == none) return outermost;
     Domain<D> ball;
     copy<D>(store.dim, store.point(cages[domain].centre), ball.centre);
-    ball.radius = ball.enclosing_radius = cage_epsilon * cages[domain].radius;
+    ball.radius = ball.enclosing_radius = cages[domain].clip;
     return ball;
 }
 

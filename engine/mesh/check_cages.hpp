@@ -56,7 +56,7 @@ const char* cage_violation_at(const Store<D>& store, const Hierarchy<D>& hierarc
             return "an input is in the gap around a cage";
         if (!is_in_mesh(store, v) || d2 < cage.radius * cage.radius) continue;
         if (d2 < nearest2) nearest2 = d2;
-        if (!(d2 < clear * clear) || store.vertex(v).marker == Marker::exempt) continue;
+        if (!(d2 < clear * clear) || store.vertex(v).marker == Marker::exempt || is_growing(cage)) continue;
         const std::uint32_t around = innermost_cage(store, hierarchy, store.point(v), 0);
         if (hierarchy.contains(around, centre)) return "a vertex encroaches on a cage";
     }

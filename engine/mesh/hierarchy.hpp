@@ -29,7 +29,7 @@ public:
     // insertion of an input, so there is room for all.
     std::uint32_t make(const NearestInDomain& near, double radius, std::uint32_t parent, std::uint32_t shell) {
         const std::uint32_t d = made_++;
-        cages_[d] = {near.vertex, parent, shell, none, radius, near.nearest2};
+        cages_[d] = {near.vertex, parent, shell, none, radius, near.nearest2, cage_epsilon * radius};
         ++live_;
         (near.cage != none ? cages_[near.cage].parent : domain_[near.vertex]) = d;
         return d;

@@ -11,6 +11,15 @@
 namespace netmesh {
 namespace {
 
+// How far the ball of a cage grows, in radii: shells are as far out again.
+constexpr double grown_most = 3.0 / 4;
+// What is outside of a growing cage stays so many radii away from its centre.
+constexpr double growing_clearance = 2;
+double growth_of(const Cage& cage) { return cage.clip - cage_epsilon * cage.radius; }
+// It goes on when all vertices of in-radii up to what the ball has grown by are good: their nearest neighbours are at
+// most twice as far away. The queue tells distances within a factor of root 2 from one another apart.
+double growth_distance2(const Cage& cage) { return 16 * growth_of(cage) * growth_of(cage); }
+
 // Inputs waiting for one another, the next one on top. Two ring searches multiply the radius by more than the
 // clearance, 8, and distances span 2^1002: at most 2 * 1002 / 3 = 668 for one input.
 class Path {
@@ -69,16 +78,18 @@ public:
     bool may_be_bad(double corner2, const Vertex<D>& vertex) const {
         return is_bad(corner2, vertex.nearest2) || corner2 > sizes_.bound2(vertex);
     }
-    // A cage waits in the place of its first shell vertex.
+    // A cage waits in the place of its first shell vertex, its growth in that of the second one.
     Verdict judge(VertexId v, Split<D>* split) {
-        return store_.vertex(v).marker == Marker::exempt ? judge_cage(hierarchy_.of(v), split) : judge_vertex(v, split);
+        if (store_.vertex(v).marker != Marker::exempt) return judge_vertex(v, split);
+        return is_growth(v) ? grow_cage(hierarchy_.of(v)) : judge_cage(hierarchy_.of(v), split);
     }
+    bool must_wait(VertexId v, const Split<D>& split);
     void requeue(VertexId v);
-    bool is_judged(VertexId v) { return Base::is_judged(v) || is_cage(v); }
+    bool is_judged(VertexId v) { return Base::is_judged(v) || is_cage(v) || is_growth(v); }
     double queued_distance2(VertexId v) {
-        return is_cage(v) ? hierarchy_.cage(hierarchy_.of(v)).nearest2 : Base::queued_distance2(v);
+        if (is_cage(v)) return hierarchy_.cage(hierarchy_.of(v)).nearest2;
+        return is_growth(v) ? growth_distance2(hierarchy_.cage(hierarchy_.of(v))) : Base::queued_distance2(v);
     }
-    Status after_step() { return release_encroached(); }
     Status finish_mesh();
     Hierarchy<D>* hierarchy() { return &hierarchy_; }
     std::size_t keep_results(std::size_t low);
@@ -98,19 +109,28 @@ private:
     Status climb_to_cage(VertexId p, const Cavity& cavity, bool cleaning);
     Status new_cage(VertexId p, VertexId farthest, double reach);
     void make_shell(VertexId centre, VertexId farthest, std::uint32_t cage, double radius);
-    Status release_encroached();
-    Status release_cage(std::uint32_t d);
+    void begin_growth(std::uint32_t d);
+    Verdict grow_cage(std::uint32_t d);
+    double queue_reaching(std::uint32_t d, CellId c);
+    bool release_cage(std::uint32_t d);
+    void give_up_shell(std::uint32_t d);
 
     void update_cages(VertexId w, const Vertex<D>& fresh, std::uint32_t within);
     void queue_bad_vertices(CellId c);
     void queue_all_far(CellId c);
     void queue_bad_cages(CellId c);
     // Does a cage wait in the place of v?
-    bool is_cage(VertexId v) {
-        if (store_.vertex(v).marker != Marker::exempt) return false;
+    bool is_cage(VertexId v) { return place_in_shell(v) == 0; }
+    // Does the growth of a cage?
+    bool is_growth(VertexId v) { return place_in_shell(v) == 1 && is_growing(hierarchy_.cage(hierarchy_.of(v))); }
+    // Of a vertex of a cage's shell; none of others.
+    std::uint32_t place_in_shell(VertexId v) {
+        if (store_.vertex(v).marker != Marker::exempt) return none;
         const std::uint32_t d = hierarchy_.of(v);
-        return d != none && hierarchy_.cage(d).shell == v;
+        return d == none ? none : v.index - hierarchy_.cage(d).shell;
     }
+    // The next one in the list of growing cages, which goes through the third vertices of their shells.
+    VertexId& next_growing(std::uint32_t d) { return store_.vertex(hierarchy_.cage(d).shell + 2).next; }
     void queue_cage(std::uint32_t d) {
         const Cage& cage = hierarchy_.cage(d);
         queue_.push(VertexId(cage.shell), cage.nearest2);
@@ -123,8 +143,8 @@ private:
 
     Hierarchy<D> hierarchy_;
     Path path_;
-    NearestInDomain near_;             // of the input whose turn it is
-    std::uint32_t encroached_ = none;  // list of cages through Cage::next
+    NearestInDomain near_;          // of the input whose turn it is
+    std::uint32_t growing_ = none;  // the first of the growing cages
 };
 
 template <int D> Status HierarchyRule<D>::reserve(std::size_t n) {
@@ -231,26 +251,88 @@ template <int D>
     }
 }
 
-template <int D> Status HierarchyRule<D>::release_encroached() {
-    while (encroached_ != none) {
-        const std::uint32_t d = encroached_;
-        Cage& cage = hierarchy_.cage(d);
-        encroached_ = cage.next == d ? none : cage.next;
-        cage.next = none;
-        const Status status = release_cage(d);
-        if (status != Status::ok) return status;
-    }
-    return Status::ok;
+// Something in the domain around has come nearer to cage d than its clearance: its ball begins to grow when all that
+// waits for less has had its turn.
+template <int D> [[gnu::cold]] void HierarchyRule<D>::begin_growth(std::uint32_t d) {
+    Cage& cage = hierarchy_.cage(d);
+    cage.clip *= 1 + 0x1p-50;
+    next_growing(d) = VertexId(growing_);
+    growing_ = d;
+    queue_.push(VertexId(cage.shell + 1), growth_distance2(cage));
 }
 
-template <int D> [[gnu::cold]] Status HierarchyRule<D>::release_cage(std::uint32_t d) {
-    const VertexId shell(hierarchy_.cage(d).shell);
-    hierarchy_.release(d);
-    observers_.note_released(hierarchy_, d);
-    for (VertexId v = shell; v < shell + shell_size_of(store_.dim); ++v) {
-        store_.vertex(v).marker = Marker::steiner;
-        queue_.push(v);
+// Lets the ball of cage d grow, or releases the cage, when the ball is large enough, or when no cell would be bad
+// without it. See the top of the header.
+template <int D> [[gnu::cold]] Verdict HierarchyRule<D>::grow_cage(std::uint32_t d) {
+    Cage& cage = hierarchy_.cage(d);
+    double least = infinity;
+    const bool fits = visit_cage_cells(AnyStore(store_), cage, [&](CellId c) {
+        const double inner = queue_reaching(d, c);
+        if (inner < least) least = inner;
+    });
+    if (!fits) return Verdict::out_of_memory;
+    const double most = grown_most * cage.radius, grown = growth_of(cage);
+    if (!(least < infinity) || !(cage.clip < most)) {
+        if (!release_cage(d)) return Verdict::out_of_memory;
+    } else {
+        cage.clip += least > grown ? least : grown;
+        if (cage.clip > most) cage.clip = most;
+        queue_.push(VertexId(cage.shell + 1), growth_distance2(cage));
     }
+    if (!observers_.measures()) return Verdict::good;
+    const Status status = observers_.measure_grown(store_, tree_, &hierarchy_, domain_, d);
+    return status == Status::ok ? Verdict::good : Verdict::out_of_memory;
+}
+
+// Queues the vertices in domain d, and the cages in it, that the corner of cell c would make bad if their cells were
+// not clipped. The least in-radius of these.
+template <int D> [[gnu::cold]] double HierarchyRule<D>::queue_reaching(std::uint32_t d, CellId c) {
+    const Cell<D>& cell = store_.cell(c);
+    double least2 = infinity, least = infinity;
+    if (!(cell.radius2 < infinity)) return least;
+    for (int i = 0; i <= store_.dim; ++i) {
+        const VertexId v = cell.vertex[i];
+        const Vertex<D>& vertex = store_.vertex(v);
+        std::uint32_t within = hierarchy_.of(v);
+        if (within == d && vertex.marker != Marker::exempt && is_bad(cell.radius2, vertex.nearest2)) {
+            queue_.push(v);
+            if (vertex.nearest2 < least2) least2 = vertex.nearest2;
+        }
+        while (within != none && within != d && hierarchy_.parent(within) != d) within = hierarchy_.parent(within);
+        if (within == none || within == d) continue;
+        const Cage& cage = hierarchy_.cage(within);
+        const double inner = in_radius(cage), bound = tau_ * inner;
+        if (!(distance2<D>(store_.dim, cell.centre, store_.point(cage.centre)) > bound * bound) ||
+            !is_on_boundary(store_, cage, c))
+            continue;
+        queue_cage(within);
+        if (inner < least) least = inner;
+    }
+    const double inner = 0.5 * square_root(least2);
+    return inner < least ? inner : least;
+}
+
+// A split beside a growing cage waits until the cage is released: nothing from outside comes into it.
+template <int D> bool HierarchyRule<D>::must_wait(VertexId v, const Split<D>& split) {
+    for (std::uint32_t d = growing_; d != none; d = next_growing(d)) {
+        const Cage& cage = hierarchy_.cage(d);
+        const double* const centre = store_.point(cage.centre);
+        const double kept2 = growing_clearance * growing_clearance * cage.radius * cage.radius;
+        if (!(distance2<D>(store_.dim, split.x, centre) < kept2) || hierarchy_.contains(d, store_.point(v)) ||
+            !hierarchy_.contains(hierarchy_.of(v), centre))
+            continue;
+        const double nearest2 = queued_distance2(v);
+        queue_.push(v, nearest2 > kept2 ? nearest2 : kept2);
+        return true;
+    }
+    return false;
+}
+
+// False: no room to look at all neighbours.
+template <int D> [[gnu::cold]] bool HierarchyRule<D>::release_cage(std::uint32_t d) {
+    const VertexId shell(hierarchy_.cage(d).shell);
+    give_up_shell(d);
+    for (VertexId v = shell; v < shell + shell_size_of(store_.dim); ++v) queue_.push(v);
     // Two stars cannot be walked at once, and what is pushed here is looked at again anyway: all neighbours are
     // pushed. None is infinity, as the frame is around them.
     for (VertexId v = shell; v < shell + shell_size_of(store_.dim); ++v) {
@@ -258,10 +340,25 @@ template <int D> [[gnu::cold]] Status HierarchyRule<D>::release_cage(std::uint32
             for (const VertexId w : store_.cell(c).vertex)
                 if (store_.vertex(w).marker != Marker::exempt) queue_.push(w);
         });
-        if (!fits) return Status::out_of_memory;
+        if (!fits) return false;
         store_.arena.pass(20 * store_.dim);
     }
-    return Status::ok;
+    return true;
+}
+
+// The cage is none from now on, the vertices of its shell are as others.
+template <int D> [[gnu::cold]] void HierarchyRule<D>::give_up_shell(std::uint32_t d) {
+    for (std::uint32_t e = growing_, before = none; e != none; before = e, e = next_growing(e)) {
+        if (e != d) continue;
+        if (before == none)
+            growing_ = next_growing(d);
+        else
+            next_growing(before) = next_growing(d);
+        break;
+    }
+    const VertexId shell(hierarchy_.cage(d).shell);
+    hierarchy_.release(d);
+    for (VertexId v = shell; v < shell + shell_size_of(store_.dim); ++v) store_.vertex(v).marker = Marker::steiner;
 }
 
 // A Steiner point's nearest input is looked for where sizes are asked for, which depend on it; otherwise the one that
@@ -295,10 +392,8 @@ template <int D> void HierarchyRule<D>::update_cages(VertexId w, const Vertex<D>
             cage.nearest2 = d2;
             queue_cage(d);
         }
-        if (fresh.marker == Marker::exempt || !(d2 < clear * clear) || cage.next != none) continue;
-        if (!hierarchy_.contains(within, store_.point(cage.centre))) continue;
-        cage.next = encroached_ == none ? d : encroached_;  // the last one points at itself
-        encroached_ = d;
+        if (fresh.marker == Marker::exempt || !(d2 < clear * clear) || is_growing(cage)) continue;
+        if (hierarchy_.contains(within, store_.point(cage.centre))) begin_growth(d);
     }
 }
 
@@ -363,12 +458,7 @@ template <int D> void HierarchyRule<D>::queue_bad_cages(CellId c) {
         }
 }
 
-template <int D> void HierarchyRule<D>::requeue(VertexId v) {
-    if (store_.vertex(v).marker == Marker::exempt)
-        queue_cage(hierarchy_.of(v));
-    else
-        queue_.push(v);
-}
+template <int D> void HierarchyRule<D>::requeue(VertexId v) { queue_.push(v, queued_distance2(v)); }
 
 // By the farthest corner of v's cell clipped to the ball of its domain.
 template <int D> Verdict HierarchyRule<D>::judge_vertex(VertexId v, Split<D>* split) {
@@ -455,8 +545,7 @@ template <int D> Status HierarchyRule<D>::finish_mesh() {
     for (std::uint32_t d = 0; d < hierarchy_.made();)
         for (const std::uint64_t piece = store_.arena.piece(d, hierarchy_.made(), 20); d < piece; ++d) {
             if (!hierarchy_.is_live(d)) continue;
-            const Status status = release_cage(d);
-            if (status != Status::ok) return status;
+            if (!release_cage(d)) return Status::out_of_memory;
         }
     const Status finished = sweep();
     if (finished == Status::ok && sizes_.are_asked()) find_nearest_inputs();
@@ -473,7 +562,9 @@ template <int D> [[gnu::cold]] void HierarchyRule<D>::find_nearest_inputs() {
         }
 }
 
+// A run that is cut off while cages grow leaves them as released ones.
 template <int D> std::size_t HierarchyRule<D>::keep_results(std::size_t) {
+    while (growing_ != none) give_up_shell(growing_);
     const std::uint32_t made = hierarchy_.made(), kept = hierarchy_.keep_live(store_.arena);
     this->result_.cages = hierarchy_.cages();
     this->result_.hierarchy = {kept, made, made - kept};

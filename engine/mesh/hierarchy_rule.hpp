@@ -13,7 +13,7 @@ namespace netmesh {
 // arena before the cells, parents before or behind their children. vertex.nearest2 is final; where cages are left,
 // vertex.origin is some input near by and not always the nearest.
 //
-// Memory above that of the other methods: 44 bytes an input; with audits what they say.
+// Memory above that of the other methods: 52 bytes an input; with audits what they say.
 //
 // How the thesis's operations are carried out here, and why they differ where they do:
 //
@@ -29,13 +29,30 @@ namespace netmesh {
 //
 // ReleaseCage happens when a Steiner point comes nearer than a cage's clearance, which only gaps not much wider than a
 // cage needs let happen. Cages are never made again about the same inputs, as their shells stay as vertices, so
-// refinement ends where it would end without cages. Its cells were clipped to the ball of e r; now those beside that
-// sphere reach as far as the shell, so until they are refined ratios are as large as the gap was beside their in-radii.
-// 4.8's bound on intermediate meshes does not hold then: a chain of 11 inputs in the plane, each an eighth to a fifth
-// as far from the last one as the one before, with three far away, comes to 2e6 and degree 33. The shell of a
-// neighbouring cage and Steiner points inside it are as near as its centre, up to a quarter, and do not count as
-// encroaching. Vertices whose cells are no longer clipped to a released cage are found by a look at all cells after the
-// last insertion; those next to the shell at once.
+// refinement ends where it would end without cages. The shell of a neighbouring cage and Steiner points inside it are
+// as near as its centre, up to a quarter, and do not count as encroaching.
+//
+// The cells in a cage are clipped to the ball of e r. If a vertex beside that sphere has an input a millionth of r
+// away, its whole cell, out to the shell, has a ratio of a million. So before a cage is released the ball grows to
+// grown_most r, by steps, and cells are refined in between. Let ball B of radius b contain v, and its cell in B reach R.
+// A point x of the cell that is at most b + d from the centre of B, and the point w of the cell that is r_v, v's
+// in-radius, nearer to the centre than v, have z = (1 - l) x + l w between them, which is in B for l = d / (d + r_v).
+// |z - v| <= R gives
+//
+//   |x - v| <= (1 + d / r_v) R + d.
+//
+// B has grown by g so far; next it grows by the larger one of g and the least r_v of all vertices that a larger ball
+// could make bad. It does when those of r_v <= g are good, which is how the queue has it. Others: d / r_v <= 1. Those
+// that reach the sphere all the same: they are g - tau r_v from the inputs or farther, as all inputs are within e r, so
+// r_v >= g / (tau + 2 K) by 4.8's bound of feature sizes. So ratios stay below a constant, and there are as many steps
+// as it takes to double the least r_v until it is r. The cells of vertices in the ball, of r_v >= r / 4 / (tau + 2 K)
+// where they leave it, and of the shell are bad by a constant after the release. Nothing from outside is put within
+// growing_clearance radii of a cage that grows: what would be is queued again behind its growth. The cage's own cell is
+// no larger than it was.
+//
+// FinishMesh releases all cages at once without that. Beside shells the cells of its intermediate meshes are as long as
+// the gaps are wide. Cells that a released cage has kept apart from others are found by a look at all cells after the
+// last insertion, too.
 //
 // YieldingInsert. A shell vertex never yields: the thesis's gamma is .25, and no input is nearer to it than .4 of the
 // way to the centre. A Steiner point yields to an input within nine tenths of its empty ball's radius and to no other:
@@ -46,7 +63,7 @@ namespace netmesh {
 // Steiner point would yield to inputs nearer to its vertex than any neighbour, one after the other, and meshes of close
 // pairs in space would have twice the vertices.
 //
-// FinishMesh releases all cages and cleans. Steiner points are pulled back towards their vertices, so the layers that
+// FinishMesh cleans after that. Steiner points are pulled back towards their vertices, so the layers that
 // grow out of a shell are those that growing the cage step by step would give. What it leaves is a mesh as that of
 // SVR, and so is over-refined as one (quality_rule.hpp) where sizes are asked for.
 template <int D>

@@ -30,12 +30,6 @@ bool Observers::after_fill(const AnyStore& mesh, const Cavity& cavity, VertexId 
     return !full_;
 }
 
-void Observers::note_released(CageForest& hierarchy, std::uint32_t d) {
-    if (!measures_) return;
-    hierarchy.cage(d).next = released_ == none ? d : released_;
-    released_ = d;
-}
-
 void Observers::note(const AuditNote& note) {
     if (!measures_) return;
     NETMESH_ASSERT(note_count_ < notes_max_);
@@ -43,15 +37,10 @@ void Observers::note(const AuditNote& note) {
 }
 
 Status Observers::measure(const AnyAuditedMesh& mesh, double bound, VertexId v, bool cleaning) {
-    const AuditStep step = {first_new_, v, cleaning, released_, notes_, note_count_};
+    const AuditStep step = {first_new_, v, cleaning, notes_, note_count_};
     const Status status = audit_quality(mesh, step, &quality_);
     note_count_ = 0;
     first_new_ = VertexId(mesh.store.state.vertex_count);
-    while (released_ != none) {
-        Cage& cage = mesh.hierarchy->cage(released_);
-        released_ = cage.next == released_ ? none : cage.next;
-        cage.next = none;
-    }
     if (status != Status::ok) return status;
     return quality_.encroached > 0 || quality_.cage > bound ? Status::internal : status;
 }

@@ -51,8 +51,15 @@ public:
         const AnyAuditedMesh mesh = {store, tree, domain, hierarchy, terms_, kind_};
         return measure(mesh, cage_insertion_bound(store.dim, kind_), v, cleaning);
     }
-    // In the step at hand; Cage::next is used until that is measured.
-    void note_released(CageForest& hierarchy, std::uint32_t d);
+    // Between steps: the ball of compact cage d has grown, or the cage was released. out_of_memory. Whether a cage is
+    // encroached is said after the next step.
+    template <int D>
+    Status measure_grown(Store<D>& store, const InputTree<D>& tree, Hierarchy<D>* hierarchy, const Domain<D>& domain,
+                         std::uint32_t d) {
+        const AuditNote note = {none, d};
+        const AnyAuditedMesh mesh = {store, tree, domain, hierarchy, terms_, kind_};
+        return audit_quality(mesh, {first_new_, none, true, &note, 1}, &quality_);
+    }
     // With cages of the thesis: what an AuditNote is for.
     void note(const AuditNote& note);
     // Cage d has grown, and `shell` was of it. A shell of the step's own is looked at in any case.
@@ -74,8 +81,7 @@ private:
     BallLists lists_;
     QualityAudit quality_ = {};
     AuditTerms terms_;
-    VertexId first_new_ = none;      // of the step at hand
-    std::uint32_t released_ = none;  // by it: a list as that of AuditStep
+    VertexId first_new_ = none;  // of the step at hand
     bool locates_, measures_, full_ = false;
     CageKind kind_;
     AuditNote* notes_ = nullptr;

@@ -72,7 +72,6 @@ public:
 
 private:
     template <class Visit> bool visit_changed(Visit&& visit);
-    template <class Visit> bool visit_inside(const Cage& cage, Visit&& visit);
     bool has_outermost_features();
     bool list_changed();
     void list_cages(CellId c);
@@ -136,34 +135,11 @@ template <class Visit> [[gnu::cold]] bool StepAudit::visit_changed(Visit&& visit
          v < store_.state.vertex_count; ++v)
         if (!visit_any_star(store_, v, visit)) return false;
     if (step_.vertex < step_.first_made && !visit_any_star(store_, VertexId(step_.vertex), visit)) return false;
-    for (std::uint32_t d = step_.released, next; d != none; d = next == d ? none : next) {
-        const Cage& cage = made_->cage(d);
-        next = cage.next;
-        if (!visit_inside(cage, visit)) return false;
-    }
-    for (std::uint32_t k = 0; is_thesis() && k < step_.note_count; ++k) {
+    for (std::uint32_t k = 0; k < step_.note_count; ++k) {
         const AuditNote& note = step_.notes[k];
-        const bool fits = note.cage != none ? visit_inside(made_->cage(note.cage), visit)
+        const bool fits = note.cage != none ? visit_cage_cells(store_, made_->cage(note.cage), visit)
                                             : visit_any_star(store_, VertexId(note.vertex), visit);
         if (!fits) return false;
-    }
-    return true;
-}
-
-// Any vertex in a ball about another one has a neighbour nearer to that, so the cells at vertices of a ball are
-// connected.
-template <class Visit> [[gnu::cold]] bool StepAudit::visit_inside(const Cage& cage, Visit&& visit) {
-    AnyCellList list(store_);
-    if (!list.add(store_.vertex(cage.centre).cell)) return false;
-    for (std::uint32_t k = 0; k < list.size(); ++k) {
-        const AnyCell cell = store_.cell(list[k]);
-        visit(list[k]);
-        unsigned inside = 0;
-        for (int i = 0; i <= dim; ++i)
-            if (cell.vertex[i] != none && is_inside(store_, cage, store_.point(cell.vertex[i]))) inside |= 1u << i;
-        for (int i = 0; i <= dim; ++i)
-            if ((inside & ~(1u << i)) != 0 && cell.neighbour[i] != none && !list.add(cell.neighbour[i].cell()))
-                return false;
     }
     return true;
 }
@@ -284,7 +260,7 @@ template <class Visit> [[gnu::cold]] bool StepAudit::visit_inside(const Cage& ca
     const std::uint32_t domain = domain_of(v);
     TwoNearest inputs(vertex.marker == Marker::input ? v : none);
     double nearest2 = infinity, mesh2 = infinity;
-    const bool may_all_rise = is_new(v) || step_.released != none || step_.note_count > 0 || all_features_rise_;
+    const bool may_all_rise = is_new(v) || step_.note_count > 0 || all_features_rise_;
     bool ratio_may_rise = may_all_rise, feature_may_rise = may_all_rise;
     std::uint32_t cells = 0, degree = 0;
     const bool fits = visit_any_star(store_, v, [&](CellId c) {
@@ -360,8 +336,9 @@ template <class Visit> [[gnu::cold]] bool StepAudit::visit_inside(const Cage& ca
     if (is_thesis()) encroached_ = true;
     const Marker marker = store_.vertex(w).marker;
     const std::uint32_t domain = domain_in_hierarchy(w);
-    encroached_ |= marker == Marker::input || domain == none ||
-                   (marker == Marker::steiner && is_inside(store_, hierarchy_->cage(domain), centre));
+    encroached_ |= marker == Marker::input ||
+                   (!is_growing(cage) && (domain == none || (marker == Marker::steiner &&
+                                                             is_inside(store_, hierarchy_->cage(domain), centre))));
 }
 
 [[gnu::cold]] bool StepAudit::measure_cage(std::uint32_t d) {

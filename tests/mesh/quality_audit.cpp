@@ -146,12 +146,20 @@ template <int D> struct ByHand {
         return d;
     }
     void release(std::uint32_t d) {
-        Cage& cage = hierarchy.cage(d);
-        const std::uint32_t shell = cage.shell;
+        const std::uint32_t shell = hierarchy.cage(d).shell;
         hierarchy.release(d);
         for (std::uint32_t v = shell; v < shell + shell_size_of(D); ++v) store.vertex(v).marker = Marker::steiner;
-        cage.next = step.released == none ? d : step.released;
-        step.released = d;
+        note(d);
+    }
+    // Lets the ball that cells in the cage are clipped to grow.
+    void grow(std::uint32_t d, double radii) {
+        hierarchy.cage(d).clip = radii * hierarchy.cage(d).radius;
+        note(d);
+    }
+    void note(std::uint32_t d) {
+        notes.push_back({none, d});
+        step.notes = notes.data();
+        step.note_count = static_cast<std::uint32_t>(notes.size());
     }
     Status audit_changed(QualityAudit* audit, const AuditTerms& terms) {
         return audit_quality<D>({store, tree, domain, &hierarchy, terms}, step, audit);
@@ -167,12 +175,9 @@ template <int D> struct ByHand {
         mesh.add_to(step, with_cages, &whole);
         mesh.add_to(step, without_steiner, &inputs_whole);
         exact = std::max(exact, mesh.exact_feature(with_cages));
-        for (std::uint32_t d = step.released, next; d != none; d = next == d ? none : next) {
-            next = hierarchy.cage(d).next;
-            hierarchy.cage(d).next = none;
-        }
         for (std::uint32_t d = 0; d < hierarchy.made(); ++d) REQUIRE(hierarchy.cage(d).next == none);
         step = {state.vertex_count, none, false};
+        notes.clear();
         check_same(changed, whole);
         check_same(inputs_changed, inputs_whole);
     }
@@ -186,6 +191,7 @@ template <int D> struct ByHand {
     Hierarchy<D> hierarchy;
     std::vector<std::uint32_t> by_row;
     AuditStep step;
+    std::vector<AuditNote> notes;  // of the step
     QualityAudit changed = {}, whole = {}, inputs_changed = {}, inputs_whole = {};
     double exact = 0;
 };
@@ -282,8 +288,29 @@ TEST_CASE_TEMPLATE_DEFINE("with cages too, made, nested and released", T, cages)
         CHECK(m.changed.encroached == 0);
         CHECK(m.exact >= m.changed.feature);
         CHECK(m.exact <= 4.0 / 3 * m.changed.feature);
-        // The outer cage goes, the inner one stays; then that goes too.
+        // A Steiner point beside the input that is farthest from a cage's centre: so near that its cell is worse than all
+        // before as soon as it reaches out of the ball.
+        const auto close_to_the_farthest = [&](std::uint32_t level) {
+            const double* const centre = m.store.point(m.by_row[level * each]);
+            std::uint32_t farthest = level * each;
+            for (std::uint32_t q = farthest + 1; q < (level + 1) * each; ++q)
+                if (distance<D>(centre, m.store.point(m.by_row[q])) >
+                    distance<D>(centre, m.store.point(m.by_row[farthest])))
+                    farthest = q;
+            const double* const p = m.store.point(m.by_row[farthest]);
+            for (int k = 0; k < D; ++k) x[k] = p[k] + (centre[k] - p[k]) * 0.03 / m.changed.worst;
+            m.insert_steiner(x, farthest);
+            m.end_step();
+        };
+        // The outer cage goes, the inner one stays; then that goes too. Before, their balls grow.
         for (const std::uint32_t level : {1u, 2u}) {
+            close_to_the_farthest(level);
+            const double less = m.changed.worst;
+            for (const double radii : {0.55, 0.65}) {
+                m.grow(cage[level], radii);
+                m.end_step();
+            }
+            CHECK(m.changed.worst > less);
             m.release(cage[level]);
             place(level * each, 0.3 / (level == 1 ? ratio : ratio * ratio));
         }
@@ -460,8 +487,8 @@ TEST_CASE_TEMPLATE_DEFINE("planted violations of the invariants are found", T, p
         for (std::uint32_t v = cage.shell; v < cage.shell + shell_size_of(D); ++v)
             m.store.vertex(v).marker = Marker::steiner;
         m.hierarchy.release(last);
-        cage.next = last;
-        const QualityAudit audit = m.after({all, none, false, last});
+        const AuditNote note = {none, last};
+        const QualityAudit audit = m.after({all, none, false, &note, 1});
         CHECK(audit.worst > m.tau);  // its shell is not where the domain around wants vertices
         CHECK(audit.encroached == 0);
     }

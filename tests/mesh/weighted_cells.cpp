@@ -239,7 +239,7 @@ struct ByHand {
     }
     void cage_about(std::uint32_t centre, double weight) {
         const auto d = static_cast<std::uint32_t>(cages.size());
-        cages.push_back({centre, none, none, none, weight / 0.9, 0});
+        cages.push_back({centre, none, none, none, weight / 0.9, 0, cage_epsilon * weight / 0.9});
         domains[centre] = d;
         for (const double side : {weight, -0.9 * weight}) {
             std::vector<double> x(vertices[centre].x, vertices[centre].x + dim);
