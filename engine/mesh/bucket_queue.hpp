@@ -25,9 +25,13 @@ public:
     void push(VertexId v) { push(v, store_->vertex(v).nearest2); }
     // The same with another squared distance in place of the vertex's own.
     void push(VertexId v, double nearest2) {
+        if (nearest2 > limit2_ && !has(store_->vertex(v))) return put_off(v, nearest2);
+        push_now(v, nearest2);
+    }
+    // The same whatever the limit.
+    void push_now(VertexId v, double nearest2) {
         auto&& vertex = store_->vertex(v);
         if (has(vertex)) return;
-        if (nearest2 > limit2_) return put_off(v, nearest2);
         vertex.queued = listed;
         vertex.next = none;
         int b = count - 1 - (top_ - exponent_of(nearest2));

@@ -15,10 +15,15 @@ namespace {
 constexpr double grown_most = 3.0 / 4;
 // What is outside of a growing cage stays so many radii away from its centre.
 constexpr double growing_clearance = 2;
+// The cells in a growing cage that would be bad if they were not clipped.
+struct Reaching {
+    double least = infinity;  // of their in-radii
+    bool some_put_off = false;
+};
 double growth_of(const Cage& cage) { return cage.clip - cage_epsilon * cage.radius; }
-// It goes on when all vertices of in-radii up to what the ball has grown by are good: their nearest neighbours are at
-// most twice as far away. The queue tells distances within a factor of root 2 from one another apart.
-double growth_distance2(const Cage& cage) { return 16 * growth_of(cage) * growth_of(cage); }
+// It goes on when all vertices of in-radii up to what the ball has grown by are good, but for the factor of root 2 that
+// the queue does not tell apart: their nearest neighbours are at most twice as far away.
+double growth_distance2(const Cage& cage) { return 4 * growth_of(cage) * growth_of(cage); }
 
 // Inputs waiting for one another, the next one on top. Two ring searches multiply the radius by more than the
 // clearance, 8, and distances span 2^1002: at most 2 * 1002 / 3 = 668 for one input.
@@ -85,10 +90,9 @@ public:
     }
     bool must_wait(VertexId v, const Split<D>& split);
     void requeue(VertexId v);
-    bool is_judged(VertexId v) { return Base::is_judged(v) || is_cage(v) || is_growth(v); }
+    bool is_judged(VertexId v) { return Base::is_judged(v) || is_cage(v); }
     double queued_distance2(VertexId v) {
-        if (is_cage(v)) return hierarchy_.cage(hierarchy_.of(v)).nearest2;
-        return is_growth(v) ? growth_distance2(hierarchy_.cage(hierarchy_.of(v))) : Base::queued_distance2(v);
+        return is_cage(v) ? hierarchy_.cage(hierarchy_.of(v)).nearest2 : Base::queued_distance2(v);
     }
     Status finish_mesh();
     Hierarchy<D>* hierarchy() { return &hierarchy_; }
@@ -110,9 +114,11 @@ private:
     Status new_cage(VertexId p, VertexId farthest, double reach);
     void make_shell(VertexId centre, VertexId farthest, std::uint32_t cage, double radius);
     void begin_growth(std::uint32_t d);
+    void queue_growth(const Cage& cage) { queue_.push_now(VertexId(cage.shell + 1), growth_distance2(cage)); }
     Verdict grow_cage(std::uint32_t d);
-    double queue_reaching(std::uint32_t d, CellId c);
+    void queue_reaching(std::uint32_t d, CellId c, Reaching* reaching);
     bool release_cage(std::uint32_t d);
+    bool heed_released(std::uint32_t d);
     void give_up_shell(std::uint32_t d);
 
     void update_cages(VertexId w, const Vertex<D>& fresh, std::uint32_t within);
@@ -251,33 +257,34 @@ template <int D>
     }
 }
 
-// Something in the domain around has come nearer to cage d than its clearance: its ball begins to grow when all that
-// waits for less has had its turn.
+// Something in the domain around has come nearer to cage d than its clearance: its ball begins to grow at once. Neither
+// that nor the cells in the cage are put off, so few cages grow at a time.
 template <int D> [[gnu::cold]] void HierarchyRule<D>::begin_growth(std::uint32_t d) {
     Cage& cage = hierarchy_.cage(d);
     cage.clip *= 1 + 0x1p-50;
     next_growing(d) = VertexId(growing_);
     growing_ = d;
-    queue_.push(VertexId(cage.shell + 1), growth_distance2(cage));
+    queue_growth(cage);
 }
 
 // Lets the ball of cage d grow, or releases the cage, when the ball is large enough, or when no cell would be bad
-// without it. See the top of the header.
+// without it. See the top of the header. When cells had been put off, they have their turn first.
 template <int D> [[gnu::cold]] Verdict HierarchyRule<D>::grow_cage(std::uint32_t d) {
     Cage& cage = hierarchy_.cage(d);
-    double least = infinity;
-    const bool fits = visit_cage_cells(AnyStore(store_), cage, [&](CellId c) {
-        const double inner = queue_reaching(d, c);
-        if (inner < least) least = inner;
-    });
-    if (!fits) return Verdict::out_of_memory;
+    Reaching found;
+    if (!visit_cage_cells(AnyStore(store_), cage, [&](CellId c) { queue_reaching(d, c, &found); }))
+        return Verdict::out_of_memory;
     const double most = grown_most * cage.radius, grown = growth_of(cage);
-    if (!(least < infinity) || !(cage.clip < most)) {
-        if (!release_cage(d)) return Verdict::out_of_memory;
+    if (found.some_put_off) {
+        queue_growth(cage);
+        return Verdict::good;
+    }
+    if (!(found.least < infinity) || !(cage.clip < most)) {
+        if (!release_cage(d) || !heed_released(d)) return Verdict::out_of_memory;
     } else {
-        cage.clip += least > grown ? least : grown;
+        cage.clip += found.least > grown ? found.least : grown;
         if (cage.clip > most) cage.clip = most;
-        queue_.push(VertexId(cage.shell + 1), growth_distance2(cage));
+        queue_growth(cage);
     }
     if (!observers_.measures()) return Verdict::good;
     const Status status = observers_.measure_grown(store_, tree_, &hierarchy_, domain_, d);
@@ -285,31 +292,30 @@ template <int D> [[gnu::cold]] Verdict HierarchyRule<D>::grow_cage(std::uint32_t
 }
 
 // Queues the vertices in domain d, and the cages in it, that the corner of cell c would make bad if their cells were
-// not clipped. The least in-radius of these.
-template <int D> [[gnu::cold]] double HierarchyRule<D>::queue_reaching(std::uint32_t d, CellId c) {
+// not clipped.
+template <int D>
+[[gnu::cold]] void HierarchyRule<D>::queue_reaching(std::uint32_t d, CellId c, Reaching* reaching) {
     const Cell<D>& cell = store_.cell(c);
-    double least2 = infinity, least = infinity;
-    if (!(cell.radius2 < infinity)) return least;
+    if (!(cell.radius2 < infinity)) return;
+    const auto queue = [&](VertexId v, double nearest2, double inner) {
+        if (queue_.is_put_off(store_.vertex(v))) reaching->some_put_off = true;
+        if (inner < reaching->least) reaching->least = inner;
+        queue_.push_now(v, nearest2);
+    };
     for (int i = 0; i <= store_.dim; ++i) {
         const VertexId v = cell.vertex[i];
         const Vertex<D>& vertex = store_.vertex(v);
         std::uint32_t within = hierarchy_.of(v);
-        if (within == d && vertex.marker != Marker::exempt && is_bad(cell.radius2, vertex.nearest2)) {
-            queue_.push(v);
-            if (vertex.nearest2 < least2) least2 = vertex.nearest2;
-        }
+        if (within == d && vertex.marker != Marker::exempt && is_bad(cell.radius2, vertex.nearest2))
+            queue(v, vertex.nearest2, 0.5 * square_root(vertex.nearest2));
         while (within != none && within != d && hierarchy_.parent(within) != d) within = hierarchy_.parent(within);
         if (within == none || within == d) continue;
         const Cage& cage = hierarchy_.cage(within);
         const double inner = in_radius(cage), bound = tau_ * inner;
-        if (!(distance2<D>(store_.dim, cell.centre, store_.point(cage.centre)) > bound * bound) ||
-            !is_on_boundary(store_, cage, c))
-            continue;
-        queue_cage(within);
-        if (inner < least) least = inner;
+        if (distance2<D>(store_.dim, cell.centre, store_.point(cage.centre)) > bound * bound &&
+            is_on_boundary(store_, cage, c))
+            queue(VertexId(cage.shell), cage.nearest2, inner);
     }
-    const double inner = 0.5 * square_root(least2);
-    return inner < least ? inner : least;
 }
 
 // A split beside a growing cage waits until the cage is released: nothing from outside comes into it.
@@ -344,6 +350,21 @@ template <int D> [[gnu::cold]] bool HierarchyRule<D>::release_cage(std::uint32_t
         store_.arena.pass(20 * store_.dim);
     }
     return true;
+}
+
+// What was in cage d is in the domain around from now on: it may encroach on other cages there. False: no room to look
+// at it.
+template <int D> [[gnu::cold]] bool HierarchyRule<D>::heed_released(std::uint32_t d) {
+    const Cage& cage = hierarchy_.cage(d);
+    return visit_cage_cells(AnyStore(store_), cage, [&](CellId c) {
+        const Cell<D>& cell = store_.cell(c);
+        for (const VertexId v : cell.vertex) {
+            const Vertex<D>& vertex = store_.vertex(v);
+            if (vertex.marker != Marker::steiner || !is_inside(store_, cage, vertex.x)) continue;
+            for (const VertexId w : cell.vertex)
+                if (!is_inside(store_, cage, store_.point(w))) update_cages(w, vertex, hierarchy_.of(v));
+        }
+    });
 }
 
 // The cage is none from now on, the vertices of its shell are as others.

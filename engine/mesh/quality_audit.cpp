@@ -468,7 +468,7 @@ template <class Visit> [[gnu::cold]] bool StepAudit::visit_changed(Visit&& visit
     }
     if (!fits) return Status::out_of_memory;
     look_at_step();
-    ++audit_.meshes;
+    audit_.meshes += step_.vertex != none || step_.first_made < store_.state.vertex_count;
     audit_.encroached += encroached_;
     return Status::ok;
 }

@@ -349,6 +349,49 @@ TEST_CASE_TEMPLATE_DEFINE("quality, feature sizes and insertion radii are bounde
 }
 TEST_CASE_TEMPLATE_APPLY(bounded, Dimensions<2, 4>);
 
+// Each of 11 inputs is an eighth to a fifth as far from the last as the one before: cages about some of them are made,
+// encroached and released, with the others beside their balls. Where cells reached out to the shell at once the ratio
+// was 2e6.
+TEST_CASE("the ball of a cage grows before the cage is released") {
+    const inputs::Points chain = {
+        -0.5205475671850174, -0.8594094010434395,
+        -0.4603595647169575, -0.773499074751813,
+        -0.43773134553132703, -0.7569505196917573,
+        -0.44018396357075085, -0.754181723793028,
+        -0.4399942210207192, -0.7535637468249605,
+        -0.44000267813584515, -0.7534418148681816,
+        -0.43999850692401393, -0.7534229395780669,
+        -0.4399965617362301, -0.7534213659188822,
+        -0.4399962416103239, -0.7534214798081856,
+        -0.43999622112675596, -0.7534213814930997,
+        -0.43999620776506165, -0.7534213738562425,
+        -0.45852830888515717, 0.8886798017007689,
+        0.36351032150116147, 0.9315901707092675,
+        -0.2899077191546476, 0.9570546036536003};
+    const Hierarchical<2> m(chain, audited(by_hierarchy(2.5), false, true));
+    REQUIRE(m.status == Status::ok);
+    CHECK(m.result.hierarchy.cages_released > 0);
+    CHECK(m.result.audit.quality.worst < 400);
+    CHECK(m.result.audit.quality.degree_max < 50);
+}
+
+// When a cage is released its shell stays, and may be nearer to a neighbouring cage than what that lets come: all have
+// been released that it encroaches on before the next vertex is inserted.
+TEST_CASE_TEMPLATE_DEFINE("what was in a cage encroaches on others when it is released", T, heeded) {
+    constexpr int D = T::value;
+    std::uint32_t released = 0;
+    for (std::uint64_t seed = 1; seed <= (D == 2 ? 40 : 4); ++seed) {
+        const Hierarchical<D> m(inputs::close_pairs(D, D == 2 ? 30 : 15, D == 2 ? 0.008 : 0.02, seed),
+                                audited(by_hierarchy(2.5), false, true));
+        CHECK(m.status == Status::ok);
+        CHECK(m.result.audit.quality.encroached == 0);
+        CHECK(m.result.audit.quality.worst < 400);
+        released += m.result.hierarchy.cages_released;
+    }
+    CHECK(released > 10);
+}
+TEST_CASE_TEMPLATE_APPLY(heeded, Dimensions<2, 3>);
+
 TEST_CASE_TEMPLATE_DEFINE("all methods are audited, whatever they are for", T, methods) {
     constexpr int D = T::value;
     const inputs::Points points = inputs::uniform(D, D == 2 ? 50 : D == 3 ? 20 : 8);
