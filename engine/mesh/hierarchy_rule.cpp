@@ -293,8 +293,7 @@ template <int D> [[gnu::cold]] Verdict HierarchyRule<D>::grow_cage(std::uint32_t
 
 // Queues the vertices in domain d, and the cages in it, that the corner of cell c would make bad if their cells were
 // not clipped.
-template <int D>
-[[gnu::cold]] void HierarchyRule<D>::queue_reaching(std::uint32_t d, CellId c, Reaching* reaching) {
+template <int D> [[gnu::cold]] void HierarchyRule<D>::queue_reaching(std::uint32_t d, CellId c, Reaching* reaching) {
     const Cell<D>& cell = store_.cell(c);
     if (!(cell.radius2 < infinity)) return;
     const auto queue = [&](VertexId v, double nearest2, double inner) {

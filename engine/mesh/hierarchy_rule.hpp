@@ -34,8 +34,8 @@ namespace netmesh {
 //
 // The cells in a cage are clipped to the ball of e r. If a vertex beside that sphere has an input a millionth of r
 // away, its whole cell, out to the shell, has a ratio of a million. So before a cage is released the ball grows to
-// grown_most r, by steps, and cells are refined in between. Let ball B of radius b contain v, and its cell in B reach R.
-// A point x of the cell that is at most b + d from the centre of B, and the point w of the cell that is r_v, v's
+// grown_most r, by steps, and cells are refined in between. Let ball B of radius b contain v, and its cell in B reach
+// R. A point x of the cell that is at most b + d from the centre of B, and the point w of the cell that is r_v, v's
 // in-radius, nearer to the centre than v, have z = (1 - l) x + l w between them, which is in B for l = d / (d + r_v).
 // |z - v| <= R gives
 //

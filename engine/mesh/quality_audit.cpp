@@ -336,9 +336,10 @@ template <class Visit> [[gnu::cold]] bool StepAudit::visit_changed(Visit&& visit
     if (is_thesis()) encroached_ = true;
     const Marker marker = store_.vertex(w).marker;
     const std::uint32_t domain = domain_in_hierarchy(w);
-    encroached_ |= marker == Marker::input ||
-                   (!is_growing(cage) && (domain == none || (marker == Marker::steiner &&
-                                                             is_inside(store_, hierarchy_->cage(domain), centre))));
+    encroached_ |=
+        marker == Marker::input ||
+        (!is_growing(cage) &&
+         (domain == none || (marker == Marker::steiner && is_inside(store_, hierarchy_->cage(domain), centre))));
 }
 
 [[gnu::cold]] bool StepAudit::measure_cage(std::uint32_t d) {

@@ -4,8 +4,8 @@
 // neighbours of a cell are old ones, it is what it was. So an audit looks at what a step has inserted and at the
 // neighbours that this has at the end of the step. Of an old vertex the cell has become smaller, and so has the
 // distance to the second nearest input, if anything: aspect ratio and K can have risen only where something new is the
-// nearest neighbour. The cells of a cage that grows or is released are clipped to a larger ball: all of its vertices and
-// their neighbours are looked at. What cannot be worse than the worst so far is not computed to the end.
+// nearest neighbour. The cells of a cage that grows or is released are clipped to a larger ball: all of its vertices
+// and their neighbours are looked at. What cannot be worse than the worst so far is not computed to the end.
 //
 // With cages of the thesis (cage_template.hpp) cells are whole. Then releases change no cell, but which domain vertices
 // are in, and whose cells are measured: a shell's are not, its own vertices' and those of inputs that these have
@@ -65,8 +65,8 @@ double cage_insertion_bound(int dim, CageKind kind = CageKind::compact);
 // What a step has changed besides what it has inserted in its own name. One of the two.
 struct AuditNote {
     std::uint32_t vertex;  // an input that a shell has yielded to, with cages of the thesis
-    std::uint32_t cage;    // one that was released, or has grown: the cells in it are clipped to a larger ball, or, with
-                           // cages of the thesis, what was of its shell is so no more
+    std::uint32_t cage;  // one that was released, or has grown: the cells in it are clipped to a larger ball, or, with
+                         // cages of the thesis, what was of its shell is so no more
 };
 
 // What the last step has done.

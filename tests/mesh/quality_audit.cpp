@@ -292,8 +292,8 @@ TEST_CASE_TEMPLATE_DEFINE("with cages too, made, nested and released", T, cages)
         CHECK(m.changed.encroached == 0);
         CHECK(m.exact >= m.changed.feature);
         CHECK(m.exact <= 4.0 / 3 * m.changed.feature);
-        // A Steiner point beside the input that is farthest from a cage's centre: so near that its cell is worse than all
-        // before as soon as it reaches out of the ball.
+        // A Steiner point beside the input that is farthest from a cage's centre: so near that its cell is worse than
+        // all before as soon as it reaches out of the ball.
         const auto close_to_the_farthest = [&](std::uint32_t level) {
             const double* const centre = m.store.point(m.by_row[level * each]);
             std::uint32_t farthest = level * each;
@@ -357,21 +357,13 @@ TEST_CASE_TEMPLATE_APPLY(bounded, Dimensions<2, 4>);
 // encroached and released, with the others beside their balls. Where cells reached out to the shell at once the ratio
 // was 2e6.
 TEST_CASE("the ball of a cage grows before the cage is released") {
-    const inputs::Points chain = {
-        -0.5205475671850174, -0.8594094010434395,
-        -0.4603595647169575, -0.773499074751813,
-        -0.43773134553132703, -0.7569505196917573,
-        -0.44018396357075085, -0.754181723793028,
-        -0.4399942210207192, -0.7535637468249605,
-        -0.44000267813584515, -0.7534418148681816,
-        -0.43999850692401393, -0.7534229395780669,
-        -0.4399965617362301, -0.7534213659188822,
-        -0.4399962416103239, -0.7534214798081856,
-        -0.43999622112675596, -0.7534213814930997,
-        -0.43999620776506165, -0.7534213738562425,
-        -0.45852830888515717, 0.8886798017007689,
-        0.36351032150116147, 0.9315901707092675,
-        -0.2899077191546476, 0.9570546036536003};
+    const inputs::Points chain = {-0.5205475671850174,  -0.8594094010434395, -0.4603595647169575,  -0.773499074751813,
+                                  -0.43773134553132703, -0.7569505196917573, -0.44018396357075085, -0.754181723793028,
+                                  -0.4399942210207192,  -0.7535637468249605, -0.44000267813584515, -0.7534418148681816,
+                                  -0.43999850692401393, -0.7534229395780669, -0.4399965617362301,  -0.7534213659188822,
+                                  -0.4399962416103239,  -0.7534214798081856, -0.43999622112675596, -0.7534213814930997,
+                                  -0.43999620776506165, -0.7534213738562425, -0.45852830888515717, 0.8886798017007689,
+                                  0.36351032150116147,  0.9315901707092675,  -0.2899077191546476,  0.9570546036536003};
     const Hierarchical<2> m(chain, audited(by_hierarchy(2.5), false, true));
     REQUIRE(m.status == Status::ok);
     CHECK(m.result.hierarchy.cages_released > 0);
