@@ -11,7 +11,7 @@
 namespace netmesh {
 namespace {
 
-// How far the ball of a cage grows, in radii: shells are as far out again.
+// How far the ball of a cage grows, in radii: halfway from where it begins to the shell.
 constexpr double grown_most = 3.0 / 4;
 // What is outside of a growing cage stays so many radii away from its centre.
 constexpr double growing_clearance = 2;
