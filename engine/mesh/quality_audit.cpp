@@ -469,7 +469,7 @@ template <class Visit> [[gnu::cold]] bool StepAudit::visit_changed(Visit&& visit
     }
     if (!fits) return Status::out_of_memory;
     look_at_step();
-    audit_.meshes += step_.vertex != none || step_.first_made < store_.state.vertex_count;
+    ++audit_.meshes;
     audit_.encroached += encroached_;
     return Status::ok;
 }

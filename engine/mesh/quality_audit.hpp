@@ -21,8 +21,8 @@
 
 namespace netmesh {
 
-// Worst of all intermediate meshes, one for each vertex inserted (with the cage that is made for it, if one is). Cells
-// are also looked at each time that a compact cage's ball grows or the cage is released.
+// Worst of all intermediate meshes, one for each vertex inserted (with the cage that is made for it, if one is) and one
+// for each time that a compact cage's ball grows or the cage is released by that.
 //
 // f_P(v) is the distance to the second nearest point of P in M_Omega, v itself included, f_M(v) the smallest to a
 // Delaunay neighbour of v, where the centre of a cage directly inside of Omega stands for the vertices in it. That is

@@ -309,6 +309,7 @@ private:
 
 }  // namespace
 
+#ifndef NETMESH_VALIDATE  // which stops the program when it sees the fault
 TEST_CASE("audits look at all that is in a cage when it is released") {
     int planted = 0;
     for (std::uint64_t seed = 1; seed <= 4; ++seed)
@@ -322,6 +323,7 @@ TEST_CASE("audits look at all that is in a cage when it is released") {
         }
     CHECK(planted > 0);
 }
+#endif
 
 namespace {
 

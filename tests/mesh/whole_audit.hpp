@@ -46,7 +46,7 @@ public:
 
     void add_to(const netmesh::AuditStep& step, const netmesh::AuditTerms& terms, netmesh::QualityAudit* audit) {
         terms_ = terms;
-        audit->meshes += step.vertex != netmesh::none || step.first_made < store_.state.vertex_count;
+        ++audit->meshes;
         audit->encroached += quality_.encroached.violation != nullptr;
         for (u32 v = 0; v < store_.state.vertex_count; ++v) {
             if (is_frame(v) || store_.vertex(v).cell == netmesh::none) continue;
