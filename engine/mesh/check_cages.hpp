@@ -96,7 +96,12 @@ const char* cages_violation(const Store<D>& store, const Hierarchy<D>& hierarchy
     for (std::uint32_t v = 0; v < store.state.vertex_count; ++v) {
         if (!is_in_mesh(store, v)) continue;
         exempt += store.vertex(v).marker == Marker::exempt;
-        if (domain_found(store, hierarchy, v) != innermost_cage(store, hierarchy, store.point(v), 0))
+        // What comes into a growing cage from outside stays in the domain around.
+        const std::uint32_t found = domain_found(store, hierarchy, v),
+                            innermost = innermost_cage(store, hierarchy, store.point(v), 0);
+        const Cage* const around = innermost == none ? nullptr : &hierarchy.cages()[innermost];
+        if (found != innermost &&
+            (around == nullptr || !is_growing(*around) || found != hierarchy.present(around->parent)))
             return "a vertex's domain is not the innermost cage around it";
     }
     return exempt == (live + 1) * shell_size_of(store.dim) ? nullptr : "an exempt vertex belongs to no shell";

@@ -13,8 +13,6 @@ namespace {
 
 // How far the ball of a cage grows, in radii: halfway from where it begins to the shell.
 constexpr double grown_most = 3.0 / 4;
-// What is outside of a growing cage stays so many radii away from its centre.
-constexpr double growing_clearance = 2;
 // The cells in a growing cage that would be bad if they were not clipped.
 struct Reaching {
     double least = infinity;  // of their in-radii
@@ -88,7 +86,6 @@ public:
         if (store_.vertex(v).marker != Marker::exempt) return judge_vertex(v, split);
         return is_growth(v) ? grow_cage(hierarchy_.of(v)) : judge_cage(hierarchy_.of(v), split);
     }
-    bool must_wait(VertexId v, const Split<D>& split);
     void requeue(VertexId v);
     bool is_judged(VertexId v) { return Base::is_judged(v) || is_cage(v); }
     double queued_distance2(VertexId v) {
@@ -135,8 +132,6 @@ private:
         const std::uint32_t d = hierarchy_.of(v);
         return d == none ? none : v.index - hierarchy_.cage(d).shell;
     }
-    // The next one in the list of growing cages, which goes through the third vertices of their shells.
-    VertexId& next_growing(std::uint32_t d) { return store_.vertex(hierarchy_.cage(d).shell + 2).next; }
     void queue_cage(std::uint32_t d) {
         const Cage& cage = hierarchy_.cage(d);
         queue_.push(VertexId(cage.shell), cage.nearest2);
@@ -149,8 +144,7 @@ private:
 
     Hierarchy<D> hierarchy_;
     Path path_;
-    NearestInDomain near_;          // of the input whose turn it is
-    std::uint32_t growing_ = none;  // the first of the growing cages
+    NearestInDomain near_;  // of the input whose turn it is
 };
 
 template <int D> Status HierarchyRule<D>::reserve(std::size_t n) {
@@ -258,12 +252,10 @@ template <int D>
 }
 
 // Something in the domain around has come nearer to cage d than its clearance: its ball begins to grow at once. Neither
-// that nor the cells in the cage are put off, so few cages grow at a time.
+// that nor the cells in the cage are put off.
 template <int D> [[gnu::cold]] void HierarchyRule<D>::begin_growth(std::uint32_t d) {
     Cage& cage = hierarchy_.cage(d);
     cage.clip *= 1 + 0x1p-50;
-    next_growing(d) = VertexId(growing_);
-    growing_ = d;
     queue_growth(cage);
 }
 
@@ -317,22 +309,6 @@ template <int D> [[gnu::cold]] void HierarchyRule<D>::queue_reaching(std::uint32
     }
 }
 
-// A split beside a growing cage waits until the cage is released: nothing from outside comes into it.
-template <int D> bool HierarchyRule<D>::must_wait(VertexId v, const Split<D>& split) {
-    for (std::uint32_t d = growing_; d != none; d = next_growing(d)) {
-        const Cage& cage = hierarchy_.cage(d);
-        const double* const centre = store_.point(cage.centre);
-        const double kept2 = growing_clearance * growing_clearance * cage.radius * cage.radius;
-        if (!(distance2<D>(store_.dim, split.x, centre) < kept2) || hierarchy_.contains(d, store_.point(v)) ||
-            !hierarchy_.contains(hierarchy_.of(v), centre))
-            continue;
-        const double nearest2 = queued_distance2(v);
-        queue_.push(v, nearest2 > kept2 ? nearest2 : kept2);
-        return true;
-    }
-    return false;
-}
-
 // False: no room to look at all neighbours.
 template <int D> [[gnu::cold]] bool HierarchyRule<D>::release_cage(std::uint32_t d) {
     const VertexId shell(hierarchy_.cage(d).shell);
@@ -368,14 +344,6 @@ template <int D> [[gnu::cold]] bool HierarchyRule<D>::heed_released(std::uint32_
 
 // The cage is none from now on, the vertices of its shell are as others.
 template <int D> [[gnu::cold]] void HierarchyRule<D>::give_up_shell(std::uint32_t d) {
-    for (std::uint32_t e = growing_, before = none; e != none; before = e, e = next_growing(e)) {
-        if (e != d) continue;
-        if (before == none)
-            growing_ = next_growing(d);
-        else
-            next_growing(before) = next_growing(d);
-        break;
-    }
     const VertexId shell(hierarchy_.cage(d).shell);
     hierarchy_.release(d);
     for (VertexId v = shell; v < shell + shell_size_of(store_.dim); ++v) store_.vertex(v).marker = Marker::steiner;
@@ -584,7 +552,10 @@ template <int D> [[gnu::cold]] void HierarchyRule<D>::find_nearest_inputs() {
 
 // A run that is cut off while cages grow leaves them as released ones.
 template <int D> std::size_t HierarchyRule<D>::keep_results(std::size_t) {
-    while (growing_ != none) give_up_shell(growing_);
+    for (std::uint32_t d = 0; d < hierarchy_.made();)
+        for (const std::uint64_t piece = store_.arena.piece(d, hierarchy_.made(), 5); d < piece; ++d) {
+            if (hierarchy_.is_live(d) && is_growing(hierarchy_.cage(d))) give_up_shell(d);
+        }
     const std::uint32_t made = hierarchy_.made(), kept = hierarchy_.keep_live(store_.arena);
     this->result_.cages = hierarchy_.cages();
     this->result_.hierarchy = {kept, made, made - kept};

@@ -46,9 +46,8 @@ namespace netmesh {
 // that reach the sphere all the same: they are g - tau r_v from the inputs or farther, as all inputs are within e r, so
 // r_v >= g / (tau + 2 K) by 4.8's bound of feature sizes. So ratios stay below a constant, and there are as many steps
 // as it takes to double the least r_v until it is r. The cells of vertices in the ball, of r_v >= r / 4 / (tau + 2 K)
-// where they leave it, and of the shell are bad by a constant after the release. Nothing from outside is put within
-// growing_clearance radii of a cage that grows: what would be is queued again behind its growth. The cage's own cell is
-// no larger than it was.
+// where they leave it, and of the shell are bad by a constant after the release. The cage's own cell is no larger than
+// it was, and what is put into a growing cage from outside makes cells smaller.
 //
 // FinishMesh releases all cages at once without that. Beside shells the cells of its intermediate meshes are as long as
 // the gaps are wide. Cells that a released cage has kept apart from others are found by a look at all cells after the

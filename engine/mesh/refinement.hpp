@@ -81,8 +81,6 @@ public:
     }
     // The record of a new Steiner point is there, its insertion follows.
     void note_steiner(VertexId, const NearestInput&) {}
-    // Is v, which would be split there, queued again instead?
-    bool must_wait(VertexId, const Split<D>&) { return false; }
     // After each vertex inserted but for those of shells and nets.
     Status after_step() { return Status::ok; }
     // The cell judged bad under v's name has been split: it is queued again.
@@ -258,7 +256,6 @@ template <int D, class Rule> Status Refinement<D, Rule>::clean() {
             continue;
         }
         if (verdict == Verdict::out_of_memory) return Status::out_of_memory;
-        if (rule().must_wait(v, split)) continue;
         const Status status = yielding_insert(split);
         if (status != Status::ok) return status;
         rule().requeue(v);
