@@ -15,6 +15,7 @@
 
 #include "filtration/circumsphere_fast.hpp"
 #include "filtration/radius_order.hpp"
+#include "numerics/bits.hpp"
 #include "numerics/real.hpp"
 #include "vocabulary/dimension.hpp"
 
@@ -43,14 +44,17 @@ public:
                 }
         Status status = down_to<1>([this](auto k) { return this->find_radii(k); });
         work_.arena.release_high(high);
-        if (status == Status::ok) status = order_radii(FaceTable(faces_), points_, work_, value_, &errors_);
-        if (status == Status::ok) status = down_to<2>([this](auto k) { return this->hand_down(k); });
+        bool tied = false;
+        if (status == Status::ok) status = order_radii(FaceTable(faces_), points_, work_, value_, &errors_, &tied);
+        finish_marked(tied);
+        if (status == Status::ok && tied) status = down_to<2>([this](auto k) { return this->hand_down(k); });
         *error = errors_.inner > errors_.outer ? errors_.inner : errors_.outer;
         return status;
     }
 
 private:
     template <int K> Status find_radii(DimensionOf<K> k);
+    void finish_marked(bool again);
     template <int K> Status hand_down(DimensionOf<K> k);
     // Calls f(k) for k = D, D - 1, ..., `last`.
     template <int last, int K = D, class F> Status down_to(F&& f) {
@@ -64,13 +68,13 @@ private:
             return status;
         }
     }
-    template <int K> void points_of(DimensionOf<K> k, std::uint32_t f, const double** point, std::uint32_t* facet) {
+    // place: where each of them is in the vertex list.
+    template <int K> void points_of(DimensionOf<K> k, std::uint32_t f, const double** point, std::uint32_t* place) {
         if constexpr (D == any_dimension) {
             faces_.points(points_, static_cast<int>(std::uint32_t{k}), f, point);
-            const std::uint32_t* const all = faces_.facets_of(static_cast<int>(std::uint32_t{k}), f);
-            for (std::uint32_t i = 0; i <= k; ++i) facet[i] = all[i];
+            for (std::uint32_t i = 0; i <= k; ++i) place[i] = i;
         } else {
-            points_.template of_face<K>(faces_, f, point, facet);
+            points_.template of_face<K>(faces_, f, point, place);
         }
     }
     template <int K> bool sphere_of(DimensionOf<K> k, const double* const* point, Circumsphere* out) {
@@ -111,43 +115,52 @@ private:
     RadiusErrors errors_ = {0, 0};
 };
 
-// The radii of the k-faces that are not marked, and marks for their facets: the least double.
+// The radii of the k-faces that are not marked, and marks for the faces below that they have in their spheres.
 template <int D> template <int K> Status AlphaValues<D>::find_radii(DimensionOf<K> k) {
+    const FaceTable table(faces_);
     const std::uint32_t count = faces_.count[k];
     double volume = 1;
     for (std::uint32_t f = 0; f < count; ++f) {
-        double& value = value_[k][f];
-        const double* point[DimensionOf<K>::most + 1];
-        std::uint32_t facet[DimensionOf<K>::most + 1];
-        if (k > 1) {
-            points_of(k, f, point, facet);
-            Circumsphere sphere;
-            if (sphere_of(k, point, &sphere)) {
-                if (sphere.volume < volume) volume = sphere.volume;
-            } else {
-                const Status status = evaluate_exactly(point, k, &sphere);
-                if (status != Status::ok) return status;
-            }
-            if (!(value < 0)) value = sphere.radius;
-            for (std::uint32_t i = 0; i <= k; ++i)
-                if ((sphere.within >> i & 1u) != 0) value_[k - 1][facet[i]] = -infinity;
-        } else if (!(value < 0)) {
-            points_of(k, f, point, facet);
-            Radius edge;
-            if (edge_radius(edge2(point), dim_, &edge)) {
-                errors_.note(edge.value, edge.error);
-                value = edge.value;
-            } else {
-                Circumsphere sphere;
-                const Status status = evaluate_exactly(point, k, &sphere);
-                if (status != Status::ok) return status;
-                value = sphere.radius;
-            }
-        }
         if (stop(f, k)) return Status::cancelled;
+        if (value_[k][f] < 0) continue;
+        const double* point[DimensionOf<K>::most + 1];
+        std::uint32_t place[DimensionOf<K>::most + 1];
+        points_of(k, f, point, place);
+        Circumsphere sphere = {0, 0, 1};
+        Radius edge;
+        bool known;
+        if (k > 1) {
+            known = sphere_of(k, point, &sphere);
+            if (known && sphere.volume < volume) volume = sphere.volume;
+        } else {
+            known = edge_radius(edge2(point), dim_, &edge);
+            if (known) errors_.note(edge.value, edge.error);
+            sphere.radius = edge.value;
+        }
+        if (!known) {
+            const Status status = evaluate_exactly(point, k, &sphere);
+            if (status != Status::ok) return status;
+        }
+        value_[k][f] = sphere.radius;
+        if (k == 1 || sphere.within == 0) continue;
+        std::uint32_t within = 0;
+        for (std::uint32_t i = 0; i <= k; ++i) within |= (sphere.within >> i & 1u) << place[i];
+        table.each_without(k, f, within, [&](std::uint32_t below, std::uint32_t face) {
+            double& mark = value_[below][face];
+            if (!(mark < 0) || mark < -sphere.radius) mark = -sphere.radius;
+        });
     }
     if (k > 1) errors_.note(1, radius_error(k, dim_, volume));
     return Status::ok;
+}
+
+// Marked faces have their values, unless these are to be found again.
+template <int D> void AlphaValues<D>::finish_marked(bool again) {
+    for (std::uint32_t k = 1; k < dim_; ++k)
+        work_.arena.each(faces_.count[k], 4, [this, k, again](std::uint64_t i) {
+            double& value = value_[k][i];
+            value = !again ? absolute(value) : value < 0 ? -infinity : value;
+        });
 }
 
 // A marked face holds the negative of the least value met.

@@ -43,6 +43,7 @@ public:
 
     Status run();
     const RadiusErrors& errors() const { return errors_; }
+    bool has_ties() const { return tied_; }
 
 private:
     static constexpr std::uint32_t few = 16;
@@ -88,6 +89,7 @@ private:
     double last_ = 0;       // the last radius that was settled
     double top_ = 0;        // what is settled now must not pass this: radii that were left out may be above it
     bool crowded_ = false;  // it did
+    bool tied_ = false;     // two radii are equal, or were
     double* radius_ = nullptr;
     std::uint32_t* label_ = nullptr;
     std::uint32_t count_ = 0;
@@ -160,7 +162,10 @@ Status RadiusOrder::pass(bool all) {
     for (std::uint32_t begin = 0, end; begin < count_; begin = end) {
         work_.arena.step(begin, 25);
         end = begin + 1;
-        while (end < count_ && radius_[end] * low <= radius_[end - 1] * high + spread_min) work_.arena.step(++end, 10);
+        while (end < count_ && radius_[end] * low <= radius_[end - 1] * high + spread_min) {
+            if (radius_[end] == radius_[end - 1]) tied_ = true;
+            work_.arena.step(++end, 10);
+        }
         top_ = radius_[end - 1] * (1 + spread_ / 2);
         if (end == begin + 1 && radius_[begin] > last_) {
             last_ = radius_[begin];
@@ -338,21 +343,29 @@ Status RadiusOrder::pass(bool all) {
     }
     last_ = radius;
     if (radius > top_) crowded_ = true;
+    if (end - begin > 1) tied_ = true;
     errors_.note(radius, error);
     for (std::uint32_t i = begin; i < end;)
         for (const std::uint64_t piece = work_.arena.piece(i, end, 15); i < piece; ++i) {
             const Place place = place_of(label_[i]);
+            const double before = value_[place.k][place.face];
             value_[place.k][place.face] = radius;
+            if (before == radius || tied_) continue;
+            faces_.each_without(static_cast<std::uint32_t>(place.k), place.face, (2u << place.k) - 1,
+                                [&](std::uint32_t k, std::uint32_t face) {
+                                    if (value_[k][face] == -before) value_[k][face] = -radius;
+                                });
         }
 }
 
 }  // namespace
 
 Status order_radii(const FaceTable& faces, const PointRecords& points, const Work& work, double* const* value,
-                   RadiusErrors* errors) {
+                   RadiusErrors* errors, bool* tied) {
     RadiusOrder order(faces, points, work, value, *errors);
     const Status status = order.run();
     *errors = order.errors();
+    *tied = order.has_ties();
     return status;
 }
 

@@ -6,6 +6,7 @@
 #include "complex/faces.hpp"
 #include "filtration/circumsphere_exact.hpp"
 #include "memory/work.hpp"
+#include "numerics/bits.hpp"
 #include "numerics/sort.hpp"
 #include "numerics/vector.hpp"
 #include "vocabulary/dimension.hpp"
@@ -21,13 +22,13 @@ struct PointRecords {
         return reinterpret_cast<const double*>(reinterpret_cast<const unsigned char*>(coordinates) +
                                                static_cast<std::ptrdiff_t>(v) * stride_bytes);
     }
-    // The points by ascending vertex, whatever the order of the vertex list. facet, if any: of each point, that of the
-    // face's facets which is opposite. last_vertex[D] is not read.
+    // The points by ascending vertex, whatever the order of the vertex list. place: where each is in that.
+    // last_vertex[D] is not read.
     template <int K, int D>
-    void of_face(const Faces<D>& faces, std::uint32_t face, const double** point, std::uint32_t* facet) const {
-        const std::uint32_t* const all = faces.facets_of(K, face);
+    void of_face(const Faces<D>& faces, std::uint32_t face, const double** point, std::uint32_t* place) const {
         std::uint32_t vertex[K + 1];
         if constexpr (K == D) {
+            const std::uint32_t* const all = faces.facets_of(K, face);
             vertex[D] = faces.last_vertex[D - 1][all[0]];
             faces.vertices(D - 1, all[D], vertex);
         } else {
@@ -38,12 +39,12 @@ struct PointRecords {
             for (std::uint32_t i = 0; i <= K; ++i) vertex[i] = vertex[i] << 3 | i;
             sort_small<K + 1>(vertex);
             for (int i = 0; i <= K; ++i) {
-                if (facet != nullptr) facet[i] = all[vertex[i] & 7];
+                place[i] = vertex[i] & 7;
                 point[i] = (*this)[vertex[i] >> 3];
             }
         } else {
             for (int i = 0; i <= K; ++i) {
-                if (facet != nullptr) facet[i] = all[i];
+                place[i] = static_cast<std::uint32_t>(i);
                 point[i] = (*this)[vertex[i]];
             }
         }
@@ -73,6 +74,20 @@ struct FaceTable {
         for (int i = 0; i <= k; ++i) point[i] = records[vertex[i]];
     }
 
+    // Calls act(its dimension, its number) for each face of a k-face that lacks some of the vertices `within`, places
+    // in its list of vertices, and no other; but for vertices.
+    template <class Act> void each_without(std::uint32_t k, std::uint32_t face, std::uint32_t within, Act act) const {
+        std::uint32_t without[2u << dimension_most()];
+        without[0] = face;
+        for (std::uint32_t absent = 0; absent != within;) {
+            absent = (absent - within) & within;
+            const std::uint32_t last = highest_bit(absent), others = absent ^ 1u << last, gone = count_bits(others);
+            if (gone + 1 >= k) continue;
+            without[absent] = facets_of(static_cast<int>(k - gone), without[others])[last - gone];
+            act(k - gone - 1, without[absent]);
+        }
+    }
+
     const int dim;
     const std::uint32_t* const count;
     const std::uint32_t* const* const last_vertex;
@@ -100,10 +115,11 @@ struct RadiusErrors {
     }
 };
 
-// value[k][i], k >= 1: the radius of the i-th k-face, to *errors, or negative: it has none. Afterwards two of them are
-// equal if and only if the true ones are, and otherwise in the same order. Nearly all stay as they are. Where many
-// different radii are within one unit in the last place, each is the next double to the one before; *errors become what
-// then holds.
+// value[k][i], k >= 1: the radius of the i-th k-face, to *errors, or negative: that of one of its cofaces, which has it
+// in its interval (alpha.cpp). Afterwards two of those not negative are equal if and only if the true ones are, and
+// otherwise in the same order. Nearly all stay as they are, and where one does not, the negative ones of its faces go
+// with it. Where many different radii are within one unit in the last place, each is the next double to the one before;
+// *errors become what then holds. *tied: two radii are equal, or were; negative ones are not right then.
 //
 // Those that may have another close by are found by their leading digits (close_values.hpp) and sorted: few of random
 // points, all of a grid. Where intervals of neighbours meet, the float stage's own error bounds of
@@ -114,6 +130,6 @@ struct RadiusErrors {
 // that they would pass by one that was not sorted, all are. out_of_memory; out_of_range: a comparison needs more
 // digits than there are; cancelled.
 Status order_radii(const FaceTable& faces, const PointRecords& points, const Work& work, double* const* value,
-                   RadiusErrors* errors);
+                   RadiusErrors* errors, bool* tied);
 
 }  // namespace netmesh
