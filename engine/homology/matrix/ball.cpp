@@ -278,8 +278,8 @@ class BallHomology::Recorder {
 public:
     using Columns = ListedColumns<RankedMatrix, KeptSums>;
     Recorder(BallHomology& homology, Columns& columns, const RankedMatrix& matrix, const std::uint32_t* owner,
-             const FaceOrder& order, const FaceOrder& rows)
-        : h_(homology), columns_(columns), matrix_(matrix), owner_(owner), k_(matrix.k), order_(order), rows_(rows) {}
+             const FaceOrder& order)
+        : h_(homology), columns_(columns), matrix_(matrix), owner_(owner), k_(matrix.k), order_(order) {}
 
     bool next(std::uint32_t* j) {
         for (; next_ < order_.count; ++next_) {
@@ -293,10 +293,7 @@ public:
         return false;
     }
     Status pair(std::uint32_t j) {
-        const std::uint32_t face = rows_.face[columns_.pivot()];
-        h_.positive_[k_ - 1].insert(face);
-        const bool fits = h_.writer_.add(h_.of(k_ - 1).value[face], h_.of(k_).value[j], k_ - 1);
-        return fits && columns_.own_pivot(j) ? Status::ok : Status::out_of_memory;
+        return columns_.own_pivot(j) ? Status::ok : Status::out_of_memory;
     }
     // A ball has no class that lasts but the first, so this is of the highest dimension that is listed.
     Status zero(std::uint32_t) {
@@ -310,19 +307,14 @@ private:
         constexpr std::uint32_t far = 24, near = 8;
         if (next_ + far >= order_.count) return;
         prefetch(matrix_.faces + std::size_t{order_.face[next_ + far]} * (k_ + 1));
-        prefetch(h_.of(k_).value + order_.face[next_ + far]);
         const std::uint32_t* const face = matrix_.faces + std::size_t{order_.face[next_ + 2 * near]} * (k_ + 1);
         for (std::uint32_t i = 0; i <= k_; ++i) prefetch(matrix_.rank + face[i]);
         const std::uint32_t pivot = matrix_.pivot_of(order_.face[next_ + near]);
-        if (pivot != none) {
-            prefetch(owner_ + pivot);
-            prefetch(rows_.face + pivot);
-        }
+        if (pivot != none) prefetch(owner_ + pivot);
         const std::uint32_t soon = matrix_.pivot_of(order_.face[next_ + near / 2]);
         if (soon != none) {
             const std::uint32_t other = owner_[soon];
             if (other < ColumnStore::stored) prefetch(matrix_.faces + std::size_t{other} * (k_ + 1));
-            if (other == none) prefetch(h_.of(k_ - 1).value + rows_.face[soon]);
         }
     }
 
@@ -331,7 +323,7 @@ private:
     const RankedMatrix& matrix_;
     const std::uint32_t* const owner_;
     std::uint32_t k_, next_ = 0;
-    const FaceOrder order_, rows_;
+    const FaceOrder order_;
 };
 
 // Degree k-1. rows: the (k-1)-faces that are not taken, without those that end a class when these are known. They have
@@ -366,8 +358,27 @@ Status BallHomology::reduce(std::uint32_t k, const FaceOrder& columns, FaceOrder
         if (taken_[k].has(static_cast<std::uint32_t>(j)))
             owner[matrix.pivot_of(static_cast<std::uint32_t>(j))] = static_cast<std::uint32_t>(j);
     });
-    Recorder recorder(*this, reduced, matrix, owner, columns, *rows);
-    return reduce_columns(reduced, recorder);
+    Recorder recorder(*this, reduced, matrix, owner, columns);
+    status = reduce_columns(reduced, recorder);
+    if (status != Status::ok) return status;
+    // By birth, so that there is little to sort.
+    bool fits = true;
+    const auto column_of = [&](std::uint32_t i) {
+        return owner[i] < ColumnStore::stored ? owner[i] : store.column(owner[i])[0];
+    };
+    arena_.each(rows->count, 20, [&](std::uint64_t at) {
+        constexpr std::uint32_t far = 24;
+        const std::uint32_t i = static_cast<std::uint32_t>(at);
+        if (i + far < rows->count && owner[i + far] != none) {
+            prefetch(of(k - 1).value + rows->face[i + far]);
+            prefetch(of(k).value + column_of(i + far));
+        }
+        if (owner[i] == none || taken_[k].has(column_of(i))) return;
+        const std::uint32_t face = rows->face[i];
+        positive_[k - 1].insert(face);
+        fits = fits && writer_.add(of(k - 1).value[face], of(k).value[column_of(i)], k - 1);
+    });
+    return fits ? Status::ok : Status::out_of_memory;
 }
 
 Status BallHomology::run() {
