@@ -263,14 +263,6 @@ Status enumerate_along(const TriangulationView<D>& complex, std::uint64_t hull_f
     if (status != Status::ok) return status;
     arena.release_high(high);
     faces.last_vertex[0] = order;
-    for (int k = 1; k <= D; ++k) {
-        std::uint32_t* const last = arena.take_high<std::uint32_t>(faces.count[k]);
-        if (last == nullptr) return Status::out_of_memory;
-        faces.last_vertex[k] = last;
-        const std::uint32_t *const below = faces.last_vertex[k - 1], *const facets = faces.facets[k];
-        const std::size_t width = static_cast<std::size_t>(k) + 1;
-        arena.each(faces.count[k], 3, [=](std::uint64_t f) { last[f] = below[facets[f * width]]; });
-    }
     *out = faces;
     return Status::ok;
 }

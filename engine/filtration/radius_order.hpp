@@ -14,7 +14,7 @@
 
 namespace netmesh {
 
-// Coordinates at the start of each vertex record.
+// Coordinates at the start of each record: of each vertex, or of each 0-face where the lists of faces follow an order.
 struct PointRecords {
     const double* coordinates;
     std::ptrdiff_t stride_bytes;
@@ -27,27 +27,61 @@ struct PointRecords {
     template <int K, int D>
     void of_face(const Faces<D>& faces, std::uint32_t face, const double** point, std::uint32_t* place) const {
         std::uint32_t vertex[K + 1];
-        if constexpr (K == D) {
-            const std::uint32_t* const all = faces.facets_of(K, face);
-            vertex[D] = faces.last_vertex[D - 1][all[0]];
-            faces.vertices(D - 1, all[D], vertex);
-        } else {
-            faces.vertices(K, face, vertex);
-        }
         if constexpr (lists_follow_order<D>) {
             static_assert(D < 5, "a vertex and a position fit into one word: there are at most 2^28 points");
-            for (std::uint32_t i = 0; i <= K; ++i) vertex[i] = vertex[i] << 3 | i;
-            sort_small<K + 1>(vertex);
+            ends_of<K>(faces, face, vertex);
+            std::uint32_t key[K + 1];
+            for (std::uint32_t i = 0; i <= K; ++i) key[i] = faces.last_vertex[0][vertex[i]] << 3 | i;
+            sort_small<K + 1>(key);
             for (int i = 0; i <= K; ++i) {
-                place[i] = vertex[i] & 7;
-                point[i] = (*this)[vertex[i] >> 3];
+                place[i] = key[i] & 7;
+                point[i] = (*this)[faces.follows_order() ? vertex[place[i]] : key[i] >> 3];
             }
         } else {
+            if constexpr (K == D) {
+                const std::uint32_t* const all = faces.facets_of(K, face);
+                vertex[D] = faces.last_vertex[D - 1][all[0]];
+                faces.vertices(D - 1, all[D], vertex);
+            } else {
+                faces.vertices(K, face, vertex);
+            }
             for (int i = 0; i <= K; ++i) {
                 place[i] = static_cast<std::uint32_t>(i);
                 point[i] = (*this)[vertex[i]];
             }
         }
+    }
+
+    // Copies the points in this order to the arena's high end. False: out of memory.
+    template <int D> bool put_in_order(const std::uint32_t* order, std::uint32_t count, Arena& arena) {
+        double* const copy = arena.template take_high<double>(std::size_t{count} * D);
+        if (copy == nullptr) return false;
+        arena.each(count, 20, [=](std::uint64_t i) {
+            constexpr std::uint32_t far = 24;
+            if (i + far < count) prefetch((*this)[order[i + far]]);
+            __builtin_memcpy(copy + i * D, (*this)[order[i]], sizeof(double) * D);
+        });
+        coordinates = copy;
+        stride_bytes = static_cast<std::ptrdiff_t>(sizeof(double) * D);
+        return true;
+    }
+
+private:
+    // The 0-faces of a face, from its first and its last edge; of one of five, the third from the edge between.
+    template <int K, int D>
+    static void ends_of(const Faces<D>& faces, std::uint32_t face, std::uint32_t* vertex) {
+        std::uint32_t first = face, last = face, middle = face;
+        for (int k = K; k > 1; --k) {
+            if (k == 2) middle = faces.facets_of(2, first)[0];
+            first = faces.facets_of(k, first)[k];
+            last = faces.facets_of(k, last)[0];
+        }
+        const std::uint32_t *const two = faces.facets_of(1, first), *const others = faces.facets_of(1, last);
+        if (K == 4) vertex[2] = faces.facets_of(1, middle)[0];
+        vertex[K - 1] = others[1];
+        vertex[K] = others[0];
+        vertex[0] = two[1];
+        vertex[1] = two[0];
     }
 };
 
@@ -55,7 +89,8 @@ struct PointRecords {
 struct FaceTable {
     template <int D>
     explicit FaceTable(const Faces<D>& faces)
-        : dim(D), count(faces.count), last_vertex(faces.last_vertex), facets(faces.facets) {}
+        : dim(D), count(faces.count), last_vertex(faces.last_vertex), facets(faces.facets),
+          follows_order_(faces.follows_order()) {}
     const std::uint32_t* facets_of(int k, std::uint32_t face) const {
         return facets[k] + static_cast<std::size_t>(face) * static_cast<std::size_t>(k + 1);
     }
@@ -66,11 +101,19 @@ struct FaceTable {
         std::uint32_t vertex[dimension_most() + 1];
         for (int i = k; i > 0; --i) {
             const std::uint32_t* const facet = facets_of(i, face);
-            vertex[i] = i == dim ? last_vertex[i - 1][facet[0]] : last_vertex[i][face];
+            if (follows_order_) {
+                vertex[i] = face;
+                for (int j = i; j > 0; --j) vertex[i] = facets_of(j, vertex[i])[0];
+            } else {
+                vertex[i] = i == dim ? last_vertex[i - 1][facet[0]] : last_vertex[i][face];
+            }
             face = facet[i];
         }
-        vertex[0] = last_vertex[0][face];
-        if (jumps_matter) insertion_sort(vertex, static_cast<std::uint32_t>(k) + 1, Ascending{});
+        vertex[0] = follows_order_ ? face : last_vertex[0][face];
+        if (follows_order_)
+            insertion_sort(vertex, static_cast<std::uint32_t>(k) + 1, [this](std::uint32_t a, std::uint32_t b) {
+                return last_vertex[0][a] < last_vertex[0][b];
+            });
         for (int i = 0; i <= k; ++i) point[i] = records[vertex[i]];
     }
 
@@ -92,6 +135,9 @@ struct FaceTable {
     const std::uint32_t* const count;
     const std::uint32_t* const* const last_vertex;
     const std::uint32_t* const* const facets;
+
+private:
+    const bool follows_order_;
 };
 
 // A radius and a bound on how far it is from the true one, relative to that.
