@@ -144,7 +144,7 @@ struct SortScratch {
     }
 };
 
-void sort_items(const Items& items, std::uint32_t count, const SortScratch& scratch, const Arena& arena) {
+void sort_range(const Items& items, Range whole, const SortScratch& scratch, const Arena& arena) {
     Range* const stack = scratch.stack;
     std::uint32_t* const end = scratch.end;
     std::size_t height = 0;
@@ -156,7 +156,7 @@ void sort_items(const Items& items, std::uint32_t count, const SortScratch& scra
             arena.pass((range.end - range.begin) / 8);
         }
     };
-    if (count > 0) sort_or_wait({0, count});
+    if (whole.end > whole.begin) sort_or_wait(whole);
     while (height > 0) {
         const Range range = stack[--height];
         distribute(items, range, leading_digit(items, range, arena), end, arena);
@@ -182,7 +182,7 @@ bool sort_values(double* value, std::uint32_t* position, std::uint32_t count, Ar
     SortScratch scratch;
     if (!scratch.take(count, arena)) return false;
     arena.each(count, 1, [position](std::uint64_t i) { position[i] = static_cast<std::uint32_t>(i); });
-    sort_items({value, position}, count, scratch, arena);
+    sort_range({value, position}, {0, count}, scratch, arena);
     return true;
 #endif
 }
@@ -197,7 +197,37 @@ bool sort_labelled(double* value, std::uint32_t* label, std::uint32_t count, Are
     const ArenaScope scope(arena);
     SortScratch scratch;
     if (!scratch.take(count, arena)) return false;
-    sort_items({value, label}, count, scratch, arena);
+    sort_range({value, label}, {0, count}, scratch, arena);
+    return true;
+}
+
+bool ValueBuckets::take(const double* value, std::uint32_t count, Arena& arena) {
+    end_ = arena.take_high<std::uint32_t>(buckets);
+    if (end_ == nullptr) return false;
+    std::uint64_t differ = 0;
+    arena.each(count, 3, [&](std::uint64_t i) { differ |= bits_of(value[i]) ^ bits_of(value[0]); });
+    const int above = 64 - bits;  // where the first digit begins if all bits differ
+    shift_ = differ == 0 ? above : static_cast<int>(highest_bit(differ)) + 1 - bits;
+    if (shift_ < 0) shift_ = 0;
+    for (std::uint32_t d = 0; d < buckets; ++d) end_[d] = 0;
+    return true;
+}
+
+void ValueBuckets::begin_places() {
+    std::uint32_t sum = 0;
+    for (std::uint32_t d = 0; d < buckets; ++d) {
+        const std::uint32_t size = end_[d];
+        end_[d] = sum;
+        sum += size;
+    }
+}
+
+bool ValueBuckets::sort(double* value, std::uint32_t* label, Arena& arena) const {
+    const HighScope scope(arena);
+    SortScratch scratch;
+    if (!scratch.take(end_[buckets - 1], arena)) return false;
+    for (std::uint32_t d = 0, begin = 0; d < buckets; begin = end_[d++])
+        sort_range({value, label}, {begin, end_[d]}, scratch, arena);
     return true;
 }
 #endif

@@ -34,12 +34,12 @@ struct RankedMatrix {
 
     std::uint32_t pivot_of(std::uint32_t j) const {
         const std::uint32_t* const face = faces + std::size_t{j} * (k + 1);
-        std::uint32_t pivot = none;
+        std::uint32_t above = 0;  // rows + 1: 0 for none; no branches, which nobody could foresee
         for (std::uint32_t i = 0; i <= k; ++i) {
-            const std::uint32_t row = rank[face[i]];
-            if (row != none && (pivot == none || row > pivot)) pivot = row;
+            const std::uint32_t next = rank[face[i]] + 1;
+            above = next > above ? next : above;
         }
-        return pivot;
+        return above - 1;
     }
     template <class Column> std::uint32_t add(std::uint32_t j, Column& to) const {
         const std::uint32_t* const face = faces + std::size_t{j} * (k + 1);
@@ -111,10 +111,12 @@ Status BallHomology::match(std::uint32_t k, std::uint32_t* mate) {
     for (std::uint32_t j = 0; j < of(k).count;)
         for (const std::uint64_t piece = arena_.piece(j, of(k).count, 8 * k); j < piece; ++j, face += k + 1) {
             const double value = of(k).value[j];
-            std::uint32_t last = none;
+            std::uint32_t above = 0;
             for (std::uint32_t i = 0; i <= k; ++i) {
-                if (below[face[i]] == value && (last == none || face[i] > last)) last = face[i];
+                const std::uint32_t next = below[face[i]] == value ? face[i] + 1 : 0;
+                above = next > above ? next : above;
             }
+            std::uint32_t last = above - 1;
             if (last != none) {
                 const bool is_first = !met.has(last);
                 for (std::uint32_t i = 0; i <= k; ++i) {
@@ -138,20 +140,17 @@ Status BallHomology::match(std::uint32_t k, std::uint32_t* mate) {
 // of them; what is a row further down can be positive.
 Status BallHomology::order(std::uint32_t k, FaceOrder* out) {
     const bool are_facets = has_cells() && k + 1 == ball_.dim;
-    std::uint32_t count = of(k).count - pairs_[k] - (are_facets ? pairs_[k + 1] : 0);
+    const std::uint32_t count = of(k).count - pairs_[k] - (are_facets ? pairs_[k + 1] : 0);
     out->face = arena_.take_high<std::uint32_t>(count);
     out->count = count;
     const HighScope scope(arena_);
     double* const value = arena_.take_high<double>(count);
     if (out->face == nullptr || value == nullptr) return Status::out_of_memory;
-    count = 0;
-    arena_.each(of(k).count, 10, [&](std::uint64_t i) {
-        const std::uint32_t f = static_cast<std::uint32_t>(i);
-        if (taken_[k].has(f) || (are_facets && positive_[k].has(f))) return;
-        out->face[count] = f;
-        value[count++] = of(k).value[f];
-    });
-    return sort_labelled(value, out->face, count, arena_) ? Status::ok : Status::out_of_memory;
+    const auto is_listed = [this, k, are_facets](std::uint32_t f) {
+        return !(taken_[k].has(f) | (positive_[k].has(f) & are_facets));  // no branches, which nobody could foresee
+    };
+    return sort_listed(of(k).value, of(k).count, is_listed, value, out->face, arena_) ? Status::ok
+                                                                                       : Status::out_of_memory;
 }
 
 // Gives back what was taken at the high end since it was at `high`, but for this order. False: out of memory.
