@@ -31,6 +31,8 @@ struct RankedMatrix {
     const std::uint32_t* faces;
     const std::uint32_t* rank;
     std::uint32_t k;
+    // [rows][k], where jumps in memory matter: of a column that owns a row and is as it was, its other rows or none.
+    std::uint32_t* others;
 
     std::uint32_t pivot_of(std::uint32_t j) const {
         const std::uint32_t* const face = faces + std::size_t{j} * (k + 1);
@@ -48,6 +50,25 @@ struct RankedMatrix {
             if (row != none) to.toggle(row);
         }
         return 1;
+    }
+    template <class Column> std::uint32_t add_owner(std::uint32_t j, std::uint32_t pivot, Column& to) const {
+        if (!jumps_matter) return add(j, to);
+        to.toggle(pivot);
+        const std::uint32_t* const other = others + std::size_t{pivot} * k;
+        for (std::uint32_t i = 0; i < k; ++i) {
+            if (other[i] != none) to.toggle(other[i]);
+        }
+        return 1;
+    }
+    // Column j, as it is, owns its pivot.
+    void note_owner(std::uint32_t j, std::uint32_t pivot) const {
+        if (!jumps_matter) return;
+        const std::uint32_t* const face = faces + std::size_t{j} * (k + 1);
+        std::uint32_t* other = others + std::size_t{pivot} * k;
+        for (std::uint32_t i = 0; i <= k; ++i) {
+            const std::uint32_t row = rank[face[i]];
+            if (row != pivot) *other++ = row;
+        }
     }
 };
 
@@ -292,7 +313,10 @@ public:
         return false;
     }
     Status pair(std::uint32_t j) {
-        return columns_.own_pivot(j) ? Status::ok : Status::out_of_memory;
+        const std::uint32_t pivot = columns_.pivot();
+        if (!columns_.own_pivot(j)) return Status::out_of_memory;
+        if (owner_[pivot] == j) matrix_.note_owner(j, pivot);
+        return Status::ok;
     }
     // A ball has no class that lasts but the first, so this is of the highest dimension that is listed.
     Status zero(std::uint32_t) {
@@ -309,12 +333,9 @@ private:
         const std::uint32_t* const face = matrix_.faces + std::size_t{order_.face[next_ + 2 * near]} * (k_ + 1);
         for (std::uint32_t i = 0; i <= k_; ++i) prefetch(matrix_.rank + face[i]);
         const std::uint32_t pivot = matrix_.pivot_of(order_.face[next_ + near]);
-        if (pivot != none) prefetch(owner_ + pivot);
-        const std::uint32_t soon = matrix_.pivot_of(order_.face[next_ + near / 2]);
-        if (soon != none) {
-            const std::uint32_t other = owner_[soon];
-            if (other < ColumnStore::stored) prefetch(matrix_.faces + std::size_t{other} * (k_ + 1));
-        }
+        if (pivot == none) return;
+        prefetch(owner_ + pivot);
+        prefetch(matrix_.others + std::size_t{pivot} * k_);
     }
 
     BallHomology& h_;
@@ -342,40 +363,45 @@ Status BallHomology::reduce(std::uint32_t k, const FaceOrder& columns, FaceOrder
         });
         rows->count = kept;
     }
-    std::uint32_t* const rank = arena_.take_high<std::uint32_t>(of(k - 1).count);
     std::uint32_t* const owner = arena_.take_high<std::uint32_t>(rows->count);
+    const std::size_t high_kept = arena_.high_mark();
+    std::uint32_t* const rank = arena_.take_high<std::uint32_t>(of(k - 1).count);
+    std::uint32_t* const others = arena_.take_high<std::uint32_t>(jumps_matter ? std::size_t{rows->count} * k : 0);
     std::uint64_t* const words = arena_.take_high<std::uint64_t>(BitTree::words_needed(rows->count));
-    if (rank == nullptr || owner == nullptr || words == nullptr) return Status::out_of_memory;
+    if (rank == nullptr || owner == nullptr || others == nullptr || words == nullptr) return Status::out_of_memory;
     if (rows->count == 0) return Status::ok;
     arena_.each(of(k - 1).count, 1, [rank](std::uint64_t f) { rank[f] = none; });
     arena_.each(rows->count, 6, [&](std::uint64_t i) { rank[rows->face[i]] = static_cast<std::uint32_t>(i); });
     ColumnStore store;
     store.open(arena_);
-    const RankedMatrix matrix = {of(k).faces, rank, k};
+    const RankedMatrix matrix = {of(k).faces, rank, k, others};
     Recorder::Columns reduced(matrix, {&store}, rows->count, owner, words, progress_);
-    arena_.each(of(k).count, 8, [&](std::uint64_t j) {
-        if (taken_[k].has(static_cast<std::uint32_t>(j)))
-            owner[matrix.pivot_of(static_cast<std::uint32_t>(j))] = static_cast<std::uint32_t>(j);
+    arena_.each(of(k).count, 8, [&](std::uint64_t at) {
+        const std::uint32_t j = static_cast<std::uint32_t>(at);
+        if (!taken_[k].has(j)) return;
+        const std::uint32_t pivot = matrix.pivot_of(j);
+        owner[pivot] = j;
+        matrix.note_owner(j, pivot);
     });
     Recorder recorder(*this, reduced, matrix, owner, columns);
     status = reduce_columns(reduced, recorder);
     if (status != Status::ok) return status;
+    arena_.each(rows->count, 8, [&](std::uint64_t i) {
+        if (owner[i] != none && owner[i] >= ColumnStore::stored) owner[i] = store.column(owner[i])[0];
+    });
+    arena_.release_high(high_kept);
     // By birth, so that there is little to sort.
     bool fits = true;
-    const auto column_of = [&](std::uint32_t i) {
-        return owner[i] < ColumnStore::stored ? owner[i] : store.column(owner[i])[0];
-    };
-    arena_.each(rows->count, 20, [&](std::uint64_t at) {
+    arena_.each(rows->count, 20, [&](std::uint64_t i) {
         constexpr std::uint32_t far = 24;
-        const std::uint32_t i = static_cast<std::uint32_t>(at);
         if (i + far < rows->count && owner[i + far] != none) {
             prefetch(of(k - 1).value + rows->face[i + far]);
-            prefetch(of(k).value + column_of(i + far));
+            prefetch(of(k).value + owner[i + far]);
         }
-        if (owner[i] == none || taken_[k].has(column_of(i))) return;
+        if (owner[i] == none || taken_[k].has(owner[i])) return;
         const std::uint32_t face = rows->face[i];
         positive_[k - 1].insert(face);
-        fits = fits && writer_.add(of(k - 1).value[face], of(k).value[column_of(i)], k - 1);
+        fits = fits && writer_.add(of(k - 1).value[face], of(k).value[owner[i]], k - 1);
     });
     return fits ? Status::ok : Status::out_of_memory;
 }
