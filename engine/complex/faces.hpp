@@ -17,7 +17,7 @@ template <int D> constexpr bool lists_follow_order = jumps_matter&& D <= 4;
 // order in which vertex lists ascend.
 template <int D> struct Faces {
     int dimension_max;
-    std::uint32_t count[DimensionOf<D>::most + 1];         // by dimension; 0 above dimension_max
+    std::uint32_t count[DimensionOf<D>::most + 1];  // by dimension; 0 above dimension_max
     // [count[k]], the greatest vertex of each k-face. Where lists follow an order only last_vertex[0] is not null: the
     // others are found by facets.
     std::uint32_t* last_vertex[DimensionOf<D>::most + 1];

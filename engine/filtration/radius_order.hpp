@@ -68,8 +68,7 @@ struct PointRecords {
 
 private:
     // The 0-faces of a face, from its first and its last edge; of one of five, the third from the edge between.
-    template <int K, int D>
-    static void ends_of(const Faces<D>& faces, std::uint32_t face, std::uint32_t* vertex) {
+    template <int K, int D> static void ends_of(const Faces<D>& faces, std::uint32_t face, std::uint32_t* vertex) {
         std::uint32_t first = face, last = face, middle = face;
         for (int k = K; k > 1; --k) {
             if (k == 2) middle = faces.facets_of(2, first)[0];
@@ -111,9 +110,8 @@ struct FaceTable {
         }
         vertex[0] = follows_order_ ? face : last_vertex[0][face];
         if (follows_order_)
-            insertion_sort(vertex, static_cast<std::uint32_t>(k) + 1, [this](std::uint32_t a, std::uint32_t b) {
-                return last_vertex[0][a] < last_vertex[0][b];
-            });
+            insertion_sort(vertex, static_cast<std::uint32_t>(k) + 1,
+                           [this](std::uint32_t a, std::uint32_t b) { return last_vertex[0][a] < last_vertex[0][b]; });
         for (int i = 0; i <= k; ++i) point[i] = records[vertex[i]];
     }
 

@@ -31,9 +31,9 @@ template <int D> bool strip(Store<D>& store, AlphaFiltration<D>* out) {
     if constexpr (lists_follow_order<D>) {
         order = arena.template take_low<std::uint32_t>(vertices);
         bool repeats;
-        if (order == nullptr || spatial_order<D>(reinterpret_cast<const unsigned char*>(store.point(0)),
-                                                 Store<D>::vertex_stride, vertices, 0, arena, order, &repeats,
-                                                 false) != Status::ok)
+        if (order == nullptr ||
+            spatial_order<D>(reinterpret_cast<const unsigned char*>(store.point(0)), Store<D>::vertex_stride, vertices,
+                             0, arena, order, &repeats, false) != Status::ok)
             return false;
     }
     for (std::uint32_t i = 0; i < vertices;)

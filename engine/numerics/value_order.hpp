@@ -56,9 +56,7 @@ bool sort_listed(const double* value, std::uint32_t count, IsListed is_listed, d
     const HighScope scope(arena);
     ValueBuckets buckets;
     if (!buckets.take(value, count, arena)) return false;
-    arena.each(count, 12, [&](std::uint64_t i) {
-        buckets.add(value[i], is_listed(static_cast<std::uint32_t>(i)));
-    });
+    arena.each(count, 12, [&](std::uint64_t i) { buckets.add(value[i], is_listed(static_cast<std::uint32_t>(i))); });
     buckets.begin_places();
     arena.each(count, 20, [&](std::uint64_t i) {
         if (!is_listed(static_cast<std::uint32_t>(i))) return;

@@ -171,7 +171,7 @@ Status BallHomology::order(std::uint32_t k, FaceOrder* out) {
         return !(taken_[k].has(f) | (positive_[k].has(f) & are_facets));  // no branches, which nobody could foresee
     };
     return sort_listed(of(k).value, of(k).count, is_listed, value, out->face, arena_) ? Status::ok
-                                                                                       : Status::out_of_memory;
+                                                                                      : Status::out_of_memory;
 }
 
 // Gives back what was taken at the high end since it was at `high`, but for this order. False: out of memory.

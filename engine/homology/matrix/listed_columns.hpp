@@ -124,8 +124,7 @@ struct KeptSources {
     ColumnStore* store;
     CountedColumn sources;  // of the column at work
 
-    template <class Matrix>
-    std::uint32_t add(const Matrix& matrix, std::uint32_t owner, std::uint32_t, Column& to) {
+    template <class Matrix> std::uint32_t add(const Matrix& matrix, std::uint32_t owner, std::uint32_t, Column& to) {
         if (owner < ColumnStore::stored) return add_source(matrix, owner, to);
         const std::uint32_t* const column = store->column(owner);
         std::uint32_t work = add_source(matrix, column[0], to);
