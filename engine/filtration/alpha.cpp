@@ -78,9 +78,8 @@ Status MarkedValues::finish() {
     bool tied;
     Status status = order_radii(table_, points_, work_, value_, &errors_, &tied);
     for (std::uint32_t k = 1; k < dim; ++k)
-        work_.arena.each(table_.count[k], 4, [this, k, tied](std::uint64_t i) {
-            double& value = value_[k][i];
-            value = !tied ? absolute(value) : value < 0 ? -infinity : value;
+        work_.arena.each(table_.count[k], 4, [value = value_[k], tied](std::uint64_t i) {
+            value[i] = tied && value[i] < 0 ? -infinity : tied ? value[i] : __builtin_fabs(value[i]);
         });
     for (std::uint32_t k = dim; tied && k >= 2 && status == Status::ok; --k) status = hand_down(k);
     return status;

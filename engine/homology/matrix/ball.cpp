@@ -221,19 +221,22 @@ Status BallHomology::unite_vertices(const FaceOrder& edges, BitSet* joining) {
 Status BallHomology::unite_cells(std::uint32_t* parent, const FaceOrder& facets) {
     const std::uint32_t dim = ball_.dim, columns = of(dim).count, width = dim + 1, outside = columns;
     std::uint32_t* const first = arena_.take_high<std::uint32_t>(of(dim - 1).count);
-    if (first == nullptr || std::size_t{columns} * width >= none) return Status::out_of_memory;
+    if (first == nullptr || columns >= none >> 3) return Status::out_of_memory;
     arena_.each(of(dim - 1).count, 1, [first](std::uint64_t f) { first[f] = none; });
-    // Faces give up their places: that of the last coface leads to that of the other one.
-    std::uint32_t* const place = of(dim).faces;
-    for (std::uint32_t i = 0; i < columns * width;)
-        for (const std::uint64_t piece = arena_.piece(i, columns * width, 12); i < piece; ++i) {
-            const std::uint32_t f = place[i];
-            place[i] = first[f];
-            first[f] = i;
+    // Faces give up their places, each the i-th of a cell c, 8 c + i: that of the last coface leads to that of the other
+    // one.
+    std::uint32_t* const faces = of(dim).faces;
+    const auto at = [=](std::uint32_t place) { return faces + std::size_t{place >> 3} * width + (place & 7); };
+    arena_.each(columns, 12 * width, [=](std::uint64_t c) {
+        for (std::uint32_t i = 0; i < width; ++i) {
+            const std::uint32_t place = static_cast<std::uint32_t>(c) << 3 | i, f = *at(place);
+            *at(place) = first[f];
+            first[f] = place;
         }
-    const auto sides = [&](std::uint32_t f) {
-        const std::uint32_t one = first[f], other = place[one];
-        return EdgeEnds{one / width, other == none ? outside : other / width};
+    });
+    const auto sides = [=](std::uint32_t f) {
+        const std::uint32_t one = first[f], other = *at(one);
+        return EdgeEnds{one >> 3, other == none ? outside : other >> 3};
     };
     for (std::uint32_t j = 0; j < columns;)
         for (const std::uint64_t piece = arena_.piece(j, columns, 15); j < piece; ++j) {
@@ -255,7 +258,7 @@ Status BallHomology::unite_cells(std::uint32_t* parent, const FaceOrder& facets)
         constexpr std::uint32_t far = 24, near = 8;
         if (jumps_matter && i >= far) {
             prefetch(first + facets.face[i - far]);
-            prefetch(place + first[facets.face[i - 2 * near]]);
+            prefetch(at(first[facets.face[i - 2 * near]]));
             const EdgeEnds later = sides(facets.face[i - near]);
             prefetch(parent + later.a);
             prefetch(parent + later.b);
