@@ -79,7 +79,10 @@ Status MarkedValues::finish() {
     Status status = order_radii(table_, points_, work_, value_, &errors_, &tied);
     for (std::uint32_t k = 1; k < dim; ++k)
         work_.arena.each(table_.count[k], 4, [value = value_[k], tied](std::uint64_t i) {
-            value[i] = tied && value[i] < 0 ? -infinity : tied ? value[i] : __builtin_fabs(value[i]);
+            if (!tied)
+                value[i] = __builtin_fabs(value[i]);
+            else if (value[i] < 0)
+                value[i] = -infinity;
         });
     for (std::uint32_t k = dim; tied && k >= 2 && status == Status::ok; --k) status = hand_down(k);
     return status;
@@ -162,11 +165,11 @@ private:
     }
     template <int K> Status find_radii(DimensionOf<K> k);
     template <int K> Status find_batch(DimensionOf<K> k, Batch<K>& batch, double* volume);
-    // place: where each of them is in the vertex list.
+    // place: where each of them is in the vertex list, which ascends if D is any_dimension.
     template <int K> void points_of(DimensionOf<K> k, std::uint32_t f, const double** point, std::uint32_t* place) {
         if constexpr (D == any_dimension) {
             faces_.points(points_, static_cast<int>(std::uint32_t{k}), f, point);
-            for (std::uint32_t i = 0; i <= k; ++i) place[i] = i;
+            static_cast<void>(place);
         } else {
             points_.template of_face<K>(faces_, f, point, place);
         }
@@ -241,8 +244,11 @@ inline Status AlphaValues<D>::find_batch(DimensionOf<K> k, Batch<K>& batch, doub
         const double radius = sphere[i].radius;
         value_[k][f] = radius;
         if (k == 1 || sphere[i].within == 0) continue;
-        std::uint32_t within = 0;
-        for (std::uint32_t j = 0; j <= k; ++j) within |= (sphere[i].within >> j & 1u) << batch.place[i][j];
+        std::uint32_t within = sphere[i].within;
+        if (D != any_dimension) {
+            within = 0;
+            for (std::uint32_t j = 0; j <= k; ++j) within |= (sphere[i].within >> j & 1u) << batch.place[i][j];
+        }
         mark_interval(k, f, within, radius);
     }
     return Status::ok;
@@ -254,7 +260,7 @@ template <int D>
 Status alpha_values(const Faces<D>& faces, const double* coordinates, std::ptrdiff_t stride_bytes, const Work& work,
                     double* const* value, double* error) {
     const PointRecords points = {coordinates, stride_bytes};
-    if constexpr (shared_dimension<D> == D)
+    if constexpr (shared_dimension<D> == D && !circumsphere_is_shared)
         return AlphaValues<D>(D, faces, points, work, value).run(error);
     else
         return AlphaValues<any_dimension>(D, FaceTable(faces), points, work, value).run(error);

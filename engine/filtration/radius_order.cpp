@@ -99,6 +99,15 @@ private:
 // Calls act(radius, label) for each radius, after fetch(radius) some before that. In two steps, as nobody could foresee
 // which faces have one.
 template <class Fetch, class Act> void RadiusOrder::each_radius(Fetch fetch, Act act) const {
+#ifdef __OPTIMIZE_SIZE__
+    static_cast<void>(fetch);
+    std::uint32_t label = 0;
+    for (int k = 1; k <= faces_.dim; ++k)
+        for (std::uint32_t i = 0; i < faces_.count[k]; ++i, ++label) {
+            work_.arena.step(i, 30);
+            if (value_[k][i] >= 0) act(value_[k][i], label);
+        }
+#else
     constexpr std::uint32_t ahead = 16, some = 128;
     double radius[some + ahead];
     std::uint32_t label[some], first = 0;
@@ -119,6 +128,7 @@ template <class Fetch, class Act> void RadiusOrder::each_radius(Fetch fetch, Act
                 act(radius[i], label[i]);
             }
         }
+#endif
 }
 
 // Takes radii and labels of those that may have another radius close by, or of all. False: out of memory.
@@ -365,7 +375,7 @@ Status RadiusOrder::pass(bool all) {
             const Place place = place_of(label_[i]);
             const double before = value_[place.k][place.face];
             value_[place.k][place.face] = radius;
-            if (before == radius || tied_) continue;
+            if (!jumps_matter || before == radius || tied_) continue;
             faces_.each_without(static_cast<std::uint32_t>(place.k), place.face, (2u << place.k) - 1,
                                 [&](std::uint32_t k, std::uint32_t face) {
                                     if (value_[k][face] == -before) value_[k][face] = -radius;
@@ -380,7 +390,7 @@ Status order_radii(const FaceTable& faces, const PointRecords& points, const Wor
     RadiusOrder order(faces, points, work, value, *errors);
     const Status status = order.run();
     *errors = order.errors();
-    *tied = order.has_ties();
+    *tied = !jumps_matter || order.has_ties();
     return status;
 }
 

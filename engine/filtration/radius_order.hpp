@@ -89,7 +89,7 @@ struct FaceTable {
     template <int D>
     explicit FaceTable(const Faces<D>& faces)
         : dim(D), count(faces.count), last_vertex(faces.last_vertex), facets(faces.facets),
-          follows_order_(faces.follows_order()) {}
+          last_vertex_known_(!faces.follows_order()) {}
     const std::uint32_t* facets_of(int k, std::uint32_t face) const {
         return facets[k] + static_cast<std::size_t>(face) * static_cast<std::size_t>(k + 1);
     }
@@ -100,7 +100,7 @@ struct FaceTable {
         std::uint32_t vertex[dimension_most() + 1];
         for (int i = k; i > 0; --i) {
             const std::uint32_t* const facet = facets_of(i, face);
-            if (follows_order_) {
+            if (follows_order()) {
                 vertex[i] = face;
                 for (int j = i; j > 0; --j) vertex[i] = facets_of(j, vertex[i])[0];
             } else {
@@ -108,8 +108,8 @@ struct FaceTable {
             }
             face = facet[i];
         }
-        vertex[0] = follows_order_ ? face : last_vertex[0][face];
-        if (follows_order_)
+        vertex[0] = follows_order() ? face : last_vertex[0][face];
+        if (follows_order())
             insertion_sort(vertex, static_cast<std::uint32_t>(k) + 1,
                            [this](std::uint32_t a, std::uint32_t b) { return last_vertex[0][a] < last_vertex[0][b]; });
         for (int i = 0; i <= k; ++i) point[i] = records[vertex[i]];
@@ -118,6 +118,11 @@ struct FaceTable {
     // Calls act(its dimension, its number) for each face of a k-face that lacks some of the vertices `within`, places
     // in its list of vertices, and no other; but for vertices.
     template <class Act> void each_without(std::uint32_t k, std::uint32_t face, std::uint32_t within, Act act) const {
+        if (dimension_most() == 2) {
+            for (std::uint32_t i = 0; i <= k && k == 2; ++i)
+                if ((within >> i & 1u) != 0) act(1u, facets_of(2, face)[i]);
+            return;
+        }
         std::uint32_t without[2u << dimension_most()];
         without[0] = face;
         for (std::uint32_t absent = 0; absent != within;) {
@@ -135,7 +140,9 @@ struct FaceTable {
     const std::uint32_t* const* const facets;
 
 private:
-    const bool follows_order_;
+    bool follows_order() const { return jumps_matter && !last_vertex_known_; }
+
+    const bool last_vertex_known_;
 };
 
 // A radius and a bound on how far it is from the true one, relative to that.
@@ -163,7 +170,8 @@ struct RadiusErrors {
 // in its interval (alpha.cpp). Afterwards two of those not negative are equal if and only if the true ones are, and
 // otherwise in the same order. Nearly all stay as they are, and where one does not, the negative ones of its faces go
 // with it. Where many different radii are within one unit in the last place, each is the next double to the one before;
-// *errors become what then holds. *tied: two radii are equal, or were; negative ones are not right then.
+// *errors become what then holds. *tied: two radii are equal, or were; negative ones are not right then. Where size
+// counts they never are.
 //
 // Those that may have another close by are found by their leading digits (close_values.hpp) and sorted: few of random
 // points, all of a grid. Where intervals of neighbours meet, the float stage's own error bounds of

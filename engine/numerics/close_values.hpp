@@ -37,13 +37,13 @@ public:
         prefetch(seen_ + (place((bits_of(x) - margin_) >> stretch_bits_) >> 5));
     }
     // x > 0. How often a stretch was met again: 0 to 2.
-    __attribute__((always_inline)) std::uint32_t add(double x) {
+    std::uint32_t add(double x) {
         const std::uint64_t low = (bits_of(x) - margin_) >> stretch_bits_,
                             high = (bits_of(x) + margin_) >> stretch_bits_;
         return meet(low) + (low == high ? 0 : meet(high));
     }
     // x has been added: whether another interval met one of its stretches.
-    __attribute__((always_inline)) bool found(double x) const {
+    bool found(double x) const {
         const std::uint64_t low = (bits_of(x) - margin_) >> stretch_bits_,
                             high = (bits_of(x) + margin_) >> stretch_bits_;
         return met_again(low) || (low != high && met_again(high));

@@ -223,8 +223,8 @@ Status BallHomology::unite_cells(std::uint32_t* parent, const FaceOrder& facets)
     std::uint32_t* const first = arena_.take_high<std::uint32_t>(of(dim - 1).count);
     if (first == nullptr || columns >= none >> 3) return Status::out_of_memory;
     arena_.each(of(dim - 1).count, 1, [first](std::uint64_t f) { first[f] = none; });
-    // Faces give up their places, each the i-th of a cell c, 8 c + i: that of the last coface leads to that of the other
-    // one.
+    // Faces give up their places, each the i-th of a cell c, 8 c + i: that of the last coface leads to that of the
+    // other one.
     std::uint32_t* const faces = of(dim).faces;
     const auto at = [=](std::uint32_t place) { return faces + std::size_t{place >> 3} * width + (place & 7); };
     arena_.each(columns, 12 * width, [=](std::uint64_t c) {
