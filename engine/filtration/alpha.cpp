@@ -164,6 +164,16 @@ private:
         }
     }
     template <int K> Status find_radii(DimensionOf<K> k);
+    // Asks for what points_of reads of faces that come soon.
+    template <int K> __attribute__((always_inline)) void fetch(std::uint32_t f) const {
+        constexpr std::uint32_t far = 12, near = 6;
+        if (f + far >= faces_.count[K]) return;
+        const std::uint32_t *const all = faces_.facets_of(K, f + far), *const soon = faces_.facets_of(K, f + near);
+        prefetch(faces_.facets_of(K - 1, all[0]));
+        prefetch(faces_.facets_of(K - 1, all[K]));
+        prefetch(faces_.facets_of(K - 2, faces_.facets_of(K - 1, soon[0])[0]));
+        prefetch(faces_.facets_of(K - 2, faces_.facets_of(K - 1, soon[K])[K - 1]));
+    }
     template <int K> Status find_batch(DimensionOf<K> k, Batch<K>& batch, double* volume);
     // place: where each of them is in the vertex list, which ascends if D is any_dimension.
     template <int K> void points_of(DimensionOf<K> k, std::uint32_t f, const double** point, std::uint32_t* place) {
@@ -208,6 +218,7 @@ template <int D> template <int K> Status AlphaValues<D>::find_radii(DimensionOf<
     Batch<K> batch;
     double volume = 1;
     for (std::uint32_t f = 0; f < count; ++f) {
+        if constexpr (K > 3) fetch<K>(f);
         if (!(value_[k][f] < 0)) {
             batch.face[batch.count] = f;
             points_of(k, f, batch.point[batch.count], batch.place[batch.count]);
