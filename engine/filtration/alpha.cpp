@@ -1,7 +1,7 @@
 // Values go down from the cells. Of each simplex that is not marked the radius is found, and all faces in its interval
 // are marked: those that lack none but vertices that lie in or on the sphere of the facet opposite. A marked face has
-// no radius of its own, and the value of what marked it, as its negative. Then the radii are put into exact order. If
-// some tie, marked faces get the least value of their cofacets anew.
+// no radius of its own, and the value of what marked it, as its negative: of one of those, which then tie. Then the
+// radii are put into exact order. If some tie, marked faces get the least value of their cofacets anew.
 //
 // Intervals. Let S be a simplex whose smallest circumsphere, with centre c, has no point inside; beta the barycentric
 // coordinates of c; F a face that lacks vertices of beta <= 0 alone. Then c is the sum of the beta_v v and so the
@@ -67,10 +67,8 @@ private:
 };
 
 void MarkedValues::mark_interval(std::uint32_t k, std::uint32_t f, std::uint32_t within, double radius) {
-    table_.each_without(k, f, within, [this, radius](std::uint32_t below, std::uint32_t face) {
-        double& mark = value_[below][face];
-        if (!(mark < 0) || mark < -radius) mark = -radius;
-    });
+    table_.each_without(k, f, within,
+                        [this, radius](std::uint32_t below, std::uint32_t face) { value_[below][face] = -radius; });
 }
 
 Status MarkedValues::finish() {
