@@ -154,7 +154,7 @@ struct SortScratch {
         const std::uint32_t most = count / short_range + 1;
         stack = arena.take_high<Range>(most < depth_max * digits ? most : depth_max * digits);
         end = arena.take_high<std::uint32_t>(digits);
-        spare_count = count < spare_max ? count : spare_max;
+        spare_count = count < many_values ? 0 : spare_max;
         spare = {arena.take_high<double>(spare_count), arena.take_high<std::uint32_t>(spare_count)};
         return stack != nullptr && end != nullptr && spare.value != nullptr && spare.position != nullptr;
     }
