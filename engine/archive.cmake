@@ -73,13 +73,12 @@ set_property(TARGET netmesh_engine PROPERTY NETMESH_SOURCES ${NETMESH_ENGINE_SOU
 # A Release build is small, but for what the large jobs spend their time in: archive.size counts the bytes of all that
 # is built. What headers leave out at -Os (__OPTIMIZE_SIZE__) stays in: they have to mean the same in all files.
 target_compile_options(netmesh_engine PRIVATE "$<$<CONFIG:Release>:-Os;-U__OPTIMIZE_SIZE__>")
-set(fast api/report api/structs delaunay/any_store delaunay/spatial_order delaunay/store delaunay/triangulate
-  diagram/bottleneck diagram/wasserstein filtration/circumsphere filtration/mesh_filter filtration/rips_graph
-  homology/lower_star/surface
-  homology/matrix/cohomology homology/matrix/homology homology/matrix/image homology/pair_writer
-  homology/rips/rips homology/rips/rips_simplices homology/vineyard/vineyard jobs/persist_alpha
-  mesh/certificate_rule mesh/clipped_cell mesh/clipped_reach mesh/quality_rule
-  numerics/residues predicates/predicates)
+set(fast api/report api/structs complex/faces_along delaunay/any_store delaunay/spatial_order delaunay/store
+  delaunay/triangulate diagram/bottleneck diagram/wasserstein filtration/circumsphere filtration/mesh_filter
+  filtration/rips_graph homology/lower_star/surface homology/matrix/ball homology/matrix/cohomology
+  homology/matrix/homology homology/matrix/image homology/pair_writer homology/rips/rips homology/rips/rips_simplices
+  homology/vineyard/vineyard jobs/persist_alpha mesh/certificate_rule mesh/clipped_cell mesh/clipped_reach
+  mesh/quality_rule numerics/residues predicates/predicates)
 list(TRANSFORM fast REPLACE ".+" "${PROJECT_SOURCE_DIR}/engine/\\0.cpp")
 set(unaligned "")
 if(CMAKE_CXX_COMPILER_ID STREQUAL "GNU")
@@ -87,14 +86,14 @@ if(CMAKE_CXX_COMPILER_ID STREQUAL "GNU")
 endif()
 set_source_files_properties(${fast} PROPERTIES COMPILE_OPTIONS "$<$<CONFIG:Release>:-O2${unaligned}>")
 # Where -O3 saves a part of a large job that counts.
-set(fastest complex/faces delaunay/kernel delaunay/sphere filtration/alpha homology/lower_star/lower_star
+set(fastest delaunay/kernel delaunay/sphere filtration/alpha homology/lower_star/lower_star
   mesh/input_tree numerics/radix_sort numerics/value_order)
 list(TRANSFORM fastest REPLACE ".+" "${PROJECT_SOURCE_DIR}/engine/\\0.cpp")
 set_source_files_properties(${fastest} PROPERTIES COMPILE_OPTIONS "$<$<CONFIG:Release>:-O3${unaligned}>")
 if(CMAKE_CXX_COMPILER_ID STREQUAL "GNU")
   # Loops that -O3 makes twice, or spells out where they are long, and copies of functions cost a fifth of the bytes
   # there and save nothing.
-  set(once complex/faces filtration/alpha homology/lower_star/lower_star mesh/input_tree numerics/value_order)
+  set(once filtration/alpha homology/lower_star/lower_star mesh/input_tree numerics/value_order)
   list(TRANSFORM once REPLACE ".+" "${PROJECT_SOURCE_DIR}/engine/\\0.cpp")
   set_property(SOURCE ${once}
     APPEND PROPERTY COMPILE_OPTIONS "$<$<CONFIG:Release>:-fno-unswitch-loops;-fno-split-loops;-fno-tree-vectorize>"

@@ -39,10 +39,10 @@ template <> struct DelaunayFiguresOf<2> {
     static constexpr DelaunayFigures value = {{2200, 158, 0}, {2400, 334, 0}, {2400, 196.5, 0}};
 };
 template <> struct DelaunayFiguresOf<3> {
-    static constexpr DelaunayFigures value = {{2100, 554, 201}, {9000, 1333.5, 1200}, {9000, 777.7, 569}};
+    static constexpr DelaunayFigures value = {{2100, 554, 201}, {6000, 1333.5, 1200}, {4000, 762.5, 558}};
 };
 template <> struct DelaunayFiguresOf<4> {
-    static constexpr DelaunayFigures value = {{2100, 3209, 3885}, {2100, 9764, 15112}, {2100, 6446, 9796}};
+    static constexpr DelaunayFigures value = {{2100, 3209, 3885}, {2100, 9471, 14659}, {2100, 6092, 9257}};
 };
 template <> struct DelaunayFiguresOf<5> {
     static constexpr DelaunayFigures value = {{14000, 23745, 39497}, {3000, 89150, 162518}, {2100, 64660, 117413}};

@@ -244,37 +244,6 @@ Status enumerate(const TriangulationView<D>& complex, int dimension_max, std::ui
     return Status::ok;
 }
 
-template <int D>
-Status enumerate_along(const TriangulationView<D>& complex, std::uint64_t hull_facets, std::uint32_t* order,
-                       const Work& work, std::size_t low, Faces<D>* out) {
-    Arena& arena = work.arena;
-    const std::size_t high = arena.high_mark();
-    Faces<D> faces = {};
-    faces.dimension_max = D;
-    FacesAlong<D> along(complex, arena);
-    Status status = along.read_cells(order, hull_facets, faces.count);
-    if (status != Status::ok) return status;
-    arena.release_low(low);
-    for (int k = 1; k <= D; ++k) {
-        faces.facets[k] = arena.take_low<std::uint32_t>(std::size_t{faces.count[k]} * static_cast<std::size_t>(k + 1));
-        if (faces.facets[k] == nullptr) return Status::out_of_memory;
-    }
-    status = along.run(faces.count, faces.facets, work.monitor);
-    if (status != Status::ok) return status;
-    arena.release_high(high);
-    faces.last_vertex[0] = order;
-    for (int k = 1; k <= D; ++k) {
-        std::uint32_t* const last = arena.take_high<std::uint32_t>(faces.count[k]);
-        if (last == nullptr) return Status::out_of_memory;
-        faces.last_vertex[k] = last;
-        const std::uint32_t *const below = faces.last_vertex[k - 1], *const facets = faces.facets[k];
-        const std::size_t width = static_cast<std::size_t>(k) + 1;
-        arena.each(faces.count[k], 3, [=](std::uint64_t f) { last[f] = below[facets[f * width]]; });
-    }
-    *out = faces;
-    return Status::ok;
-}
-
 // The same, for D or for all dimensions.
 template <int D>
 Status enumerate_shared(const TriangulationView<D>& complex, int dimension_max, std::uint32_t* order, const Work& work,

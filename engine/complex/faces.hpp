@@ -17,18 +17,27 @@ template <int D> constexpr bool lists_follow_order = jumps_matter&& D <= 4;
 // order in which vertex lists ascend.
 template <int D> struct Faces {
     int dimension_max;
-    std::uint32_t count[DimensionOf<D>::most + 1];         // by dimension; 0 above dimension_max
-    std::uint32_t* last_vertex[DimensionOf<D>::most + 1];  // [count[k]], the greatest vertex of each k-face
+    std::uint32_t count[DimensionOf<D>::most + 1];  // by dimension; 0 above dimension_max
+    // [count[k]], the greatest vertex of each k-face. Where lists follow an order only last_vertex[0] is not null: the
+    // others are found by facets.
+    std::uint32_t* last_vertex[DimensionOf<D>::most + 1];
     std::uint32_t* facets[DimensionOf<D>::most +
                           1];  // k >= 1: [count[k]][k+1], entry i is the (k-1)-face opposite the i-th vertex
 
     const std::uint32_t* facets_of(int k, std::uint32_t face) const {
         return facets[k] + static_cast<std::size_t>(face) * static_cast<std::size_t>(k + 1);
     }
-    // The k+1 vertices of a face, ascending. O(k).
+    bool follows_order() const { return jumps_matter && last_vertex[1] == nullptr; }
+    // The greatest vertex of a face.
+    std::uint32_t last_of(int k, std::uint32_t face) const {
+        if (follows_order())
+            for (; k > 0; --k) face = facets_of(k, face)[0];
+        return last_vertex[k][face];
+    }
+    // The k+1 vertices of a face, ascending.
     void vertices(int k, std::uint32_t face, std::uint32_t* out) const {
         for (; k > 0; --k) {
-            out[k] = last_vertex[k][face];
+            out[k] = last_of(k, face);
             face = facets_of(k, face)[k];
         }
         out[0] = last_vertex[0][face];
@@ -61,8 +70,8 @@ template <int D>
 Status enumerate_faces(const TriangulationView<D>& complex, int dimension_max, const Work& work, Faces<D>* out);
 
 // All faces, numbered so that those of vertices that are near in `order` mostly have near numbers and less jumps about
-// in memory; see lists_follow_order. A 0-face is not its vertex: last_vertex[0] says which one it is. Built for small
-// size: as above.
+// in memory; see lists_follow_order. A 0-face is not its vertex: last_vertex[0] says which one it is, and is `order`.
+// Built for small size: as above.
 // hull_facets: how many facets of cells are on the hull; only where lists follow the order.
 // order: [vertex_count] all vertices, the last piece at the arena's high end, where it is taken over; without
 // Status::ok it stays. drops_complex: the cells are the last piece at the arena's low end; they are given back once

@@ -1,6 +1,18 @@
-// Values go down from the cells, twice. First every face gets its radius, and its facets a mark where its apex is in
-// their spheres: those get no value of their own. Then the radii are put into exact order. Then each marked face gets
-// the least value of its cofacets.
+// Values go down from the cells. Of each simplex that is not marked the radius is found, and all faces in its interval
+// are marked: those that lack none but vertices that lie in or on the sphere of the facet opposite. A marked face has
+// no radius of its own, and the value of what marked it, as its negative: of one of those, which then tie. Then the
+// radii are put into exact order. If some tie, marked faces get the least value of their cofacets anew.
+//
+// Intervals. Let S be a simplex whose smallest circumsphere, with centre c, has no point inside; beta the barycentric
+// coordinates of c; F a face that lacks vertices of beta <= 0 alone. Then c is the sum of the beta_v v and so the
+// nearest of the centres of empty spheres through F: the value of F is that of S. If some of these beta are negative,
+// one of the vertices is inside the sphere of F: with m the centre of that, |c - m|^2 is the sum over them of
+// beta_v (v - m) . (c - m), and v is inside exactly where (v - m) . (c - m) < 0. If all are 0 it is the sphere of S.
+// So F is marked rightly. And every face F with a point in or on its sphere is marked: among the points on the least
+// empty sphere through F, those with weights infinitely small, there is an S with F in its interval (Bauer,
+// Edelsbrunner: The Morse theory of Cech and Delaunay complexes, 2017), and if S is marked, by T, without being of
+// another sphere than T, then F is in the interval of T. What is marked needs no sphere: about a half of the simplices
+// between cells and edges.
 //
 // Why that is the alpha complex when points are cospherical. Let F be a face, c the centre of its smallest
 // circumsphere, g_p(c) = |p - c|^2 - radius^2, and let the triangulation be that of lifts raised by infinitely small
@@ -15,6 +27,7 @@
 
 #include "filtration/circumsphere_fast.hpp"
 #include "filtration/radius_order.hpp"
+#include "numerics/bits.hpp"
 #include "numerics/real.hpp"
 #include "vocabulary/dimension.hpp"
 
@@ -23,137 +36,60 @@ namespace {
 
 constexpr std::uint32_t faces_between_polls = 256;
 
-// D may be any_dimension, and so may the K of faces then.
-template <int D> class AlphaValues {
-public:
-    using Table = std::conditional_t<D == any_dimension, FaceTable, Faces<D>>;
+// What is the same for all dimensions.
+class MarkedValues {
+protected:
+    MarkedValues(const FaceTable& table, const PointRecords& points, const Work& work, double* const* value)
+        : table_(table), points_(points), work_(work), value_(value) {}
 
-    AlphaValues(DimensionOf<D> dim, const Table& faces, const PointRecords& points, const Work& work,
-                double* const* value)
-        : dim_(dim), faces_(faces), points_(points), work_(work), value_(value) {}
-
-    Status run(double* error) {
-        const std::size_t high = work_.arena.high_mark();
-        scratch_ = work_.arena.template take_high<std::uint64_t>(ExactSphere::room(static_cast<int>(dim_)));
-        if (scratch_ == nullptr) return Status::out_of_memory;
-        for (std::uint32_t k = 0; k <= dim_; ++k)
-            for (std::uint32_t i = 0; i < faces_.count[k];)
-                for (const std::uint64_t piece = work_.arena.piece(i, faces_.count[k], 2); i < piece; ++i) {
-                    value_[k][i] = 0;
-                }
-        Status status = down_to<1>([this](auto k) { return this->find_radii(k); });
-        work_.arena.release_high(high);
-        if (status == Status::ok) status = order_radii(FaceTable(faces_), points_, work_, value_, &errors_);
-        if (status == Status::ok) status = down_to<2>([this](auto k) { return this->hand_down(k); });
-        *error = errors_.inner > errors_.outer ? errors_.inner : errors_.outer;
-        return status;
-    }
-
-private:
-    template <int K> Status find_radii(DimensionOf<K> k);
-    template <int K> Status hand_down(DimensionOf<K> k);
-    // Calls f(k) for k = D, D - 1, ..., `last`.
-    template <int last, int K = D, class F> Status down_to(F&& f) {
-        if constexpr (D == any_dimension) {
-            Status status = Status::ok;
-            for (std::uint32_t k = dim_; k >= last && status == Status::ok; --k) status = f(DimensionOf<D>(k));
-            return status;
-        } else {
-            const Status status = f(DimensionOf<K>());
-            if constexpr (K > last) return status == Status::ok ? down_to<last, K - 1>(f) : status;
-            return status;
-        }
-    }
-    template <int K> void points_of(DimensionOf<K> k, std::uint32_t f, const double** point, std::uint32_t* facet) {
-        if constexpr (D == any_dimension) {
-            faces_.points(points_, static_cast<int>(std::uint32_t{k}), f, point);
-            const std::uint32_t* const all = faces_.facets_of(static_cast<int>(std::uint32_t{k}), f);
-            for (std::uint32_t i = 0; i <= k; ++i) facet[i] = all[i];
-        } else {
-            points_.template of_face<K>(faces_, f, point, facet);
-        }
-    }
-    template <int K> bool sphere_of(DimensionOf<K> k, const double* const* point, Circumsphere* out) {
-        if constexpr (D == any_dimension || circumsphere_is_shared)
-            return circumsphere_fast(k, dim_, point, out);
-        else
-            return circumsphere_fast<K, D>(point, out);
-    }
-    double edge2(const double* const* point) const {
-        if constexpr (D == any_dimension)
-            return distance2(static_cast<int>(dim_), point[0], point[1]);
-        else
-            return distance2<D>(point[0], point[1]);
-    }
+    // Marks the faces of a k-face that lack some of the vertices `within` and no other.
+    [[gnu::noinline]] void mark_interval(std::uint32_t k, std::uint32_t f, std::uint32_t within, double radius);
+    // Puts the radii in order; marked faces get their values.
+    Status finish();
     // Any simplex; not in the loop, and not often.
-    [[gnu::noinline]] Status evaluate_exactly(const double* const* point, std::uint32_t k, Circumsphere* out) {
-        work_.arena.pass(40 * dim_);
-        const ExactSphere sphere(point, static_cast<int>(k), static_cast<int>(dim_));
-        if (!sphere.in_range()) return Status::out_of_range;
-        *out = sphere.evaluate(scratch_);
-        if (!(out->radius < infinity)) return Status::check_failed;
-        errors_.note(out->radius, exact_radius_error(out->radius));
-        return Status::ok;
-    }
+    [[gnu::noinline]] Status evaluate_exactly(const double* const* point, std::uint32_t k, Circumsphere* out);
     bool stop(std::uint32_t f, std::uint32_t k) {
         if (f % faces_between_polls != faces_between_polls - 1) return false;
         done_ += faces_between_polls;
         return work_.monitor.advance(done_, faces_between_polls * k);
     }
 
-    const DimensionOf<D> dim_;
-    const Table& faces_;
+    const FaceTable table_;
     const PointRecords points_;
     const Work& work_;
     double* const* value_;
     std::uint64_t* scratch_ = nullptr;
     std::uint64_t done_ = 0;
     RadiusErrors errors_ = {0, 0};
+
+private:
+    Status hand_down(std::uint32_t k);
 };
 
-// The radii of the k-faces that are not marked, and marks for their facets: the least double.
-template <int D> template <int K> Status AlphaValues<D>::find_radii(DimensionOf<K> k) {
-    const std::uint32_t count = faces_.count[k];
-    double volume = 1;
-    for (std::uint32_t f = 0; f < count; ++f) {
-        double& value = value_[k][f];
-        const double* point[DimensionOf<K>::most + 1];
-        std::uint32_t facet[DimensionOf<K>::most + 1];
-        if (k > 1) {
-            points_of(k, f, point, facet);
-            Circumsphere sphere;
-            if (sphere_of(k, point, &sphere)) {
-                if (sphere.volume < volume) volume = sphere.volume;
-            } else {
-                const Status status = evaluate_exactly(point, k, &sphere);
-                if (status != Status::ok) return status;
-            }
-            if (!(value < 0)) value = sphere.radius;
-            for (std::uint32_t i = 0; i <= k; ++i)
-                if ((sphere.within >> i & 1u) != 0) value_[k - 1][facet[i]] = -infinity;
-        } else if (!(value < 0)) {
-            points_of(k, f, point, facet);
-            Radius edge;
-            if (edge_radius(edge2(point), dim_, &edge)) {
-                errors_.note(edge.value, edge.error);
-                value = edge.value;
-            } else {
-                Circumsphere sphere;
-                const Status status = evaluate_exactly(point, k, &sphere);
-                if (status != Status::ok) return status;
-                value = sphere.radius;
-            }
-        }
-        if (stop(f, k)) return Status::cancelled;
-    }
-    if (k > 1) errors_.note(1, radius_error(k, dim_, volume));
-    return Status::ok;
+void MarkedValues::mark_interval(std::uint32_t k, std::uint32_t f, std::uint32_t within, double radius) {
+    table_.each_without(k, f, within,
+                        [this, radius](std::uint32_t below, std::uint32_t face) { value_[below][face] = -radius; });
+}
+
+Status MarkedValues::finish() {
+    const std::uint32_t dim = static_cast<std::uint32_t>(table_.dim);
+    bool tied;
+    Status status = order_radii(table_, points_, work_, value_, &errors_, &tied);
+    for (std::uint32_t k = 1; k < dim; ++k)
+        work_.arena.each(table_.count[k], 4, [value = value_[k], tied](std::uint64_t i) {
+            if (!tied)
+                value[i] = __builtin_fabs(value[i]);
+            else if (value[i] < 0)
+                value[i] = -infinity;
+        });
+    for (std::uint32_t k = dim; tied && k >= 2 && status == Status::ok; --k) status = hand_down(k);
+    return status;
 }
 
 // A marked face holds the negative of the least value met.
-template <int D> template <int K> Status AlphaValues<D>::hand_down(DimensionOf<K> k) {
-    const std::uint32_t count = faces_.count[k];
-    const std::uint32_t* facet = faces_.facets[k];
+Status MarkedValues::hand_down(std::uint32_t k) {
+    const std::uint32_t count = table_.count[k];
+    const std::uint32_t* facet = table_.facets[k];
     for (std::uint32_t f = 0; f < count; ++f, facet += k + 1) {
         const double value = absolute(value_[k][f]);
         value_[k][f] = value;
@@ -164,10 +100,166 @@ template <int D> template <int K> Status AlphaValues<D>::hand_down(DimensionOf<K
         if (stop(f, 1)) return Status::cancelled;
     }
     if (k == 2)
-        for (std::uint32_t f = 0; f < faces_.count[1];)
-            for (const std::uint64_t piece = work_.arena.piece(f, faces_.count[1], 5); f < piece; ++f) {
-                value_[1][f] = absolute(value_[1][f]);
-            }
+        work_.arena.each(table_.count[1], 5, [this](std::uint64_t f) { value_[1][f] = absolute(value_[1][f]); });
+    return Status::ok;
+}
+
+Status MarkedValues::evaluate_exactly(const double* const* point, std::uint32_t k, Circumsphere* out) {
+    work_.arena.pass(40 * static_cast<std::uint32_t>(table_.dim));
+    const ExactSphere sphere(point, static_cast<int>(k), table_.dim);
+    if (!sphere.in_range()) return Status::out_of_range;
+    *out = sphere.evaluate(scratch_);
+    if (!(out->radius < infinity)) return Status::check_failed;
+    errors_.note(out->radius, exact_radius_error(out->radius));
+    return Status::ok;
+}
+
+// D may be any_dimension, and so may the K of faces then.
+template <int D> class AlphaValues : MarkedValues {
+public:
+    using Table = std::conditional_t<D == any_dimension, FaceTable, Faces<D>>;
+
+    AlphaValues(DimensionOf<D> dim, const Table& faces, const PointRecords& points, const Work& work,
+                double* const* value)
+        : MarkedValues(FaceTable(faces), points, work, value), dim_(dim), faces_(faces) {}
+
+    Status run(double* error) {
+        const std::size_t high = work_.arena.high_mark();
+        scratch_ = work_.arena.template take_high<std::uint64_t>(ExactSphere::room(static_cast<int>(dim_)));
+        if (scratch_ == nullptr) return Status::out_of_memory;
+        for (std::uint32_t k = 0; k <= dim_; ++k)
+            for (std::uint32_t i = 0; i < faces_.count[k];)
+                for (const std::uint64_t piece = work_.arena.piece(i, faces_.count[k], 2); i < piece; ++i) {
+                    value_[k][i] = 0;
+                }
+        Status status = find_down();
+        work_.arena.release_high(high);
+        if (status == Status::ok) status = finish();
+        *error = errors_.inner > errors_.outer ? errors_.inner : errors_.outer;
+        return status;
+    }
+
+private:
+    // Simplices whose spheres are found at the same time.
+    static constexpr std::uint32_t batch_size = D == any_dimension || circumsphere_is_shared ? 1 : 2;
+    template <int K> struct Batch {
+        std::uint32_t count = 0;
+        std::uint32_t face[batch_size];
+        const double* point[batch_size][DimensionOf<K>::most + 1];
+        std::uint32_t place[batch_size][DimensionOf<K>::most + 1];  // as points_of says
+    };
+
+    // find_radii for k = D, D - 1, ..., 1.
+    template <int K = D> Status find_down() {
+        if constexpr (D == any_dimension) {
+            Status status = Status::ok;
+            for (std::uint32_t k = dim_; k >= 1 && status == Status::ok; --k) status = find_radii(DimensionOf<D>(k));
+            return status;
+        } else {
+            const Status status = find_radii(DimensionOf<K>());
+            if constexpr (K > 1) return status == Status::ok ? find_down<K - 1>() : status;
+            return status;
+        }
+    }
+    template <int K> Status find_radii(DimensionOf<K> k);
+    // Asks for what points_of reads of faces that come soon.
+    template <int K> __attribute__((always_inline)) void fetch(std::uint32_t f) const {
+        constexpr std::uint32_t far = 12, near = 6;
+        if (f + far >= faces_.count[K]) return;
+        const std::uint32_t *const all = faces_.facets_of(K, f + far), *const soon = faces_.facets_of(K, f + near);
+        prefetch(faces_.facets_of(K - 1, all[0]));
+        prefetch(faces_.facets_of(K - 1, all[K]));
+        prefetch(faces_.facets_of(K - 2, faces_.facets_of(K - 1, soon[0])[0]));
+        prefetch(faces_.facets_of(K - 2, faces_.facets_of(K - 1, soon[K])[K - 1]));
+    }
+    template <int K> Status find_batch(DimensionOf<K> k, Batch<K>& batch, double* volume);
+    // place: where each of them is in the vertex list, which ascends if D is any_dimension.
+    template <int K> void points_of(DimensionOf<K> k, std::uint32_t f, const double** point, std::uint32_t* place) {
+        if constexpr (D == any_dimension) {
+            faces_.points(points_, static_cast<int>(std::uint32_t{k}), f, point);
+            static_cast<void>(place);
+        } else {
+            points_.template of_face<K>(faces_, f, point, place);
+        }
+    }
+    // Bit i: that of simplex i is certain.
+    template <int K> std::uint32_t spheres_of(DimensionOf<K> k, Batch<K>& batch, Circumsphere* out) {
+        if constexpr (batch_size == 1) {
+            return circumsphere_fast(k, dim_, batch.point[0], out) ? 1 : 0;
+        } else {
+            if (batch.count == 1)
+                for (std::uint32_t i = 0; i <= k; ++i) batch.point[1][i] = batch.point[0][i];
+            return circumspheres_fast<K, D>(batch.point, out);
+        }
+    }
+    std::uint32_t edge_of(const double* const* point, Circumsphere* out) {
+        Radius edge;
+        if (!edge_radius(edge2(point), dim_, &edge)) return 0;
+        errors_.note(edge.value, edge.error);
+        *out = {edge.value, 0, 1};
+        return 1;
+    }
+    double edge2(const double* const* point) const {
+        if constexpr (D == any_dimension)
+            return distance2(static_cast<int>(dim_), point[0], point[1]);
+        else
+            return distance2<D>(point[0], point[1]);
+    }
+
+    const DimensionOf<D> dim_;
+    const Table& faces_;
+};
+
+// The radii of the k-faces that are not marked, and marks for the faces below that they have in their spheres.
+template <int D> template <int K> Status AlphaValues<D>::find_radii(DimensionOf<K> k) {
+    const std::uint32_t count = faces_.count[k];
+    Batch<K> batch;
+    double volume = 1;
+    for (std::uint32_t f = 0; f < count; ++f) {
+        if constexpr (K > 3) fetch<K>(f);
+        if (!(value_[k][f] < 0)) {
+            batch.face[batch.count] = f;
+            points_of(k, f, batch.point[batch.count], batch.place[batch.count]);
+            ++batch.count;
+        }
+        if (batch.count == batch_size || (f + 1 == count && batch.count > 0)) {
+            const Status status = find_batch(k, batch, &volume);
+            if (status != Status::ok) return status;
+            batch.count = 0;
+        }
+        if (stop(f, k)) return Status::cancelled;
+    }
+    if (k > 1) errors_.note(1, radius_error(k, dim_, volume));
+    return Status::ok;
+}
+
+template <int D>
+template <int K>
+inline Status AlphaValues<D>::find_batch(DimensionOf<K> k, Batch<K>& batch, double* volume) {
+    Circumsphere sphere[batch_size];
+    std::uint32_t known = 0;
+    if (k == 1)
+        for (std::uint32_t i = 0; i < batch.count; ++i) known |= edge_of(batch.point[i], &sphere[i]) << i;
+    else
+        known = spheres_of(k, batch, sphere);
+    for (std::uint32_t i = 0; i < batch.count; ++i) {
+        const std::uint32_t f = batch.face[i];
+        if ((known >> i & 1u) == 0) {
+            const Status status = evaluate_exactly(batch.point[i], k, &sphere[i]);
+            if (status != Status::ok) return status;
+        } else if (sphere[i].volume < *volume) {
+            *volume = sphere[i].volume;
+        }
+        const double radius = sphere[i].radius;
+        value_[k][f] = radius;
+        if (k == 1 || sphere[i].within == 0) continue;
+        std::uint32_t within = sphere[i].within;
+        if (D != any_dimension) {
+            within = 0;
+            for (std::uint32_t j = 0; j <= k; ++j) within |= (sphere[i].within >> j & 1u) << batch.place[i][j];
+        }
+        mark_interval(k, f, within, radius);
+    }
     return Status::ok;
 }
 
@@ -177,7 +269,7 @@ template <int D>
 Status alpha_values(const Faces<D>& faces, const double* coordinates, std::ptrdiff_t stride_bytes, const Work& work,
                     double* const* value, double* error) {
     const PointRecords points = {coordinates, stride_bytes};
-    if constexpr (shared_dimension<D> == D)
+    if constexpr (shared_dimension<D> == D && !circumsphere_is_shared)
         return AlphaValues<D>(D, faces, points, work, value).run(error);
     else
         return AlphaValues<any_dimension>(D, FaceTable(faces), points, work, value).run(error);

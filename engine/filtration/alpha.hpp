@@ -18,6 +18,9 @@ template <int D> struct AlphaFiltration {
     std::ptrdiff_t stride_bytes;
     std::uint64_t hull_facets = 0;  // count_hull_facets
     bool drops_cells = false;       // they are the last piece at the arena's low end, and are wanted no more
+    // Null, or all vertices, each in a cell, in an order as of spatial_order: record i is that of vertex order[i] then.
+    // Behind cells that are dropped.
+    const std::uint32_t* order = nullptr;
 };
 
 // Values of the alpha filtration, as radii. A simplex enters at the radius of its smallest circumsphere when no point
@@ -30,9 +33,10 @@ template <int D> struct AlphaFiltration {
 // *error: every value is within this of the true one, relative to that; below 2^-30, mostly 2^-36. Infinity when
 // a radius is above the largest double: such radii are that.
 //
-// coordinates, stride_bytes: as above. Two simplices are compared exactly as long as differences of their coordinates
-// are below 2^(16,700 / (4D+2)) units, the unit being the highest power of two of which all coordinates are multiples:
-// 2^1670 in the plane, 2^1190 in space, 2^640 in R^6. Beyond that the result may be out_of_range.
+// coordinates, stride_bytes: as above; where the lists of faces follow an order, record i is that of 0-face i. Two
+// simplices are compared exactly as long as differences of their coordinates are below 2^(16,700 / (4D+2)) units, the
+// unit being the highest power of two of which all coordinates are multiples: 2^1670 in the plane, 2^1190 in space,
+// 2^640 in R^6. Beyond that the result may be out_of_range.
 //
 // Requires all faces (faces.dimension_max == D), fewer than 2^32; last_vertex[D] is not read. One small linear solve a
 // face, see circumsphere.hpp, and what order_radii takes. Scratch at the high end: that of ExactSphere, then of

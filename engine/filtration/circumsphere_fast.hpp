@@ -1,6 +1,7 @@
 // The float stage of circumsphere.hpp.
 #pragma once
 #include "filtration/circumsphere.hpp"
+#include "numerics/double_pair.hpp"
 #include "numerics/real.hpp"
 #include "vocabulary/dimension.hpp"
 
@@ -140,6 +141,81 @@ inline bool circumsphere_in_doubles(DimensionOf<K> k, DimensionOf<D> dim, double
 template <int K, int D> inline bool circumsphere_fast(const double* const* point, Circumsphere* out) {
     return circumsphere_in_doubles<K, D>(K, D, circumsphere_bounds<K, D>.beta_error, point, out);
 }
+
+// Two simplices at a time, without a branch: pivots cannot be foreseen. The same steps as above, so the same bits, for
+// those that are certain; bit i of the result is set when out[i] is.
+template <int K, int D>
+inline std::uint32_t circumspheres_fast(const double* const (*point)[K + 1], Circumsphere* out) {
+    constexpr double size_min = 0x1p-200, size_max = 0x1p200;
+    DoublePair e[K][D], b[K], n[K], whole[K], r[K][K], y[K];
+    PairMask at[K], sure = {-1, -1};
+    DoublePair whole_min = {size_max, size_max}, product = {1, 1}, radius_squared = {0, 0};
+    for (int i = 0; i < K; ++i) {
+        for (int d = 0; d < D; ++d)
+            e[i][d] = DoublePair{point[0][i + 1][d], point[1][i + 1][d]} - DoublePair{point[0][0][d], point[1][0][d]};
+        n[i] = e[i][0] * e[i][0];
+        for (int d = 1; d < D; ++d) n[i] += e[i][d] * e[i][d];
+        whole[i] = n[i];
+        sure &= (n[i] > size_min) & (n[i] < size_max);
+        whole_min = select(n[i] < whole_min, n[i], whole_min);
+        b[i] = n[i] / 2;
+        at[i] = PairMask{2 << i, 2 << i};
+    }
+    for (int j = 0; j < K; ++j) {
+        PairMask exceeds[K], later = {0, 0};
+        DoublePair most = n[j];
+        for (int i = j + 1; i < K; ++i) {
+            exceeds[i] = n[i] > most;
+            most = select(exceeds[i], n[i], most);
+        }
+        for (int i = K - 1; i > j; --i) {
+            const PairMask is_pivot = exceeds[i] & ~later;
+            later |= exceeds[i];
+            for (int d = 0; d < D; ++d) swap_where(is_pivot, e[j][d], e[i][d]);
+            for (int m = 0; m < j; ++m) swap_where(is_pivot, r[m][j], r[m][i]);
+            swap_where(is_pivot, b[j], b[i]);
+            swap_where(is_pivot, n[j], n[i]);
+            swap_where(is_pivot, whole[j], whole[i]);
+            swap_where(is_pivot, at[j], at[i]);
+        }
+        const DoublePair inverse = 1 / n[j];
+        product *= n[j] / whole[j];
+        y[j] = b[j] * inverse;
+        radius_squared += b[j] * y[j];
+        for (int i = j + 1; i < K; ++i) {
+            DoublePair c = e[i][0] * e[j][0];
+            for (int d = 1; d < D; ++d) c += e[i][d] * e[j][d];
+            c *= inverse;
+            r[j][i] = c;
+            for (int d = 0; d < D; ++d) e[i][d] -= c * e[j][d];
+            b[i] -= c * b[j];
+            n[i] = e[i][0] * e[i][0];
+            for (int d = 1; d < D; ++d) n[i] += e[i][d] * e[i][d];
+        }
+    }
+    sure &= product >= CircumsphereBounds::volume_min;
+    const DoublePair error = circumsphere_bounds<K, D>.beta_error / product;
+
+    DoublePair first = {1, 1}, largest = radius_squared, smallest = {size_max, size_max};
+    PairMask within = {0, 0};
+    for (int j = K - 1; j >= 0; --j) {
+        DoublePair beta = y[j];
+        for (int i = j + 1; i < K; ++i) beta -= r[j][i] * y[i];
+        y[j] = beta;
+        first -= beta;
+        const DoublePair length_squared = beta * beta * whole[j];
+        largest = select(length_squared > largest, length_squared, largest);
+        smallest = select(length_squared < smallest, length_squared, smallest);
+        within |= at[j] & (beta < 0);
+    }
+    within |= PairMask{1, 1} & (first < 0);
+    const DoublePair slack = error * error * largest;
+    sure &= (smallest > slack) & (first * first * whole_min > slack * (K * K));
+    for (int lane = 0; lane < 2; ++lane)
+        out[lane] = {square_root(radius_squared[lane]), static_cast<std::uint32_t>(within[lane]), product[lane]};
+    return static_cast<std::uint32_t>((sure[0] & 1) | (sure[1] & 2));
+}
+
 // The same for all k and dim. Where size counts it is the only one.
 #ifdef __OPTIMIZE_SIZE__
 constexpr bool circumsphere_is_shared = true;

@@ -43,10 +43,10 @@ public:
 
     Status run();
     const RadiusErrors& errors() const { return errors_; }
+    bool has_ties() const { return tied_; }
 
 private:
     static constexpr std::uint32_t few = 16;
-    static constexpr std::uint32_t ahead = 16;  // values whose stretches are asked for
     // What two radii below radius_min may be off by together. CloseValues allows for it: 5 units in the last place
     // each.
     static constexpr double spread_min = 0x1p-1072;
@@ -76,6 +76,7 @@ private:
     void settle(std::uint32_t begin, std::uint32_t end, double radius, double error);
     Status pass(bool all);
     bool collect(bool all);
+    template <class Fetch, class Act> void each_radius(Fetch fetch, Act act) const;
     bool stop(std::uint32_t work) { return work_.monitor.advance(done_, work); }
 
     const FaceTable faces_;
@@ -88,11 +89,47 @@ private:
     double last_ = 0;       // the last radius that was settled
     double top_ = 0;        // what is settled now must not pass this: radii that were left out may be above it
     bool crowded_ = false;  // it did
+    bool tied_ = false;     // two radii are equal, or were
     double* radius_ = nullptr;
     std::uint32_t* label_ = nullptr;
     std::uint32_t count_ = 0;
     std::uint64_t done_ = 0;
 };
+
+// Calls act(radius, label) for each radius, after fetch(radius) some before that. In two steps, as nobody could foresee
+// which faces have one.
+template <class Fetch, class Act> void RadiusOrder::each_radius(Fetch fetch, Act act) const {
+#ifdef __OPTIMIZE_SIZE__
+    static_cast<void>(fetch);
+    std::uint32_t label = 0;
+    for (int k = 1; k <= faces_.dim; ++k)
+        for (std::uint32_t i = 0; i < faces_.count[k]; ++i, ++label) {
+            work_.arena.step(i, 30);
+            if (value_[k][i] >= 0) act(value_[k][i], label);
+        }
+#else
+    constexpr std::uint32_t ahead = 16, some = 128;
+    double radius[some + ahead];
+    std::uint32_t label[some], first = 0;
+    for (int k = 1; k <= faces_.dim; first += faces_.count[k++])
+        for (std::uint32_t begin = 0, end; begin < faces_.count[k]; begin = end) {
+            end = faces_.count[k] - begin < some ? faces_.count[k] : begin + some;
+            work_.arena.pass(some / 4);
+            std::uint32_t count = 0;
+            for (std::uint32_t i = begin; i < end; ++i) {
+                radius[count] = value_[k][i];
+                label[count] = first + i;
+                count += value_[k][i] >= 0;
+            }
+            for (std::uint32_t i = 0; i < ahead; ++i) radius[count + i] = 0;
+            for (std::uint32_t i = 0; i < ahead; ++i) fetch(radius[i]);
+            for (std::uint32_t i = 0; i < count; ++i) {
+                fetch(radius[i + ahead]);
+                act(radius[i], label[i]);
+            }
+        }
+#endif
+}
 
 // Takes radii and labels of those that may have another radius close by, or of all. False: out of memory.
 bool RadiusOrder::collect(bool all) {
@@ -100,22 +137,17 @@ bool RadiusOrder::collect(bool all) {
     std::uint64_t faces = 0, radii = 0, room = 0;
     for (int k = 1; k <= faces_.dim; ++k) {
         faces += faces_.count[k];
-        for (std::uint32_t i = 0; i < faces_.count[k];)
-            for (const std::uint64_t piece = work_.arena.piece(i, faces_.count[k], 5); i < piece; ++i) {
-                radii += value_[k][i] >= 0;
-            }
+        work_.arena.each(faces_.count[k], 5, [&](std::uint64_t i) { radii += value_[k][i] >= 0; });
     }
     if (faces > 0xFFFFFFFFu) return false;
     const std::size_t low = work_.arena.low_mark();
     CloseValues close;
+    const auto fetch = [&](double x) {
+        if (!all) close.fetch(x);
+    };
     if (!all) {
         if (!close.take(radii, spread_, work_.arena)) return false;
-        for (int k = 1; k <= faces_.dim; ++k)
-            for (std::uint32_t i = 0; i < faces_.count[k];)
-                for (const std::uint64_t piece = work_.arena.piece(i, faces_.count[k], 30); i < piece; ++i) {
-                    if (i + ahead < faces_.count[k]) close.fetch(value_[k][i + ahead]);
-                    if (value_[k][i] >= 0) room += 2 * close.add(value_[k][i]);
-                }
+        each_radius(fetch, [&](double x, std::uint32_t) { room += 2 * close.add(x); });
     }
     if (all || room > radii) room = radii;
     radius_ = work_.arena.take_high<double>(static_cast<std::size_t>(room));
@@ -124,16 +156,11 @@ bool RadiusOrder::collect(bool all) {
         work_.arena.release_low(low);
         return false;
     }
-    std::uint32_t label = 0;
-    for (int k = 1; k <= faces_.dim; ++k) {
-        work_.arena.each(faces_.count[k], 30, [&](std::uint64_t i) {
-            if (!all && i + ahead < faces_.count[k]) close.fetch(value_[k][i + ahead]);
-            if (!(value_[k][i] >= 0) || !(all || close.found(value_[k][i]))) return;
-            radius_[count_] = value_[k][i];
-            label_[count_++] = label + static_cast<std::uint32_t>(i);
-        });
-        label += faces_.count[k];
-    }
+    each_radius(fetch, [&](double x, std::uint32_t label) {
+        if (!all && !close.found(x)) return;
+        radius_[count_] = x;
+        label_[count_++] = label;
+    });
     done_ = faces;
     work_.arena.release_low(low);
     return sort_labelled(radius_, label_, count_, work_.arena);
@@ -160,7 +187,10 @@ Status RadiusOrder::pass(bool all) {
     for (std::uint32_t begin = 0, end; begin < count_; begin = end) {
         work_.arena.step(begin, 25);
         end = begin + 1;
-        while (end < count_ && radius_[end] * low <= radius_[end - 1] * high + spread_min) work_.arena.step(++end, 10);
+        while (end < count_ && radius_[end] * low <= radius_[end - 1] * high + spread_min) {
+            if (radius_[end] == radius_[end - 1]) tied_ = true;
+            work_.arena.step(++end, 10);
+        }
         top_ = radius_[end - 1] * (1 + spread_ / 2);
         if (end == begin + 1 && radius_[begin] > last_) {
             last_ = radius_[begin];
@@ -338,21 +368,29 @@ Status RadiusOrder::pass(bool all) {
     }
     last_ = radius;
     if (radius > top_) crowded_ = true;
+    if (end - begin > 1) tied_ = true;
     errors_.note(radius, error);
     for (std::uint32_t i = begin; i < end;)
         for (const std::uint64_t piece = work_.arena.piece(i, end, 15); i < piece; ++i) {
             const Place place = place_of(label_[i]);
+            const double before = value_[place.k][place.face];
             value_[place.k][place.face] = radius;
+            if (!jumps_matter || before == radius || tied_) continue;
+            faces_.each_without(static_cast<std::uint32_t>(place.k), place.face, (2u << place.k) - 1,
+                                [&](std::uint32_t k, std::uint32_t face) {
+                                    if (value_[k][face] == -before) value_[k][face] = -radius;
+                                });
         }
 }
 
 }  // namespace
 
 Status order_radii(const FaceTable& faces, const PointRecords& points, const Work& work, double* const* value,
-                   RadiusErrors* errors) {
+                   RadiusErrors* errors, bool* tied) {
     RadiusOrder order(faces, points, work, value, *errors);
     const Status status = order.run();
     *errors = order.errors();
+    *tied = !jumps_matter || order.has_ties();
     return status;
 }
 

@@ -1,5 +1,6 @@
 #include "jobs/alpha_of_points.hpp"
 
+#include "delaunay/spatial_order.hpp"
 #include "jobs/persist_alpha.hpp"
 #include "vocabulary/dimension.hpp"
 
@@ -8,6 +9,7 @@ namespace {
 
 // Leaves the coordinates, one point after the other, where the cells were, and behind them the vertices of cells,
 // without neighbours and spheres. The store is empty then. False: out of memory, as there are more points than cells.
+// In D <= 4 the coordinates are along a curve, whose order stands behind the cells.
 template <int D> bool strip(Store<D>& store, AlphaFiltration<D>* out) {
     constexpr std::size_t row_bytes = sizeof(VertexId) * (D + 1);
     Arena& arena = store.arena;
@@ -25,16 +27,27 @@ template <int D> bool strip(Store<D>& store, AlphaFiltration<D>* out) {
     if (coordinates == nullptr || moved == nullptr) return false;
     move_bytes(moved, rows, cells * row_bytes, arena);
     rows = moved;
-    for (std::uint32_t v = 0; v < vertices;)
-        for (const std::uint64_t piece = arena.piece(v, vertices, 12); v < piece; ++v) {
-            __builtin_memcpy(coordinates + std::size_t{v} * D, store.point(v), sizeof(double) * D);
+    std::uint32_t* order = nullptr;
+    if constexpr (lists_follow_order<D>) {
+        order = arena.template take_low<std::uint32_t>(vertices);
+        bool repeats;
+        if (order == nullptr ||
+            spatial_order<D>(reinterpret_cast<const unsigned char*>(store.point(0)), Store<D>::vertex_stride, vertices,
+                             0, arena, order, &repeats, false) != Status::ok)
+            return false;
+    }
+    for (std::uint32_t i = 0; i < vertices;)
+        for (const std::uint64_t piece = arena.piece(i, vertices, 12); i < piece; ++i) {
+            const double* const from = store.point(order != nullptr ? order[i] : i);
+            __builtin_memcpy(coordinates + std::size_t{i} * D, from, sizeof(double) * D);
         }
     store.truncate_vertices(0);
     *out = {{rows, row_bytes, cells, vertices},
             coordinates,
             static_cast<std::ptrdiff_t>(sizeof(double) * D),
             hull_facets,
-            true};
+            true,
+            order};
     return true;
 }
 

@@ -1,6 +1,7 @@
 #include "jobs/persist_alpha.hpp"
 
 #include "delaunay/spatial_order.hpp"
+#include "filtration/radius_order.hpp"
 #include "homology/matrix/ball.hpp"
 #include "vocabulary/dimension.hpp"
 
@@ -51,20 +52,30 @@ Status diagram_of(const AlphaFiltration<D>& filtration, DiagramRequest request, 
     std::uint32_t* order = nullptr;
     Status status = Status::ok;
     if (jumps_matter) {
-        order = work.arena.take_high<std::uint32_t>(filtration.complex.vertex_count);
+        const std::uint32_t count = filtration.complex.vertex_count;
+        order = work.arena.take_high<std::uint32_t>(count);
         if (order == nullptr) return Status::out_of_memory;
         bool repeats;
-        status =
-            spatial_order<D>(reinterpret_cast<const unsigned char*>(filtration.coordinates), filtration.stride_bytes,
-                             filtration.complex.vertex_count, 0, work.arena, order, &repeats, false);
+        if (filtration.order != nullptr)
+            move_bytes(order, filtration.order, sizeof(std::uint32_t) * count, work.arena);
+        else
+            status = spatial_order<D>(reinterpret_cast<const unsigned char*>(filtration.coordinates),
+                                      filtration.stride_bytes, count, 0, work.arena, order, &repeats, false);
     }
     if (status == Status::ok)
         status = enumerate_faces_along(filtration.complex, filtration.hull_facets, order, filtration.drops_cells, work,
                                        &faces);
     if (status != Status::ok) return status;
-    // A cell's last vertex is that of the facet opposite its first one, too.
-    work.arena.release_high(work.arena.offset_of(faces.last_vertex[D - 1]));
-    faces.last_vertex[D] = nullptr;
+    PointRecords points = {filtration.coordinates, filtration.stride_bytes};
+    if constexpr (lists_follow_order<D>) {
+        if (filtration.order != nullptr && faces.count[0] < filtration.complex.vertex_count) return Status::internal;
+        if (filtration.order == nullptr && !points.put_in_order<D>(order, faces.count[0], work.arena))
+            return Status::out_of_memory;
+    } else {
+        // A cell's last vertex is that of the facet opposite its first one, too.
+        work.arena.release_high(work.arena.offset_of(faces.last_vertex[D - 1]));
+        faces.last_vertex[D] = nullptr;
+    }
 
     double* value[D + 1];
     std::uint64_t total = 0;
@@ -74,7 +85,7 @@ Status diagram_of(const AlphaFiltration<D>& filtration, DiagramRequest request, 
         total += faces.count[k];
     }
     work.monitor.begin(NETMESH_STAGE_FILTER, 2 * total);
-    status = alpha_values(faces, filtration.coordinates, filtration.stride_bytes, work, value, error);
+    status = alpha_values(faces, points.coordinates, points.stride_bytes, work, value, error);
     if (status != Status::ok) return status;
     work.arena.release_high(high);
 

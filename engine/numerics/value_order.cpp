@@ -15,7 +15,7 @@ struct Range {
 constexpr std::uint32_t digits = 256;
 constexpr int digit_bits = 8;
 constexpr int depth_max = 14;  // 8 digits of the value and 4 of the position, one more each for an odd start
-constexpr std::uint32_t short_range = 40;
+constexpr std::uint32_t short_range = 40, spare_max = 2048;
 #endif
 
 constexpr std::uint64_t sign_bit = std::uint64_t{1} << 63;
@@ -101,8 +101,9 @@ Digit leading_digit(const Items& items, Range range, const Arena& arena) {
     return {of_position, top - digit_bits + 1 > 0 ? top - digit_bits + 1 : 0};
 }
 
-// Puts every item into the bucket of its digit; bucket d then ends at end[d].
-void distribute(const Items& items, Range range, Digit digit, std::uint32_t* end, const Arena& arena) {
+// Puts every item into the bucket of its digit; bucket d then ends at end[d]. spare: room for `spare_count` items.
+void distribute(const Items& items, Range range, Digit digit, std::uint32_t* end, const Items& spare,
+                std::uint32_t spare_count, const Arena& arena) {
     std::uint32_t next[digits];
     for (std::uint32_t d = 0; d < digits; ++d) end[d] = 0;
     for (std::uint32_t i = range.begin; i < range.end;)
@@ -114,6 +115,17 @@ void distribute(const Items& items, Range range, Digit digit, std::uint32_t* end
         next[d] = sum;
         sum += end[d];
         end[d] = sum;
+    }
+    if (const std::uint32_t count = range.end - range.begin; count <= spare_count) {
+        for (std::uint32_t i = range.begin; i < range.end; ++i) {
+            const std::uint32_t to = next[digit.of(items, i)]++ - range.begin;
+            spare.value[to] = items.value[i];
+            spare.position[to] = items.position[i];
+        }
+        __builtin_memcpy(items.value + range.begin, spare.value, sizeof(double) * count);
+        __builtin_memcpy(items.position + range.begin, spare.position, sizeof(std::uint32_t) * count);
+        arena.pass(count / 16);
+        return;
     }
     for (std::uint32_t d = 0; d < digits; ++d) {
         while (next[d] < end[d]) {
@@ -134,17 +146,21 @@ void distribute(const Items& items, Range range, Digit digit, std::uint32_t* end
 struct SortScratch {
     Range* stack = nullptr;
     std::uint32_t* end = nullptr;
+    Items spare = {};
+    std::uint32_t spare_count = 0;
 
     // The ranges that wait at any time are disjoint and longer than short_range.
     bool take(std::uint32_t count, Arena& arena) {
         const std::uint32_t most = count / short_range + 1;
         stack = arena.take_high<Range>(most < depth_max * digits ? most : depth_max * digits);
         end = arena.take_high<std::uint32_t>(digits);
-        return stack != nullptr && end != nullptr;
+        spare_count = count < many_values ? 0 : spare_max;
+        spare = {arena.take_high<double>(spare_count), arena.take_high<std::uint32_t>(spare_count)};
+        return stack != nullptr && end != nullptr && spare.value != nullptr && spare.position != nullptr;
     }
 };
 
-void sort_items(const Items& items, std::uint32_t count, const SortScratch& scratch, const Arena& arena) {
+void sort_range(const Items& items, Range whole, const SortScratch& scratch, const Arena& arena) {
     Range* const stack = scratch.stack;
     std::uint32_t* const end = scratch.end;
     std::size_t height = 0;
@@ -156,10 +172,10 @@ void sort_items(const Items& items, std::uint32_t count, const SortScratch& scra
             arena.pass((range.end - range.begin) / 8);
         }
     };
-    if (count > 0) sort_or_wait({0, count});
+    if (whole.end > whole.begin) sort_or_wait(whole);
     while (height > 0) {
         const Range range = stack[--height];
-        distribute(items, range, leading_digit(items, range, arena), end, arena);
+        distribute(items, range, leading_digit(items, range, arena), end, scratch.spare, scratch.spare_count, arena);
         arena.pass(8);
         std::uint32_t begin = range.begin;
         for (std::uint32_t d = 0; d < digits; ++d) {
@@ -182,7 +198,7 @@ bool sort_values(double* value, std::uint32_t* position, std::uint32_t count, Ar
     SortScratch scratch;
     if (!scratch.take(count, arena)) return false;
     arena.each(count, 1, [position](std::uint64_t i) { position[i] = static_cast<std::uint32_t>(i); });
-    sort_items({value, position}, count, scratch, arena);
+    sort_range({value, position}, {0, count}, scratch, arena);
     return true;
 #endif
 }
@@ -197,7 +213,37 @@ bool sort_labelled(double* value, std::uint32_t* label, std::uint32_t count, Are
     const ArenaScope scope(arena);
     SortScratch scratch;
     if (!scratch.take(count, arena)) return false;
-    sort_items({value, label}, count, scratch, arena);
+    sort_range({value, label}, {0, count}, scratch, arena);
+    return true;
+}
+
+bool ValueBuckets::take(const double* value, std::uint32_t count, Arena& arena) {
+    end_ = arena.take_high<std::uint32_t>(buckets);
+    if (end_ == nullptr) return false;
+    std::uint64_t differ = 0;
+    arena.each(count, 3, [&](std::uint64_t i) { differ |= bits_of(value[i]) ^ bits_of(value[0]); });
+    const int above = 64 - bits;  // where the first digit begins if all bits differ
+    shift_ = differ == 0 ? above : static_cast<int>(highest_bit(differ)) + 1 - bits;
+    if (shift_ < 0) shift_ = 0;
+    for (std::uint32_t d = 0; d < buckets; ++d) end_[d] = 0;
+    return true;
+}
+
+void ValueBuckets::begin_places() {
+    std::uint32_t sum = 0;
+    for (std::uint32_t d = 0; d < buckets; ++d) {
+        const std::uint32_t size = end_[d];
+        end_[d] = sum;
+        sum += size;
+    }
+}
+
+bool ValueBuckets::sort(double* value, std::uint32_t* label, Arena& arena) const {
+    const HighScope scope(arena);
+    SortScratch scratch;
+    if (!scratch.take(end_[buckets - 1], arena)) return false;
+    for (std::uint32_t d = 0, begin = 0; d < buckets; begin = end_[d++])
+        sort_range({value, label}, {begin, end_[d]}, scratch, arena);
     return true;
 }
 #endif

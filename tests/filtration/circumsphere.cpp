@@ -68,7 +68,51 @@ template <int K, int D> void compare_both(double flatten) {
     if (flatten == 1) CHECK(decided > 1500);
 }
 
+// Both of two simplices by themselves and at the same time: the same bits, and certain of the same.
+template <int K, int D> void compare_pairs(double flatten, double size) {
+    CAPTURE(K);
+    CAPTURE(D);
+    Random random;
+    for (int trial = 0; trial < 1000; ++trial) {
+        Points points[2];
+        const double* address[2][K + 1];
+        for (int i = 0; i < 2; ++i) {
+            points[i].assign(K + 1, std::vector<double>(D));
+            for (auto& p : points[i])
+                for (double& x : p) x = trial % 3 == 0 ? random.below(3) * size : random.unit() * size;
+            for (auto& p : points[i]) p[D - 1] *= i == 0 ? flatten : 1;
+            for (std::size_t j = 0; j <= K; ++j) address[i][j] = points[i][j].data();
+        }
+        Circumsphere both[2], alone;
+        const std::uint32_t known = circumspheres_fast<K, D>(address, both);
+        for (std::uint32_t i = 0; i < 2; ++i) {
+            const bool certain = fast<K, D>(points[i], &alone);
+            CHECK(certain == ((known >> i & 1u) != 0));
+            if (!certain) continue;
+            CHECK(alone.radius == both[i].radius);
+            CHECK(alone.within == both[i].within);
+            CHECK(alone.volume == both[i].volume);
+        }
+        CHECK(known < 4);
+    }
+}
+
 }  // namespace
+
+TEST_CASE("two spheres at a time are those of one after the other") {
+    for (const double flatten : {1.0, 1e-3, 1e-6, 0.0}) {
+        for (const double size : {1.0, 1e-40, 1e-70, 1e70}) {
+            CAPTURE(flatten);
+            CAPTURE(size);
+            compare_pairs<2, 2>(flatten, size);
+            compare_pairs<2, 3>(flatten, size);
+            compare_pairs<3, 3>(flatten, size);
+            compare_pairs<2, 4>(flatten, size);
+            compare_pairs<3, 4>(flatten, size);
+            compare_pairs<4, 4>(flatten, size);
+        }
+    }
+}
 
 TEST_CASE("triangles whose answer is known") {
     CHECK(precise({{0, 0}, {4, 0}, {2, 3}}).radius == doctest::Approx(13.0 / 6).epsilon(1e-15));

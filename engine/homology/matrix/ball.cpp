@@ -31,15 +31,17 @@ struct RankedMatrix {
     const std::uint32_t* faces;
     const std::uint32_t* rank;
     std::uint32_t k;
+    // [rows][k], where jumps in memory matter: of a column that owns a row and is as it was, its other rows or none.
+    std::uint32_t* others;
 
     std::uint32_t pivot_of(std::uint32_t j) const {
         const std::uint32_t* const face = faces + std::size_t{j} * (k + 1);
-        std::uint32_t pivot = none;
+        std::uint32_t above = 0;  // rows + 1: 0 for none; no branches, which nobody could foresee
         for (std::uint32_t i = 0; i <= k; ++i) {
-            const std::uint32_t row = rank[face[i]];
-            if (row != none && (pivot == none || row > pivot)) pivot = row;
+            const std::uint32_t next = rank[face[i]] + 1;
+            above = next > above ? next : above;
         }
-        return pivot;
+        return above - 1;
     }
     template <class Column> std::uint32_t add(std::uint32_t j, Column& to) const {
         const std::uint32_t* const face = faces + std::size_t{j} * (k + 1);
@@ -48,6 +50,25 @@ struct RankedMatrix {
             if (row != none) to.toggle(row);
         }
         return 1;
+    }
+    template <class Column> std::uint32_t add_owner(std::uint32_t j, std::uint32_t pivot, Column& to) const {
+        if (!jumps_matter) return add(j, to);
+        to.toggle(pivot);
+        const std::uint32_t* const other = others + std::size_t{pivot} * k;
+        for (std::uint32_t i = 0; i < k; ++i) {
+            if (other[i] != none) to.toggle(other[i]);
+        }
+        return 1;
+    }
+    // Column j, as it is, owns its pivot.
+    void note_owner(std::uint32_t j, std::uint32_t pivot) const {
+        if (!jumps_matter) return;
+        const std::uint32_t* const face = faces + std::size_t{j} * (k + 1);
+        std::uint32_t* other = others + std::size_t{pivot} * k;
+        for (std::uint32_t i = 0; i <= k; ++i) {
+            const std::uint32_t row = rank[face[i]];
+            if (row != pivot) *other++ = row;
+        }
     }
 };
 
@@ -111,10 +132,12 @@ Status BallHomology::match(std::uint32_t k, std::uint32_t* mate) {
     for (std::uint32_t j = 0; j < of(k).count;)
         for (const std::uint64_t piece = arena_.piece(j, of(k).count, 8 * k); j < piece; ++j, face += k + 1) {
             const double value = of(k).value[j];
-            std::uint32_t last = none;
+            std::uint32_t above = 0;
             for (std::uint32_t i = 0; i <= k; ++i) {
-                if (below[face[i]] == value && (last == none || face[i] > last)) last = face[i];
+                const std::uint32_t next = below[face[i]] == value ? face[i] + 1 : 0;
+                above = next > above ? next : above;
             }
+            std::uint32_t last = above - 1;
             if (last != none) {
                 const bool is_first = !met.has(last);
                 for (std::uint32_t i = 0; i <= k; ++i) {
@@ -138,20 +161,17 @@ Status BallHomology::match(std::uint32_t k, std::uint32_t* mate) {
 // of them; what is a row further down can be positive.
 Status BallHomology::order(std::uint32_t k, FaceOrder* out) {
     const bool are_facets = has_cells() && k + 1 == ball_.dim;
-    std::uint32_t count = of(k).count - pairs_[k] - (are_facets ? pairs_[k + 1] : 0);
+    const std::uint32_t count = of(k).count - pairs_[k] - (are_facets ? pairs_[k + 1] : 0);
     out->face = arena_.take_high<std::uint32_t>(count);
     out->count = count;
     const HighScope scope(arena_);
     double* const value = arena_.take_high<double>(count);
     if (out->face == nullptr || value == nullptr) return Status::out_of_memory;
-    count = 0;
-    arena_.each(of(k).count, 10, [&](std::uint64_t i) {
-        const std::uint32_t f = static_cast<std::uint32_t>(i);
-        if (taken_[k].has(f) || (are_facets && positive_[k].has(f))) return;
-        out->face[count] = f;
-        value[count++] = of(k).value[f];
-    });
-    return sort_labelled(value, out->face, count, arena_) ? Status::ok : Status::out_of_memory;
+    const auto is_listed = [this, k, are_facets](std::uint32_t f) {
+        return !(taken_[k].has(f) | (positive_[k].has(f) & are_facets));  // no branches, which nobody could foresee
+    };
+    return sort_listed(of(k).value, of(k).count, is_listed, value, out->face, arena_) ? Status::ok
+                                                                                      : Status::out_of_memory;
 }
 
 // Gives back what was taken at the high end since it was at `high`, but for this order. False: out of memory.
@@ -201,19 +221,22 @@ Status BallHomology::unite_vertices(const FaceOrder& edges, BitSet* joining) {
 Status BallHomology::unite_cells(std::uint32_t* parent, const FaceOrder& facets) {
     const std::uint32_t dim = ball_.dim, columns = of(dim).count, width = dim + 1, outside = columns;
     std::uint32_t* const first = arena_.take_high<std::uint32_t>(of(dim - 1).count);
-    if (first == nullptr || std::size_t{columns} * width >= none) return Status::out_of_memory;
+    if (first == nullptr || columns >= none >> 3) return Status::out_of_memory;
     arena_.each(of(dim - 1).count, 1, [first](std::uint64_t f) { first[f] = none; });
-    // Faces give up their places: that of the last coface leads to that of the other one.
-    std::uint32_t* const place = of(dim).faces;
-    for (std::uint32_t i = 0; i < columns * width;)
-        for (const std::uint64_t piece = arena_.piece(i, columns * width, 12); i < piece; ++i) {
-            const std::uint32_t f = place[i];
-            place[i] = first[f];
-            first[f] = i;
+    // Faces give up their places, each the i-th of a cell c, 8 c + i: that of the last coface leads to that of the
+    // other one.
+    std::uint32_t* const faces = of(dim).faces;
+    const auto at = [=](std::uint32_t place) { return faces + std::size_t{place >> 3} * width + (place & 7); };
+    arena_.each(columns, 12 * width, [=](std::uint64_t c) {
+        for (std::uint32_t i = 0; i < width; ++i) {
+            const std::uint32_t place = static_cast<std::uint32_t>(c) << 3 | i, f = *at(place);
+            *at(place) = first[f];
+            first[f] = place;
         }
-    const auto sides = [&](std::uint32_t f) {
-        const std::uint32_t one = first[f], other = place[one];
-        return EdgeEnds{one / width, other == none ? outside : other / width};
+    });
+    const auto sides = [=](std::uint32_t f) {
+        const std::uint32_t one = first[f], other = *at(one);
+        return EdgeEnds{one >> 3, other == none ? outside : other >> 3};
     };
     for (std::uint32_t j = 0; j < columns;)
         for (const std::uint64_t piece = arena_.piece(j, columns, 15); j < piece; ++j) {
@@ -235,7 +258,7 @@ Status BallHomology::unite_cells(std::uint32_t* parent, const FaceOrder& facets)
         constexpr std::uint32_t far = 24, near = 8;
         if (jumps_matter && i >= far) {
             prefetch(first + facets.face[i - far]);
-            prefetch(place + first[facets.face[i - 2 * near]]);
+            prefetch(at(first[facets.face[i - 2 * near]]));
             const EdgeEnds later = sides(facets.face[i - near]);
             prefetch(parent + later.a);
             prefetch(parent + later.b);
@@ -278,8 +301,8 @@ class BallHomology::Recorder {
 public:
     using Columns = ListedColumns<RankedMatrix, KeptSums>;
     Recorder(BallHomology& homology, Columns& columns, const RankedMatrix& matrix, const std::uint32_t* owner,
-             const FaceOrder& order, const FaceOrder& rows)
-        : h_(homology), columns_(columns), matrix_(matrix), owner_(owner), k_(matrix.k), order_(order), rows_(rows) {}
+             const FaceOrder& order)
+        : h_(homology), columns_(columns), matrix_(matrix), owner_(owner), k_(matrix.k), order_(order) {}
 
     bool next(std::uint32_t* j) {
         for (; next_ < order_.count; ++next_) {
@@ -293,10 +316,10 @@ public:
         return false;
     }
     Status pair(std::uint32_t j) {
-        const std::uint32_t face = rows_.face[columns_.pivot()];
-        h_.positive_[k_ - 1].insert(face);
-        const bool fits = h_.writer_.add(h_.of(k_ - 1).value[face], h_.of(k_).value[j], k_ - 1);
-        return fits && columns_.own_pivot(j) ? Status::ok : Status::out_of_memory;
+        const std::uint32_t pivot = columns_.pivot();
+        if (!columns_.own_pivot(j)) return Status::out_of_memory;
+        if (owner_[pivot] == j) matrix_.note_owner(j, pivot);
+        return Status::ok;
     }
     // A ball has no class that lasts but the first, so this is of the highest dimension that is listed.
     Status zero(std::uint32_t) {
@@ -310,20 +333,12 @@ private:
         constexpr std::uint32_t far = 24, near = 8;
         if (next_ + far >= order_.count) return;
         prefetch(matrix_.faces + std::size_t{order_.face[next_ + far]} * (k_ + 1));
-        prefetch(h_.of(k_).value + order_.face[next_ + far]);
         const std::uint32_t* const face = matrix_.faces + std::size_t{order_.face[next_ + 2 * near]} * (k_ + 1);
         for (std::uint32_t i = 0; i <= k_; ++i) prefetch(matrix_.rank + face[i]);
         const std::uint32_t pivot = matrix_.pivot_of(order_.face[next_ + near]);
-        if (pivot != none) {
-            prefetch(owner_ + pivot);
-            prefetch(rows_.face + pivot);
-        }
-        const std::uint32_t soon = matrix_.pivot_of(order_.face[next_ + near / 2]);
-        if (soon != none) {
-            const std::uint32_t other = owner_[soon];
-            if (other < ColumnStore::stored) prefetch(matrix_.faces + std::size_t{other} * (k_ + 1));
-            if (other == none) prefetch(h_.of(k_ - 1).value + rows_.face[soon]);
-        }
+        if (pivot == none) return;
+        prefetch(owner_ + pivot);
+        prefetch(matrix_.others + std::size_t{pivot} * k_);
     }
 
     BallHomology& h_;
@@ -331,7 +346,7 @@ private:
     const RankedMatrix& matrix_;
     const std::uint32_t* const owner_;
     std::uint32_t k_, next_ = 0;
-    const FaceOrder order_, rows_;
+    const FaceOrder order_;
 };
 
 // Degree k-1. rows: the (k-1)-faces that are not taken, without those that end a class when these are known. They have
@@ -351,23 +366,47 @@ Status BallHomology::reduce(std::uint32_t k, const FaceOrder& columns, FaceOrder
         });
         rows->count = kept;
     }
-    std::uint32_t* const rank = arena_.take_high<std::uint32_t>(of(k - 1).count);
     std::uint32_t* const owner = arena_.take_high<std::uint32_t>(rows->count);
+    const std::size_t high_kept = arena_.high_mark();
+    std::uint32_t* const rank = arena_.take_high<std::uint32_t>(of(k - 1).count);
+    std::uint32_t* const others = arena_.take_high<std::uint32_t>(jumps_matter ? std::size_t{rows->count} * k : 0);
     std::uint64_t* const words = arena_.take_high<std::uint64_t>(BitTree::words_needed(rows->count));
-    if (rank == nullptr || owner == nullptr || words == nullptr) return Status::out_of_memory;
+    if (rank == nullptr || owner == nullptr || others == nullptr || words == nullptr) return Status::out_of_memory;
     if (rows->count == 0) return Status::ok;
     arena_.each(of(k - 1).count, 1, [rank](std::uint64_t f) { rank[f] = none; });
     arena_.each(rows->count, 6, [&](std::uint64_t i) { rank[rows->face[i]] = static_cast<std::uint32_t>(i); });
     ColumnStore store;
     store.open(arena_);
-    const RankedMatrix matrix = {of(k).faces, rank, k};
+    const RankedMatrix matrix = {of(k).faces, rank, k, others};
     Recorder::Columns reduced(matrix, {&store}, rows->count, owner, words, progress_);
-    arena_.each(of(k).count, 8, [&](std::uint64_t j) {
-        if (taken_[k].has(static_cast<std::uint32_t>(j)))
-            owner[matrix.pivot_of(static_cast<std::uint32_t>(j))] = static_cast<std::uint32_t>(j);
+    arena_.each(of(k).count, 8, [&](std::uint64_t at) {
+        const std::uint32_t j = static_cast<std::uint32_t>(at);
+        if (!taken_[k].has(j)) return;
+        const std::uint32_t pivot = matrix.pivot_of(j);
+        owner[pivot] = j;
+        matrix.note_owner(j, pivot);
     });
-    Recorder recorder(*this, reduced, matrix, owner, columns, *rows);
-    return reduce_columns(reduced, recorder);
+    Recorder recorder(*this, reduced, matrix, owner, columns);
+    status = reduce_columns(reduced, recorder);
+    if (status != Status::ok) return status;
+    arena_.each(rows->count, 8, [&](std::uint64_t i) {
+        if (owner[i] != none && owner[i] >= ColumnStore::stored) owner[i] = store.column(owner[i])[0];
+    });
+    arena_.release_high(high_kept);
+    // By birth, so that there is little to sort.
+    bool fits = true;
+    arena_.each(rows->count, 20, [&](std::uint64_t i) {
+        constexpr std::uint32_t far = 24;
+        if (i + far < rows->count && owner[i + far] != none) {
+            prefetch(of(k - 1).value + rows->face[i + far]);
+            prefetch(of(k).value + owner[i + far]);
+        }
+        if (owner[i] == none || taken_[k].has(owner[i])) return;
+        const std::uint32_t face = rows->face[i];
+        positive_[k - 1].insert(face);
+        fits = fits && writer_.add(of(k - 1).value[face], of(k).value[owner[i]], k - 1);
+    });
+    return fits ? Status::ok : Status::out_of_memory;
 }
 
 Status BallHomology::run() {

@@ -16,7 +16,7 @@ struct FilteredBall {
     struct Simplices {
         std::uint32_t count;   // < 2^31
         std::uint32_t* faces;  // [count][k+1], positions in of[k-1]; those of cells are overwritten
-        const double* value;   // [count], no NaN
+        const double* value;   // [count], no NaN, none negative, no -0
     };
     std::uint32_t dim, dimension;  // 1 <= dimension <= dim
     // They are at the arena's low end, faces and values of dimension k behind those of k-1 and nothing behind the last:

@@ -26,6 +26,9 @@ struct RankedBoundaryMatrix {
         for (std::uint32_t i = 0; i <= k; ++i) to.toggle(rank[faces[i]]);
         return 1;
     }
+    template <class Column> std::uint32_t add_owner(std::uint32_t j, std::uint32_t, Column& to) const {
+        return add(j, to);
+    }
 };
 
 class Image {

@@ -66,6 +66,10 @@ struct BoundaryMatrix {
         }
         return 1;
     }
+    // Adds column j, which has this pivot.
+    template <class Column> std::uint32_t add_owner(std::uint32_t j, std::uint32_t, Column& to) const {
+        return add(j, to);
+    }
 };
 
 // Cofaces of k-simplices. Rows are numbered from the last (k+1)-simplex to the first, so that the pivot is the first.
@@ -85,8 +89,9 @@ struct KeptSums {
     using Column = CountedColumn;
     ColumnStore* store;
 
-    template <class Matrix> std::uint32_t add(const Matrix& matrix, std::uint32_t owner, Column& to) {
-        if (owner < ColumnStore::stored) return matrix.add(owner, to);
+    template <class Matrix>
+    std::uint32_t add(const Matrix& matrix, std::uint32_t owner, std::uint32_t pivot, Column& to) {
+        if (owner < ColumnStore::stored) return matrix.add_owner(owner, pivot, to);
         const std::uint32_t* const column = store->column(owner);
         for (std::uint32_t i = 0; i < column[1]; ++i) to.toggle(column[2 + i]);
         return 1 + column[1] / 16;
@@ -119,7 +124,7 @@ struct KeptSources {
     ColumnStore* store;
     CountedColumn sources;  // of the column at work
 
-    template <class Matrix> std::uint32_t add(const Matrix& matrix, std::uint32_t owner, Column& to) {
+    template <class Matrix> std::uint32_t add(const Matrix& matrix, std::uint32_t owner, std::uint32_t, Column& to) {
         if (owner < ColumnStore::stored) return add_source(matrix, owner, to);
         const std::uint32_t* const column = store->column(owner);
         std::uint32_t work = add_source(matrix, column[0], to);
@@ -183,7 +188,7 @@ public:
     }
     bool has_owner() const { return pivot_ != none && owner_[pivot_] != none; }
     Status add_owner() {
-        if (progress_.stop(kept_.add(matrix_, owner_[pivot_], column_))) return Status::cancelled;
+        if (progress_.stop(kept_.add(matrix_, owner_[pivot_], pivot_, column_))) return Status::cancelled;
         pivot_ = column_.top();
         return Status::ok;
     }
