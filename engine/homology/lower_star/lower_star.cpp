@@ -123,7 +123,8 @@ template <int D> Status LowerStars<D>::classify_in_space(SpaceStar& star, Vertex
     return count_star(v, counts, star.upper_pieces() <= 1) ? Status::ok : Status::out_of_memory;
 }
 
-template <int D> Status LowerStars<D>::classify_links(JoinList& joins) {
+// What it takes of the stack is not there during the sweep, which takes as much.
+template <int D> [[gnu::noinline]] Status LowerStars<D>::classify_links(JoinList& joins) {
     Link<D> link(ball_.dim());
     [[maybe_unused]] SpaceStar star;
     monitor_.begin(NETMESH_STAGE_GRADIENT, ball_.vertex_count);
