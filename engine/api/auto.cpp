@@ -94,10 +94,13 @@ size_t netmesh_plan_auto(const netmesh_auto_request* from) {
     netmesh_auto_request request;
     if (read_struct(from, &request, sizeof request) != NETMESH_FIELD_NONE) return 0;
     if (complaint_about_dim(request.dim).text != nullptr) return 0;
-    const netmesh_delaunay_request triangulation = triangulation_of(request);
+    // Uniform points have few cells: alpha complexes of them are affordable.
+    if (built::alpha) {
+        const netmesh_delaunay_request triangulation = triangulation_of(request);
+        return netmesh_plan_delaunay(&triangulation);
+    }
     const netmesh_mesh_request mesh = mesh_of(request);
-    const size_t alpha = built::alpha ? netmesh_plan_delaunay(&triangulation) : 0, meshed = netmesh_plan_mesh(&mesh);
-    return alpha > meshed ? alpha : meshed;
+    return netmesh_plan_mesh(&mesh);
 }
 
 netmesh_status netmesh_persist_auto(netmesh_context* context, const netmesh_auto_request* from) {

@@ -22,6 +22,10 @@ struct Complaint {
     netmesh_field field = NETMESH_FIELD_NONE;
     const char* text = nullptr;
     bool not_built = false;
+
+    Complaint() = default;
+    // Not an aggregate: as constants those of all calls would stand in one section of the program on some machines.
+    Complaint(netmesh_field at, const char* what, bool left_out = false) : field(at), text(what), not_built(left_out) {}
 };
 
 // The ends of a call: what netmesh_get_detail tells, and the status. `text` null: the status's own. fail_and_clear also

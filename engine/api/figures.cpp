@@ -286,7 +286,7 @@ const char* text_of(Kind kind, std::uint32_t value) {
     case Kind::why: return why_name(value);
     case Kind::filter: {
         const Filter* const row = find_filter(static_cast<netmesh_filter>(value));
-        return row != nullptr ? row->name : "none";
+        return row != nullptr ? filter_text(value - 1).name : "none";
     }
     default: return nullptr;
     }

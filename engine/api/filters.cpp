@@ -6,14 +6,14 @@
 namespace netmesh {
 namespace {
 
-netmesh_filter_info info_of(const Filter& filter) {
+netmesh_filter_info info_of(const Filter& filter, const FilterText& text) {
     using namespace filter_trait;
     netmesh_filter_info info = {};
     info.filter = filter.id;
     info.source = static_cast<netmesh_source>(filter.source);
     info.purpose = static_cast<netmesh_purpose>(filter.purpose);
-    info.name = filter.name;
-    info.reference = filter.reference;
+    info.name = text.name;
+    info.reference = text.reference;
     info.needs_k = filter.has(needs_k);
     info.needs_function = filter.has(needs_function);
     info.has_eps = filter.has(has_eps);
@@ -31,7 +31,7 @@ netmesh_filter_info info_of(const Filter& filter) {
 }  // namespace netmesh
 
 extern "C" netmesh_status netmesh_get_filter_info(uint32_t index, netmesh_filter_info* info) {
-    if (index >= netmesh::filter_count) return NETMESH_INVALID_ARGUMENT;
-    return netmesh::give_result(netmesh::info_of(netmesh::filter_row(index)), info) ? NETMESH_OK
-                                                                                    : NETMESH_INVALID_ARGUMENT;
+    using namespace netmesh;
+    if (index >= filter_count) return NETMESH_INVALID_ARGUMENT;
+    return give_result(info_of(filter_row(index), filter_text(index)), info) ? NETMESH_OK : NETMESH_INVALID_ARGUMENT;
 }

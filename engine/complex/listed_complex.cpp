@@ -96,6 +96,7 @@ void permute_rows(std::uint32_t* rows, std::uint32_t width, std::uint32_t* from,
                   const Arena& arena) {
     constexpr std::uint32_t moved = 0x80000000u;
     std::uint32_t first[ListedComplex::dimension_max + 1];
+    std::uint32_t done = 0;  // rows, as those of a cycle need not have all last digits
     for (std::uint32_t start = 0; start < count; ++start) {
         arena.step(start, 20 + 5 * width);
         if ((from[start] & moved) != 0) continue;
@@ -103,7 +104,7 @@ void permute_rows(std::uint32_t* rows, std::uint32_t width, std::uint32_t* from,
         std::uint32_t at = start;
         for (;;) {
             const std::uint32_t next = from[at];
-            arena.step(at + 1, 20 + 5 * width);
+            arena.step(done++, 20 + 5 * width);
             from[at] = next | moved;
             const std::uint32_t* const source = next == start ? first : rows + std::size_t{next} * width;
             for (std::uint32_t i = 0; i < width; ++i) rows[std::size_t{at} * width + i] = source[i];

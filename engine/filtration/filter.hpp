@@ -43,10 +43,14 @@ struct Filter {
     FilterSource source;
     FilterPurpose purpose;
     std::uint32_t traits;
-    const char* name;
-    const char* reference;  // the function whose diagram is certified; {k} and {D} stand for the numbers
 
     bool has(std::uint32_t trait) const { return (traits & trait) != 0; }
+};
+
+// The words of a row, apart from it: jobs read no words, so a program without what tells them has none.
+struct FilterText {
+    const char* name;
+    const char* reference;  // the function whose diagram is certified; {k} and {D} stand for the numbers
 };
 
 struct FilterRequest {

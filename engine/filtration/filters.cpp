@@ -16,31 +16,40 @@ namespace {
 
 constexpr const char *offsets = "closed offsets of the points in R^{D}", *kth = "sublevel sets of d_{k} in R^{D}";
 
-constexpr Filter table[] = {
-    {NETMESH_FILTER_COMPLETE, FilterSource::mesh, FilterPurpose::persist,
-     has_values | has_goal | has_cycles | zero_at_inputs | inputs_enter_first | bounds_by_scale | has_tighter_cells |
-         clips_cells,
-     "complete", offsets},
-    {NETMESH_FILTER_BASIC, FilterSource::mesh, FilterPurpose::persist,
-     has_values | has_cycles | zero_at_inputs | bounds_by_scale | has_tighter_cells | clips_cells, "basic", offsets},
-    {NETMESH_FILTER_ALPHA, FilterSource::delaunay, FilterPurpose::persist, has_cycles, "alpha", offsets},
-    {NETMESH_FILTER_KNN, FilterSource::mesh, FilterPurpose::persist,
-     needs_k | has_values | has_vineyard | has_cycles | bounds_by_scale, "knn", kth},
-    {NETMESH_FILTER_KDISTANCE, FilterSource::mesh, FilterPurpose::persist,
-     needs_k | has_values | has_vineyard | has_cycles | bounds_by_scale, "kdistance",
-     "sublevel sets of the k-distance, k = {k}, in R^{D}"},
-    {NETMESH_FILTER_FUNCTION, FilterSource::mesh, FilterPurpose::persist,
-     needs_function | has_values | has_cycles | bounds_by_scale, "function", "sublevel sets of the function in R^{D}"},
-    {NETMESH_FILTER_TIGHT, FilterSource::mesh, FilterPurpose::tight,
-     has_eps | has_values | has_cycles | zero_at_inputs | inputs_enter_first | bounds_by_scale, "tight", offsets},
-    {NETMESH_FILTER_SCALES, FilterSource::scales, FilterPurpose::mesh, has_eps | has_theta | has_values | has_cycles,
-     "scales", offsets},
-    {NETMESH_FILTER_RIPS, FilterSource::points, FilterPurpose::mesh, has_cycles | made_of_edges, "rips",
-     "Vietoris-Rips complex of the points, edges at half their length"},
-    {NETMESH_FILTER_CECH, FilterSource::points, FilterPurpose::mesh, has_cycles, "cech", offsets},
-    {NETMESH_FILTER_BARYCENTRIC_CECH, FilterSource::points, FilterPurpose::mesh, needs_k, "barycentric-cech", kth},
-    {NETMESH_FILTER_BARYCENTRIC_RIPS, FilterSource::points, FilterPurpose::mesh, needs_k | has_values | made_of_edges,
-     "barycentric-rips", kth},
+// Words stand in a table of their own, see filter.hpp.
+struct ListedFilter {
+    Filter filter;
+    FilterText text;
+};
+constexpr ListedFilter listed[] = {
+    {{NETMESH_FILTER_COMPLETE, FilterSource::mesh, FilterPurpose::persist,
+      has_values | has_goal | has_cycles | zero_at_inputs | inputs_enter_first | bounds_by_scale | has_tighter_cells |
+          clips_cells},
+     {"complete", offsets}},
+    {{NETMESH_FILTER_BASIC, FilterSource::mesh, FilterPurpose::persist,
+      has_values | has_cycles | zero_at_inputs | bounds_by_scale | has_tighter_cells | clips_cells},
+     {"basic", offsets}},
+    {{NETMESH_FILTER_ALPHA, FilterSource::delaunay, FilterPurpose::persist, has_cycles}, {"alpha", offsets}},
+    {{NETMESH_FILTER_KNN, FilterSource::mesh, FilterPurpose::persist,
+      needs_k | has_values | has_vineyard | has_cycles | bounds_by_scale},
+     {"knn", kth}},
+    {{NETMESH_FILTER_KDISTANCE, FilterSource::mesh, FilterPurpose::persist,
+      needs_k | has_values | has_vineyard | has_cycles | bounds_by_scale},
+     {"kdistance", "sublevel sets of the k-distance, k = {k}, in R^{D}"}},
+    {{NETMESH_FILTER_FUNCTION, FilterSource::mesh, FilterPurpose::persist,
+      needs_function | has_values | has_cycles | bounds_by_scale},
+     {"function", "sublevel sets of the function in R^{D}"}},
+    {{NETMESH_FILTER_TIGHT, FilterSource::mesh, FilterPurpose::tight,
+      has_eps | has_values | has_cycles | zero_at_inputs | inputs_enter_first | bounds_by_scale},
+     {"tight", offsets}},
+    {{NETMESH_FILTER_SCALES, FilterSource::scales, FilterPurpose::mesh, has_eps | has_theta | has_values | has_cycles},
+     {"scales", offsets}},
+    {{NETMESH_FILTER_RIPS, FilterSource::points, FilterPurpose::mesh, has_cycles | made_of_edges},
+     {"rips", "Vietoris-Rips complex of the points, edges at half their length"}},
+    {{NETMESH_FILTER_CECH, FilterSource::points, FilterPurpose::mesh, has_cycles}, {"cech", offsets}},
+    {{NETMESH_FILTER_BARYCENTRIC_CECH, FilterSource::points, FilterPurpose::mesh, needs_k}, {"barycentric-cech", kth}},
+    {{NETMESH_FILTER_BARYCENTRIC_RIPS, FilterSource::points, FilterPurpose::mesh, needs_k | has_values | made_of_edges},
+     {"barycentric-rips", kth}},
 };
 
 }  // namespace
@@ -48,8 +57,19 @@ constexpr Filter table[] = {
 
 namespace {
 
-using filter_trait::table;
-constexpr std::uint32_t rows = sizeof table / sizeof table[0];
+constexpr std::uint32_t rows = sizeof filter_trait::listed / sizeof filter_trait::listed[0];
+
+template <class Part> struct Column {
+    Part row[rows];
+    constexpr const Part& operator[](std::uint32_t i) const { return row[i]; }
+};
+template <class Part> constexpr Column<Part> column_of(Part filter_trait::ListedFilter::*part) {
+    Column<Part> column = {};
+    for (std::uint32_t i = 0; i < rows; ++i) column.row[i] = filter_trait::listed[i].*part;
+    return column;
+}
+constexpr Column<Filter> table = column_of(&filter_trait::ListedFilter::filter);
+constexpr Column<FilterText> texts = column_of(&filter_trait::ListedFilter::text);
 
 constexpr bool rows_are_in_order() {
     for (std::uint32_t i = 0; i < rows; ++i)
@@ -76,6 +96,7 @@ bool move_high(const StoreState& state, Arena& arena, AnyPart* part) {
 const std::uint32_t filter_count = rows;
 
 const Filter& filter_row(std::uint32_t index) { return table[index]; }
+const FilterText& filter_text(std::uint32_t index) { return texts[index]; }
 
 const Filter* find_filter(const netmesh_filter& filter) {
     // As a number: C++ must not read an enumeration whose value is none of its names.

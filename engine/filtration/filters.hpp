@@ -11,6 +11,7 @@ namespace netmesh {
 // Rows in the order of netmesh_filter, without NONE.
 extern const std::uint32_t filter_count;
 const Filter& filter_row(std::uint32_t index);
+const FilterText& filter_text(std::uint32_t index);
 
 // The row of a filter; null when there is none. The value may be any that came from outside.
 const Filter* find_filter(const netmesh_filter& filter);

@@ -104,7 +104,7 @@ int any_sphere_crossings(int dim, const double* centre, double radius, const dou
 
 template <int D>
 inline int sphere_crossings(const Domain<D>& domain, const double* a, const double* b, double (&z)[2][D]) {
-    if constexpr (shared_dimension<D> == D)
+    if constexpr (shared_dimension<D> == D && fast_dimension_max > 0)
         return sphere_crossings(D, domain.centre, domain.radius, a, b, {z[0], z[1]});
     else
         return any_sphere_crossings(D, domain.centre, domain.radius, a, b, {z[0], z[1]});

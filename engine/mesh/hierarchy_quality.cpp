@@ -174,7 +174,7 @@ template <class Visit> std::uint32_t Measurement::visit_ball(std::uint32_t centr
                 store_.vertex(cage.centre).cell == none || !(cage.radius > 0 && cage.radius < infinity))
                 return {"a cage's centre is not an input, or its radius not positive", cage.centre};
         }
-    sort(order_, count_, LargerCage{cages_}, arena_);
+    sort_alike(order_, count_, LargerCage{cages_}, arena_);
     for (std::uint32_t k = 0; k < count_;)
         for (const std::uint64_t piece = store_.arena.piece(k, count_, 60); k < piece; ++k) {
             const std::uint32_t d = order_[k];

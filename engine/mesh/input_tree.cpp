@@ -191,7 +191,7 @@ void AnyInputTree::nearest_k(const double* x, std::uint32_t k, Neighbour* neighb
         return one.distance2;
     };
     visit<dimension_max>(x, consider, [&] { return found < k ? infinity : neighbours[0].distance2; });
-    sort(neighbours, k, is_nearer);
+    sort_alike(neighbours, k, is_nearer);
 }
 
 std::uint32_t AnyInputTree::farthest_in_ring(const double* x, double inner, double outer, double* distance2) const {

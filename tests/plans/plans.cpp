@@ -102,7 +102,7 @@ const std::vector<Job> jobs = {
     {"delaunay", {0, 0, 0, 0, 0}, 0, {100000, 100000, 3000, 1000, 100}, triangulation(NETMESH_PURPOSE_MESH)},
     {"delaunay-alpha", {0, 0, 0, 0, 0}, 0, {100000, 100000, 3000, 300, 100}, triangulation(NETMESH_PURPOSE_PERSIST)},
     {"alpha", {0, 0, 0, 0, 0}, 0, {100000, 100000, 3000, 300, 100}, alpha()},
-    {"auto", {never, never, never}, 2.4, {100000, 30000, 1000}, either()},  // a mesh takes more than alpha
+    {"auto", {0, 0, 0, 0, 0}, 0, {100000, 100000, 3000, 300, 100}, either()},
     {"mesh", meshes, 1.7, {100000, 100000, 3000}, mesh([](auto&) {})},
     {"mesh-tau3.5", meshes, 1.7, {100000, 100000, 3000}, mesh([](auto& r) { r.tau = 3.5; })},
     {"mesh-tau6", meshes, 1.7, {100000, 100000, 3000}, mesh([](auto& r) { r.tau = 6; })},

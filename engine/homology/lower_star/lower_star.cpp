@@ -26,7 +26,8 @@ public:
     }
     Status run(CycleWriter* cycles = nullptr);
     Status run_with_cycles(std::uint64_t pair_count, CycleStore* store);
-    PairList finish() { return writer_.finish(); }
+    PairList finish() { return writer_.finish_without_cycles(); }
+    PairList finish_with_cycles() { return writer_.finish(); }
     std::uint64_t simplex_count() const { return simplex_count_; }
 
 private:
@@ -122,7 +123,8 @@ template <int D> Status LowerStars<D>::classify_in_space(SpaceStar& star, Vertex
     return count_star(v, counts, star.upper_pieces() <= 1) ? Status::ok : Status::out_of_memory;
 }
 
-template <int D> Status LowerStars<D>::classify_links(JoinList& joins) {
+// What it takes of the stack is not there during the sweep, which takes as much.
+template <int D> [[gnu::noinline]] Status LowerStars<D>::classify_links(JoinList& joins) {
     Link<D> link(ball_.dim());
     [[maybe_unused]] SpaceStar star;
     monitor_.begin(NETMESH_STAGE_GRADIENT, ball_.vertex_count);
@@ -246,7 +248,7 @@ Status cycles_with(const LowerStarFiltration<D>& filtration, std::uint32_t max_d
     LowerStars<D> stars(filtration, {max_degree}, work);
     const Status status = stars.run_with_cycles(pair_count, &out->store);
     if (status != Status::ok) return status;
-    out->pairs = stars.finish();
+    out->pairs = stars.finish_with_cycles();
     scope.keep_low_from_now();
     return Status::ok;
 }

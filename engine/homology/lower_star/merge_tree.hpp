@@ -30,7 +30,7 @@ public:
         return true;
     }
     void sort_by_rank() {
-        sort(
+        sort_alike(
             first(), count_, [](const Join& a, const Join& b) { return a.key() < b.key(); }, arena_);
     }
     std::size_t count() const { return count_; }

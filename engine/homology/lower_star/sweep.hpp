@@ -369,7 +369,7 @@ template <int D> void Sweep<D>::add_outer_facet(std::uint32_t i) {
 // Adds the facets noted to column c, whose entries have N ranks.
 template <int D> template <std::uint32_t N> [[gnu::cold]] bool Sweep<D>::add_outer_facets(std::uint32_t c) {
     FacetRanks<N>* const outer = reinterpret_cast<FacetRanks<N>*>(outer_);
-    sort(outer, outer_count_, LaterRanks{});
+    sort_alike(outer, outer_count_, LaterRanks{});
     Run run = no_run;
     for (std::uint32_t i = 0; i < outer_count_; ++i) {
         if (!front_.append(&run, outer[i].rank, N)) return false;

@@ -169,11 +169,11 @@ private:
         added_[-1 - static_cast<std::ptrdiff_t>(added_words_ + adding_++)] = key;
         RipsSimplex s;
         simplices_.read(key, p_, &s);
-        work_ += 1 + simplices_.vertices() / 32;
         return push_cofaces(s);
     }
     // Once in the program: it is large, and a call of it visits all vertices.
     [[gnu::noinline]] bool push_cofaces(const RipsSimplex& s) {
+        arena_.pass(1 + simplices_.vertices() / 16);
         return simplices_.each_coface(s, [this](std::uint64_t coface) { return heap_.push(coface); });
     }
     // How many simplices were added to column j; 0 of no column.

@@ -157,8 +157,9 @@ typedef struct netmesh_auto_request {
 
 void netmesh_auto_request_init(netmesh_auto_request* request, size_t request_bytes, uint32_t dim);
 
-/* Bytes of block to plan for: enough for either filter of uniform points, an estimate for others. SIZE_MAX when it does
- * not fit, 0 on an invalid request. */
+/* Bytes of block to plan for: enough for uniform points, of which ALPHA is taken (if it was built), an estimate for
+ * others. A mesh may take several times as much; netmesh_plan_mesh for a purpose of PERSIST and a certificate.ratio of
+ * sqrt(2 + tau) says it. SIZE_MAX when it does not fit, 0 on an invalid request. */
 size_t netmesh_plan_auto(const netmesh_auto_request* request);
 
 /* ALPHA, which is exact, where it is affordable: netmesh_delaunay and netmesh_persist. Else COMPLETE with certified
