@@ -45,12 +45,18 @@ public:
         else
             this->queue_bad_crossings(this->domain_, cell, far);
     }
-    void queue_new(const Cavity&, VertexId) {}
+    void queue_new(const Cavity& cavity, VertexId v) {
+        if (!is_time() || planted != Fault::unnoticed) Base::queue_new(cavity, this->domain_, v);
+    }
     Verdict judge(VertexId v, Split<D>* split) {
         const double* const p = store_.point(v);
         Corner<D> corner;
+        std::uint32_t cells = 0;
+        bool leaves_ball = false;
         const bool fits = this->kernel_.visit_star(v, [&](CellId c) {
             const Cell<D>& cell = store_.cell(c);
+            ++cells;
+            leaves_ball |= !(cell.radius2 < infinity) || !this->domain_.contains(cell.centre);
             if (!(cell.radius2 < infinity)) return;
             if (this->domain_.contains(cell.centre))
                 corner.offer(cell.centre, distance2<D>(cell.centre, p), c);
@@ -59,7 +65,11 @@ public:
         });
         if (!fits) return Verdict::out_of_memory;
         const double nearest2 = store_.vertex(v).nearest2;
-        if (!is_bad(corner.distance2, nearest2)) return Verdict::good;
+        if (!is_bad(corner.distance2, nearest2)) {
+            corner.distance2 = -1;
+            if (leaves_ball) this->find_beyond(this->domain_, v, this->least_bad2(store_.vertex(v)), cells, &corner);
+            if (corner.distance2 < 0) return Verdict::good;
+        }
         this->split_towards(v, corner, this->wanted_distance(square_root(nearest2), this->pull_back()), split);
         return Verdict::bad;
     }
