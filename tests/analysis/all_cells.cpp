@@ -85,7 +85,7 @@ Point equidistant(const std::vector<Point>& p) {
 template <int D> struct Diagram {
     Diagram(const inputs::Points& points, double tau, bool cages = true) : held(std::size_t{1} << 27) {
         MeshRequest request = cages ? by_hierarchy(tau) : by_quality(tau);
-        MeshResult<D> mesh;
+        MeshResult<D> mesh = {};
         REQUIRE(mesh_points<D>(held.store, points.data(), points.size() / D, request, {held.block.arena, held.monitor},
                                &mesh) == Status::ok);
         held.domain = mesh.domain;

@@ -70,7 +70,7 @@ TEST_CASE("every filter on meshes gives values within its ratio of its intervals
     Store<2> store(block.arena, state);
     Monitor monitor;
     const inputs::Points points = inputs::uniform(2, 40);
-    MeshResult<2> meshed;
+    MeshResult<2> meshed = {};
     REQUIRE(mesh_points<2>(store, points.data(), 40, by_quality(2.5, 1, true), {block.arena, monitor}, &meshed) ==
             Status::ok);
     const FilteredMesh<2> mesh = {store, meshed.domain, 40};
