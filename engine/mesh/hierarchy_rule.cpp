@@ -13,6 +13,10 @@ namespace {
 
 // How far the ball of a cage grows, in radii: halfway from where it begins to the shell.
 constexpr double grown_most = 3.0 / 4;
+// A cage is released when its own cell has no larger ratio than this, or tau. Cells of shells have about 20 to 60 times
+// that then. Smaller values place more vertices beside cages, and more cages are encroached: held to tau = 2.5, close
+// pairs in space at gaps next to what a cage needs have up to 1.6 times the vertices.
+constexpr double released_tau = 8;
 // The cells in a growing cage that would be bad if they were not clipped.
 struct Reaching {
     double least = infinity;  // of their in-radii
@@ -84,7 +88,7 @@ public:
     // A cage waits in the place of its first shell vertex, its growth in that of the second one.
     Verdict judge(VertexId v, Split<D>* split) {
         if (store_.vertex(v).marker != Marker::exempt) return judge_vertex(v, split);
-        return is_growth(v) ? grow_cage(hierarchy_.of(v)) : judge_cage(hierarchy_.of(v), split);
+        return is_growth(v) ? grow_cage(hierarchy_.of(v), split) : judge_cage(hierarchy_.of(v), tau_, split);
     }
     void requeue(VertexId v);
     bool is_judged(VertexId v) { return Base::is_judged(v) || is_cage(v); }
@@ -112,7 +116,7 @@ private:
     void make_shell(VertexId centre, VertexId farthest, std::uint32_t cage, double radius);
     void begin_growth(std::uint32_t d);
     void queue_growth(const Cage& cage) { queue_.push_now(VertexId(cage.shell + 1), growth_distance2(cage)); }
-    Verdict grow_cage(std::uint32_t d);
+    Verdict grow_cage(std::uint32_t d, Split<D>* split);
     void queue_reaching(std::uint32_t d, CellId c, Reaching* reaching);
     bool release_cage(std::uint32_t d);
     bool heed_released(std::uint32_t d);
@@ -137,7 +141,7 @@ private:
         queue_.push(VertexId(cage.shell), cage.nearest2);
     }
     Verdict judge_vertex(VertexId v, Split<D>* split);
-    Verdict judge_cage(std::uint32_t d, Split<D>* split);
+    Verdict judge_cage(std::uint32_t d, double tau, Split<D>* split);
     Status sweep();
     void find_nearest_inputs();
     Domain<D> ball_of(std::uint32_t d) { return domain_ball(store_, hierarchy_.cages(), d, domain_); }
@@ -260,8 +264,9 @@ template <int D> [[gnu::cold]] void HierarchyRule<D>::begin_growth(std::uint32_t
 }
 
 // Lets the ball of cage d grow, or releases the cage, when the ball is large enough, or when no cell would be bad
-// without it. See the top of the header. When cells had been put off, they have their turn first.
-template <int D> [[gnu::cold]] Verdict HierarchyRule<D>::grow_cage(std::uint32_t d) {
+// without it. See the top of the header. When cells had been put off they have their turn first; when the cage's own
+// cell is bad it is split first.
+template <int D> [[gnu::cold]] Verdict HierarchyRule<D>::grow_cage(std::uint32_t d, Split<D>* split) {
     Cage& cage = hierarchy_.cage(d);
     Reaching found;
     if (!visit_cage_cells(AnyStore(store_), cage, [&](CellId c) { queue_reaching(d, c, &found); }))
@@ -272,6 +277,9 @@ template <int D> [[gnu::cold]] Verdict HierarchyRule<D>::grow_cage(std::uint32_t
         return Verdict::good;
     }
     if (!(found.least < infinity) || !(cage.clip < most)) {
+        const double tight = this->tight_;
+        const Verdict verdict = judge_cage(d, tight > released_tau ? tight : released_tau, split);
+        if (verdict != Verdict::good) return verdict;
         if (!release_cage(d) || !heed_released(d)) return Verdict::out_of_memory;
     } else {
         cage.clip += found.least > grown ? found.least : grown;
@@ -446,7 +454,10 @@ template <int D> void HierarchyRule<D>::queue_bad_cages(CellId c) {
         }
 }
 
-template <int D> void HierarchyRule<D>::requeue(VertexId v) { queue_.push(v, queued_distance2(v)); }
+template <int D> void HierarchyRule<D>::requeue(VertexId v) {
+    if (is_growth(v)) return queue_growth(hierarchy_.cage(hierarchy_.of(v)));
+    queue_.push(v, queued_distance2(v));
+}
 
 // By the farthest corner of v's cell clipped to the ball of its domain.
 template <int D> Verdict HierarchyRule<D>::judge_vertex(VertexId v, Split<D>* split) {
@@ -483,7 +494,7 @@ template <int D> Verdict HierarchyRule<D>::judge_vertex(VertexId v, Split<D>* sp
 }
 
 // By the farthest corner of the cage's cell, clipped to the ball of the domain around it.
-template <int D> Verdict HierarchyRule<D>::judge_cage(std::uint32_t d, Split<D>* split) {
+template <int D> Verdict HierarchyRule<D>::judge_cage(std::uint32_t d, double tau, Split<D>* split) {
     const Cage& cage = hierarchy_.cage(d);
     const AnyStore store(store_);
     const AnyDomain ball(ball_of(hierarchy_.parent(d)));
@@ -491,14 +502,14 @@ template <int D> Verdict HierarchyRule<D>::judge_cage(std::uint32_t d, Split<D>*
     bool leaves_ball;
     CageBoundary boundary;
     if (!find_cage_corner(store, cage, ball, &corner, &leaves_ball, &boundary)) return Verdict::out_of_memory;
-    const double inner = in_radius(cage), most = tau_ * inner;
+    const double inner = in_radius(cage), most = tau * inner;
     if (!(corner.distance2 > most * most)) {
         corner.distance2 = -1;
         if (leaves_ball) find_cage_pole(store, cage, ball, boundary, most * most, &corner);
         if (corner.distance2 < 0) return Verdict::good;
     }
     const double whole = square_root(corner.distance2);
-    const double wanted = this->pull_back() * tau_ * inner;
+    const double wanted = this->pull_back() * tau * inner;
     this->split_towards(VertexId(cage.centre), corner.template of_dimension<D>(), wanted, split);
     const double empty = (wanted < whole ? wanted : whole) - cage.radius;
     split->empty2 = empty * empty;

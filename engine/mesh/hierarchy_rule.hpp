@@ -45,9 +45,10 @@ namespace netmesh {
 // could make bad. It does when those of r_v <= g are good, which is how the queue has it. Others: d / r_v <= 1. Those
 // that reach the sphere all the same: they are g - tau r_v from the inputs or farther, as all inputs are within e r, so
 // r_v >= g / (tau + 2 K) by 4.8's bound of feature sizes. So ratios stay below a constant, and there are as many steps
-// as it takes to double the least r_v until it is r. The cells of vertices in the ball, of r_v >= r / 4 / (tau + 2 K)
-// where they leave it, and of the shell are bad by a constant after the release. The cage's own cell is no larger than
-// it was, and what is put into a growing cage from outside makes cells smaller.
+// as it takes to double the least r_v until it is r. What is put into a growing cage from outside makes cells
+// smaller. With the cage its own cell goes, of in-radius R: it is held to released_tau before. The cells of the shell
+// and of vertices in the ball, of r_v >= r / 4 / (tau + 2 K) where they leave it, are parts of that, so of ratios of at
+// most released_tau R / r_v, where R < 2.5 r.
 //
 // FinishMesh releases all cages at once without that. Beside shells the cells of its intermediate meshes are as long as
 // the gaps are wide. Cells that a released cage has kept apart from others are found by a look at all cells after the

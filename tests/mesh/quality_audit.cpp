@@ -373,6 +373,31 @@ TEST_CASE("the ball of a cage grows before the cage is released") {
     CHECK(m.result.audit.quality.degree_max < 50);
 }
 
+// Refinement to 2.5 comes near to a cage whose own cell has a ratio of 43: the shell's cells came to 968 when it was
+// released as it was.
+TEST_CASE("the cell of a cage is good before the cage is released") {
+    const inputs::Points points = {0.0,
+                                   0.0,
+                                   -0.42314245066450296,
+                                   0.9060631691254416,
+                                   0.6118379954399902,
+                                   0.12078203966561352,
+                                   -0.017972955552749564,
+                                   -0.052261447052946816,
+                                   -0.009545265200018785,
+                                   -0.049232147350400365,
+                                   -0.06699444110807351,
+                                   -0.061381533630454,
+                                   -0.0017854672251412615,
+                                   -0.002491638516023474,
+                                   -0.0004483411259562641,
+                                   5.20864005043218e-05};
+    const Hierarchical<2> m(points, audited(by_hierarchy(2.5), false, true));
+    REQUIRE(m.status == Status::ok);
+    CHECK(m.result.hierarchy.cages_released == 1);
+    CHECK(m.result.audit.quality.worst < 400);
+}
+
 // When a cage is released its shell stays, and may be nearer to a neighbouring cage than what that lets come: all have
 // been released that it encroaches on before the next vertex is inserted.
 TEST_CASE_TEMPLATE_DEFINE("what was in a cage encroaches on others when it is released", T, heeded) {
