@@ -69,7 +69,7 @@ template <int D> void count_markers(const netmesh_context* context, netmesh_mesh
         ++(kept.store().vertex(v).marker == Marker::exempt ? report->exempt : report->steiner);
 }
 
-void report_audit(const MeshAudit& audit, std::uint32_t what, netmesh_audit_report* to) {
+[[gnu::cold, gnu::noinline]] void report_audit(const MeshAudit& audit, std::uint32_t what, netmesh_audit_report* to) {
     static_assert(LocationAudit::rounds_max == NETMESH_ROUNDS_MAX);
     const LocationAudit& location = audit.location;
     const QualityAudit& quality = audit.quality;
@@ -117,14 +117,14 @@ void report_mesh(const netmesh_context* context, netmesh_mesh_report* to) {
     report_audit(mesh.audit, mesh.audited, &to->audit);
 }
 
-void report_predicates(const StoreState& store, netmesh_predicates_report* to) {
+[[gnu::cold, gnu::noinline]] void report_predicates(const StoreState& store, netmesh_predicates_report* to) {
     for (int s = 0; s < NETMESH_PREDICATE_STAGES; ++s) {
         to->in_ball[s] = store.in_ball_counts.calls[s];
         to->orient[s] = store.orient_counts.calls[s];
     }
 }
 
-void report_diagram(const netmesh_context* context, netmesh_diagram_report* to) {
+[[gnu::cold, gnu::noinline]] void report_diagram(const netmesh_context* context, netmesh_diagram_report* to) {
     const KeptDiagram& diagram = context->diagram;
     const BarList pairs = diagram.bars(context);
     to->present = 1;
@@ -151,7 +151,7 @@ void report_diagram(const netmesh_context* context, netmesh_diagram_report* to) 
     to->tried_cells = diagram.tried_cells;
 }
 
-void report_bounds(const netmesh_context* context, netmesh_bounds_report* to) {
+[[gnu::cold, gnu::noinline]] void report_bounds(const netmesh_context* context, netmesh_bounds_report* to) {
     const BarList pairs = context->diagram.bars(context);
     const BarBounds* const bars = context->bounds.bars.in(context);
     to->present = 1;
@@ -160,7 +160,7 @@ void report_bounds(const netmesh_context* context, netmesh_bounds_report* to) {
     to->steps = context->bounds.steps.count;
 }
 
-void report_decision(const netmesh_context* context, netmesh_decision_report* to) {
+[[gnu::cold, gnu::noinline]] void report_decision(const netmesh_context* context, netmesh_decision_report* to) {
     const KeptBounds& bounds = context->bounds;
     const BarList pairs = context->diagram.bars(context);
     const DecisionView view = decision_of(context);
@@ -173,7 +173,7 @@ void report_decision(const netmesh_context* context, netmesh_decision_report* to
     to->decided_from = decided_from(view);
 }
 
-void report_scales(const KeptScales& scales, netmesh_scales_report* to) {
+[[gnu::cold, gnu::noinline]] void report_scales(const KeptScales& scales, netmesh_scales_report* to) {
     to->present = 1;
     to->count = scales.count;
     to->points_max = scales.points_max;
@@ -182,7 +182,7 @@ void report_scales(const KeptScales& scales, netmesh_scales_report* to) {
     to->separation = scales.separation;
 }
 
-void report_vineyard(const KeptVineyard& vineyard, netmesh_vineyard_report* to) {
+[[gnu::cold, gnu::noinline]] void report_vineyard(const KeptVineyard& vineyard, netmesh_vineyard_report* to) {
     to->present = 1;
     to->filter = vineyard.filter;
     to->values = vineyard.values;

@@ -59,4 +59,21 @@ bool list_cage_boundary(const AnyStore& store, const Cage& cage, std::uint32_t* 
     return true;
 }
 
+[[gnu::cold]] bool list_cage_cells(const AnyStore& store, const Cage& cage, std::uint32_t* count) {
+    AnyCellList list(store);
+    if (!list.add(store.vertex(cage.centre).cell)) return false;
+    for (std::uint32_t k = 0; k < list.size(); ++k) {
+        store.arena.pass(10 * store.dim);
+        const AnyCell cell = store.cell(list[k]);
+        unsigned inside = 0;
+        for (int i = 0; i <= store.dim; ++i)
+            if (cell.vertex[i] != none && is_inside(store, cage, store.point(cell.vertex[i]))) inside |= 1u << i;
+        for (int i = 0; i <= store.dim; ++i)
+            if ((inside & ~(1u << i)) != 0 && cell.neighbour[i] != none && !list.add(cell.neighbour[i].cell()))
+                return false;
+    }
+    *count = list.size();
+    return true;
+}
+
 }  // namespace netmesh

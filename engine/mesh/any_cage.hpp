@@ -34,23 +34,8 @@ void template_point(int dim, bool outermost, std::uint32_t k, double* x);
 // any shell vertex. They stand there until the next search. False when the gap is too small.
 bool list_cage_boundary(const AnyStore& store, const Cage& cage, std::uint32_t* count);
 
-// Calls visit(cell) for each cell with a vertex inside of the cage. Any vertex in a ball about another one has a
-// neighbour nearer to that, so these cells are connected. False when the gap is too small for the search.
-template <class Visit> bool visit_cage_cells(const AnyStore& store, const Cage& cage, Visit&& visit) {
-    AnyCellList list(store);
-    if (!list.add(store.vertex(cage.centre).cell)) return false;
-    for (std::uint32_t k = 0; k < list.size(); ++k) {
-        store.arena.pass(store.dim);
-        const AnyCell cell = store.cell(list[k]);
-        visit(list[k]);
-        unsigned inside = 0;
-        for (int i = 0; i <= store.dim; ++i)
-            if (cell.vertex[i] != none && is_inside(store, cage, store.point(cell.vertex[i]))) inside |= 1u << i;
-        for (int i = 0; i <= store.dim; ++i)
-            if ((inside & ~(1u << i)) != 0 && cell.neighbour[i] != none && !list.add(cell.neighbour[i].cell()))
-                return false;
-    }
-    return true;
-}
+// The same for all cells with a vertex inside of the cage. Any vertex in a ball about another one has a neighbour
+// nearer to that, so these cells are connected.
+bool list_cage_cells(const AnyStore& store, const Cage& cage, std::uint32_t* count);
 
 }  // namespace netmesh

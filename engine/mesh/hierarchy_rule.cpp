@@ -88,7 +88,8 @@ public:
     // A cage waits in the place of its first shell vertex, its growth in that of the second one.
     Verdict judge(VertexId v, Split<D>* split) {
         if (store_.vertex(v).marker != Marker::exempt) return judge_vertex(v, split);
-        return is_growth(v) ? grow_cage(hierarchy_.of(v), split) : judge_cage(hierarchy_.of(v), tau_, split);
+        const std::uint32_t d = hierarchy_.of(v);
+        return hierarchy_.cage(d).shell == v ? judge_cage(d, tau_, split) : grow_cage(d, split);
     }
     void requeue(VertexId v);
     bool is_judged(VertexId v) { return Base::is_judged(v) || is_cage(v); }
@@ -119,7 +120,6 @@ private:
     Verdict grow_cage(std::uint32_t d, Split<D>* split);
     void queue_reaching(std::uint32_t d, CellId c, Reaching* reaching);
     bool release_cage(std::uint32_t d);
-    bool heed_released(std::uint32_t d);
     void give_up_shell(std::uint32_t d);
 
     void update_cages(VertexId w, const Vertex<D>& fresh, std::uint32_t within);
@@ -127,14 +127,10 @@ private:
     void queue_all_far(CellId c);
     void queue_bad_cages(CellId c);
     // Does a cage wait in the place of v?
-    bool is_cage(VertexId v) { return place_in_shell(v) == 0; }
-    // Does the growth of a cage?
-    bool is_growth(VertexId v) { return place_in_shell(v) == 1 && is_growing(hierarchy_.cage(hierarchy_.of(v))); }
-    // Of a vertex of a cage's shell; none of others.
-    std::uint32_t place_in_shell(VertexId v) {
-        if (store_.vertex(v).marker != Marker::exempt) return none;
+    bool is_cage(VertexId v) {
+        if (store_.vertex(v).marker != Marker::exempt) return false;
         const std::uint32_t d = hierarchy_.of(v);
-        return d == none ? none : v.index - hierarchy_.cage(d).shell;
+        return d != none && hierarchy_.cage(d).shell == v;
     }
     void queue_cage(std::uint32_t d) {
         const Cage& cage = hierarchy_.cage(d);
@@ -257,7 +253,7 @@ template <int D>
 
 // Something in the domain around has come nearer to cage d than its clearance: its ball begins to grow at once. Neither
 // that nor the cells in the cage are put off.
-template <int D> [[gnu::cold]] void HierarchyRule<D>::begin_growth(std::uint32_t d) {
+template <int D> [[gnu::cold, gnu::noinline]] void HierarchyRule<D>::begin_growth(std::uint32_t d) {
     Cage& cage = hierarchy_.cage(d);
     cage.clip *= 1 + 0x1p-50;
     queue_growth(cage);
@@ -266,11 +262,16 @@ template <int D> [[gnu::cold]] void HierarchyRule<D>::begin_growth(std::uint32_t
 // Lets the ball of cage d grow, or releases the cage, when the ball is large enough, or when no cell would be bad
 // without it. See the top of the header. When cells had been put off they have their turn first; when the cage's own
 // cell is bad it is split first.
-template <int D> [[gnu::cold]] Verdict HierarchyRule<D>::grow_cage(std::uint32_t d, Split<D>* split) {
+template <int D> [[gnu::cold, gnu::noinline]] Verdict HierarchyRule<D>::grow_cage(std::uint32_t d, Split<D>* split) {
     Cage& cage = hierarchy_.cage(d);
     Reaching found;
-    if (!visit_cage_cells(AnyStore(store_), cage, [&](CellId c) { queue_reaching(d, c, &found); }))
-        return Verdict::out_of_memory;
+    std::uint32_t cells;
+    if (!list_cage_cells(AnyStore(store_), cage, &cells)) return Verdict::out_of_memory;
+    const CellId* const list = store_.list_top();
+    for (std::uint32_t k = 0; k < cells; ++k) {
+        store_.arena.pass(20 * store_.dim);
+        queue_reaching(d, list[-1 - static_cast<std::ptrdiff_t>(k)], &found);
+    }
     const double most = grown_most * cage.radius, grown = growth_of(cage);
     if (found.some_put_off) {
         queue_growth(cage);
@@ -280,81 +281,78 @@ template <int D> [[gnu::cold]] Verdict HierarchyRule<D>::grow_cage(std::uint32_t
         const double tight = this->tight_;
         const Verdict verdict = judge_cage(d, tight > released_tau ? tight : released_tau, split);
         if (verdict != Verdict::good) return verdict;
-        if (!release_cage(d) || !heed_released(d)) return Verdict::out_of_memory;
+        if (!release_cage(d)) return Verdict::out_of_memory;
     } else {
         cage.clip += found.least > grown ? found.least : grown;
         if (cage.clip > most) cage.clip = most;
         queue_growth(cage);
     }
-    if (!observers_.measures()) return Verdict::good;
-    const Status status = observers_.measure_grown(store_, tree_, &hierarchy_, domain_, d);
-    return status == Status::ok ? Verdict::good : Verdict::out_of_memory;
+    observers_.note({none, d});
+    return this->finish_step(none, true) == Status::ok ? Verdict::good : Verdict::out_of_memory;
 }
 
 // Queues the vertices in domain d, and the cages in it, that the corner of cell c would make bad if their cells were
 // not clipped.
-template <int D> [[gnu::cold]] void HierarchyRule<D>::queue_reaching(std::uint32_t d, CellId c, Reaching* reaching) {
+template <int D>
+[[gnu::cold, gnu::noinline]] void HierarchyRule<D>::queue_reaching(std::uint32_t d, CellId c, Reaching* reaching) {
     const Cell<D>& cell = store_.cell(c);
     if (!(cell.radius2 < infinity)) return;
-    const auto queue = [&](VertexId v, double nearest2, double inner) {
-        if (queue_.is_put_off(store_.vertex(v))) reaching->some_put_off = true;
-        if (inner < reaching->least) reaching->least = inner;
-        queue_.push_now(v, nearest2);
-    };
     for (int i = 0; i <= store_.dim; ++i) {
-        const VertexId v = cell.vertex[i];
-        const Vertex<D>& vertex = store_.vertex(v);
-        std::uint32_t within = hierarchy_.of(v);
-        if (within == d && vertex.marker != Marker::exempt && is_bad(cell.radius2, vertex.nearest2))
-            queue(v, vertex.nearest2, 0.5 * square_root(vertex.nearest2));
-        while (within != none && within != d && hierarchy_.parent(within) != d) within = hierarchy_.parent(within);
-        if (within == none || within == d) continue;
-        const Cage& cage = hierarchy_.cage(within);
-        const double inner = in_radius(cage), bound = tau_ * inner;
-        if (distance2<D>(store_.dim, cell.centre, store_.point(cage.centre)) > bound * bound &&
-            is_on_boundary(store_, cage, c))
-            queue(VertexId(cage.shell), cage.nearest2, inner);
+        VertexId place = cell.vertex[i];
+        std::uint32_t within = hierarchy_.of(place);
+        if (within == none) continue;
+        double nearest2 = store_.vertex(place).nearest2, inner = 0.5 * square_root(nearest2);
+        bool is_far = store_.vertex(place).marker != Marker::exempt && is_bad(cell.radius2, nearest2);
+        if (within != d) {
+            for (std::uint32_t around; (around = hierarchy_.parent(within)) != d && around != none;) within = around;
+            const Cage& cage = hierarchy_.cage(within);
+            place = VertexId(cage.shell);
+            nearest2 = cage.nearest2;
+            inner = in_radius(cage);
+            const double bound = tau_ * inner;
+            is_far = hierarchy_.parent(within) == d &&
+                     distance2<D>(store_.dim, cell.centre, store_.point(cage.centre)) > bound * bound &&
+                     is_on_boundary(store_, cage, c);
+        }
+        if (!is_far) continue;
+        if (queue_.is_put_off(store_.vertex(place))) reaching->some_put_off = true;
+        if (inner < reaching->least) reaching->least = inner;
+        queue_.push_now(place, nearest2);
     }
 }
 
-// False: no room to look at all neighbours.
-template <int D> [[gnu::cold]] bool HierarchyRule<D>::release_cage(std::uint32_t d) {
-    const VertexId shell(hierarchy_.cage(d).shell);
+// The cage is none any more: what is around it is looked at, and what was in it may encroach on other cages of the
+// domain around. False: no room for that.
+template <int D> [[gnu::cold, gnu::noinline]] bool HierarchyRule<D>::release_cage(std::uint32_t d) {
+    const Cage& cage = hierarchy_.cage(d);
+    std::uint32_t cells;
+    if (!list_cage_cells(AnyStore(store_), cage, &cells)) return false;
     give_up_shell(d);
-    for (VertexId v = shell; v < shell + shell_size_of(store_.dim); ++v) queue_.push(v);
-    // Two stars cannot be walked at once, and what is pushed here is looked at again anyway: all neighbours are
-    // pushed. None is infinity, as the frame is around them.
-    for (VertexId v = shell; v < shell + shell_size_of(store_.dim); ++v) {
-        const bool fits = kernel_.visit_star(v, [&](CellId c) {
-            for (const VertexId w : store_.cell(c).vertex)
-                if (store_.vertex(w).marker != Marker::exempt) queue_.push(w);
-        });
-        if (!fits) return false;
+    const CellId* const list = store_.list_top();
+    for (std::uint32_t k = 0; k < cells; ++k) {
         store_.arena.pass(20 * store_.dim);
+        const Cell<D>& cell = store_.cell(list[-1 - static_cast<std::ptrdiff_t>(k)]);
+        for (const VertexId v : cell.vertex) {
+            const Vertex<D>& vertex = store_.vertex(v);
+            if (vertex.marker != Marker::steiner || !is_inside(store_, cage, vertex.x)) continue;
+            for (const VertexId w : cell.vertex) {
+                if (is_inside(store_, cage, store_.point(w))) continue;
+                update_cages(w, vertex, hierarchy_.of(v));
+                if (store_.vertex(w).marker != Marker::exempt) queue_.push(w);
+            }
+        }
     }
     return true;
 }
 
-// What was in cage d is in the domain around from now on: it may encroach on other cages there. False: no room to look
-// at it.
-template <int D> [[gnu::cold]] bool HierarchyRule<D>::heed_released(std::uint32_t d) {
-    const Cage& cage = hierarchy_.cage(d);
-    return visit_cage_cells(AnyStore(store_), cage, [&](CellId c) {
-        const Cell<D>& cell = store_.cell(c);
-        for (const VertexId v : cell.vertex) {
-            const Vertex<D>& vertex = store_.vertex(v);
-            if (vertex.marker != Marker::steiner || !is_inside(store_, cage, vertex.x)) continue;
-            for (const VertexId w : cell.vertex)
-                if (!is_inside(store_, cage, store_.point(w))) update_cages(w, vertex, hierarchy_.of(v));
-        }
-    });
-}
-
-// The cage is none from now on, the vertices of its shell are as others.
-template <int D> [[gnu::cold]] void HierarchyRule<D>::give_up_shell(std::uint32_t d) {
+// The cage is none from now on, the vertices of its shell are as others and looked at.
+template <int D> [[gnu::cold, gnu::noinline]] void HierarchyRule<D>::give_up_shell(std::uint32_t d) {
     const VertexId shell(hierarchy_.cage(d).shell);
     hierarchy_.release(d);
-    for (VertexId v = shell; v < shell + shell_size_of(store_.dim); ++v) store_.vertex(v).marker = Marker::steiner;
+    for (VertexId v = shell; v < shell + shell_size_of(store_.dim); ++v) {
+        store_.vertex(v).marker = Marker::steiner;
+        queue_.push(v);
+    }
 }
 
 // A Steiner point's nearest input is looked for where sizes are asked for, which depend on it; otherwise the one that
@@ -455,8 +453,9 @@ template <int D> void HierarchyRule<D>::queue_bad_cages(CellId c) {
 }
 
 template <int D> void HierarchyRule<D>::requeue(VertexId v) {
-    if (is_growth(v)) return queue_growth(hierarchy_.cage(hierarchy_.of(v)));
-    queue_.push(v, queued_distance2(v));
+    if (store_.vertex(v).marker != Marker::exempt) return queue_.push(v);
+    const std::uint32_t d = hierarchy_.of(v);
+    hierarchy_.cage(d).shell == v ? queue_cage(d) : queue_growth(hierarchy_.cage(d));
 }
 
 // By the farthest corner of v's cell clipped to the ball of its domain.
@@ -543,8 +542,7 @@ template <int D> Status HierarchyRule<D>::finish_mesh() {
     observers_.stop_measuring();
     for (std::uint32_t d = 0; d < hierarchy_.made();)
         for (const std::uint64_t piece = store_.arena.piece(d, hierarchy_.made(), 20); d < piece; ++d) {
-            if (!hierarchy_.is_live(d)) continue;
-            if (!release_cage(d)) return Status::out_of_memory;
+            if (hierarchy_.is_live(d)) give_up_shell(d);
         }
     const Status finished = sweep();
     if (finished == Status::ok && sizes_.are_asked()) find_nearest_inputs();

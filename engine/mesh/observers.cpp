@@ -6,6 +6,8 @@ namespace netmesh {
 
 // Long cells of Steiner vertices are no fault of a mesh made for a certificate.
 Status Observers::open(int dim, Arena& arena, std::uint32_t inputs) {
+    notes_ = &growth_;
+    notes_max_ = 1;
     if (built::audits && measures_ && kind_ == CageKind::thesis) {
         notes_ = arena.take_low<AuditNote>(std::size_t{notes_per_input} * inputs);
         if (notes_ == nullptr) return Status::out_of_memory;

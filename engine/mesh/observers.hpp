@@ -51,16 +51,7 @@ public:
         const AnyAuditedMesh mesh = {store, tree, domain, hierarchy, terms_, kind_};
         return measure(mesh, cage_insertion_bound(store.dim, kind_), v, cleaning);
     }
-    // Between steps: the ball of compact cage d has grown, or the cage was released. out_of_memory. Whether a cage is
-    // encroached is said after the next step.
-    template <int D>
-    Status measure_grown(Store<D>& store, const InputTree<D>& tree, Hierarchy<D>* hierarchy, const Domain<D>& domain,
-                         std::uint32_t d) {
-        const AuditNote note = {none, d};
-        const AnyAuditedMesh mesh = {store, tree, domain, hierarchy, terms_, kind_};
-        return audit_quality(mesh, {first_new_, none, true, &note, 1}, &quality_);
-    }
-    // With cages of the thesis: what an AuditNote is for.
+    // What an AuditNote is for. Of compact cages one for a step, which then is that alone, of no vertex.
     void note(const AuditNote& note);
     // Cage d has grown, and `shell` was of it. A shell of the step's own is looked at in any case.
     void note_grown(VertexId shell, std::uint32_t d) {
@@ -85,6 +76,7 @@ private:
     bool locates_, measures_, full_ = false;
     CageKind kind_;
     AuditNote* notes_ = nullptr;
+    AuditNote growth_;  // of a compact cage
     std::uint32_t note_count_ = 0, notes_max_ = 0;
 };
 

@@ -137,9 +137,14 @@ template <class Visit> [[gnu::cold]] bool StepAudit::visit_changed(Visit&& visit
     if (step_.vertex < step_.first_made && !visit_any_star(store_, VertexId(step_.vertex), visit)) return false;
     for (std::uint32_t k = 0; k < step_.note_count; ++k) {
         const AuditNote& note = step_.notes[k];
-        const bool fits = note.cage != none ? visit_cage_cells(store_, made_->cage(note.cage), visit)
-                                            : visit_any_star(store_, VertexId(note.vertex), visit);
-        if (!fits) return false;
+        if (note.cage == none) {
+            if (!visit_any_star(store_, VertexId(note.vertex), visit)) return false;
+            continue;
+        }
+        std::uint32_t cells;
+        if (!list_cage_cells(store_, made_->cage(note.cage), &cells)) return false;
+        const CellId* const list = store_.list_top();
+        for (std::uint32_t i = 0; i < cells; ++i) visit(list[-1 - static_cast<std::ptrdiff_t>(i)]);
     }
     return true;
 }
