@@ -34,7 +34,7 @@ void add_pairs(Fingerprint& f, const netmesh_context* context) {
     }
 }
 
-void add_vines(Fingerprint& f, const netmesh_context* context) {
+[[gnu::cold, gnu::noinline]] void add_vines(Fingerprint& f, const netmesh_context* context) {
     const VinePoint* const points = context->vineyard.points.in(context);
     for (std::uint64_t i = 0; i < context->vineyard.points.count; ++i) {
         f.add(static_cast<std::uint64_t>(points[i].vine) << 32 | points[i].k);
@@ -69,7 +69,7 @@ template <int D> void count_markers(const netmesh_context* context, netmesh_mesh
         ++(kept.store().vertex(v).marker == Marker::exempt ? report->exempt : report->steiner);
 }
 
-[[gnu::cold, gnu::noinline]] void report_audit(const MeshAudit& audit, std::uint32_t what, netmesh_audit_report* to) {
+void report_audit(const MeshAudit& audit, std::uint32_t what, netmesh_audit_report* to) {
     static_assert(LocationAudit::rounds_max == NETMESH_ROUNDS_MAX);
     const LocationAudit& location = audit.location;
     const QualityAudit& quality = audit.quality;
@@ -117,7 +117,7 @@ void report_mesh(const netmesh_context* context, netmesh_mesh_report* to) {
     report_audit(mesh.audit, mesh.audited, &to->audit);
 }
 
-[[gnu::cold, gnu::noinline]] void report_predicates(const StoreState& store, netmesh_predicates_report* to) {
+void report_predicates(const StoreState& store, netmesh_predicates_report* to) {
     for (int s = 0; s < NETMESH_PREDICATE_STAGES; ++s) {
         to->in_ball[s] = store.in_ball_counts.calls[s];
         to->orient[s] = store.orient_counts.calls[s];
