@@ -51,7 +51,8 @@ public:
         const AnyAuditedMesh mesh = {store, tree, domain, hierarchy, terms_, kind_};
         return measure(mesh, cage_insertion_bound(store.dim, kind_), v, cleaning);
     }
-    // What an AuditNote is for. Of compact cages one for a step, which then is that alone, of no vertex.
+    // What an AuditNote is for. The growth or release of a compact cage is a step of its own that inserts nothing: it
+    // has one note.
     void note(const AuditNote& note);
     // Cage d has grown, and `shell` was of it. A shell of the step's own is looked at in any case.
     void note_grown(VertexId shell, std::uint32_t d) {

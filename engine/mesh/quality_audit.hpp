@@ -22,7 +22,7 @@
 namespace netmesh {
 
 // Worst of all intermediate meshes, one for each vertex inserted (with the cage that is made for it, if one is) and one
-// for each time that a compact cage's ball grows or the cage is released by that.
+// for each time that the ball of a compact cage grows, or that a cage is released after it has grown.
 //
 // f_P(v) is the distance to the second nearest point of P in M_Omega, v itself included, f_M(v) the smallest to a
 // Delaunay neighbour of v, where the centre of a cage directly inside of Omega stands for the vertices in it. That is
