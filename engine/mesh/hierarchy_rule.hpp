@@ -50,6 +50,10 @@ namespace netmesh {
 // and of vertices in the ball, of r_v >= r / 4 / (tau + 2 K) where they leave it, are parts of that, so of ratios of at
 // most released_tau R / r_v, where R < 2.5 r.
 //
+// A run that is cut off while a ball grows leaves that cage as a released one: it has no room to end what it was
+// about, and no cage may be kept that something has come too near to. Cells about its shell may then be worse than
+// those of any mesh before, and than what an audit of the run has seen.
+//
 // FinishMesh releases all cages at once without that. Beside shells the cells of its intermediate meshes are as long as
 // the gaps are wide. Cells that a released cage has kept apart from others are found by a look at all cells after the
 // last insertion, too.

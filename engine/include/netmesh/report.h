@@ -47,10 +47,11 @@ typedef struct netmesh_audit_report {
     uint32_t touches_max;              /* most insertions that moved a point or looked whether to move it (4.13) */
     double ply_mean;                   /* D-balls that a point was in when its turn came */
     double touches_mean, tests_mean;   /* tests: the same for each new D-ball */
-    /* QUALITY: worst of all intermediate meshes. P: with HIERARCHY the inserted points of the domain; otherwise all
-     * points, as Steiner points are graded towards those that are still to be inserted. f_P: distance to the second
-     * nearest of them. f_M: to the nearest Delaunay neighbour, for which the centre of a cage stands where it is in one
-     * that is directly inside of the domain. */
+    /* QUALITY: worst of all intermediate meshes; not of what a run with cages leaves that was cut off while a cage was
+     * about to be released, as that one is taken away then. P: with HIERARCHY the inserted points of the domain;
+     * otherwise all points, as Steiner points are graded towards those that are still to be inserted. f_P: distance to
+     * the second nearest of them. f_M: to the nearest Delaunay neighbour, for which the centre of a cage stands where
+     * it is in one that is directly inside of the domain. */
     uint64_t meshes;
     double aspect_ratio_max;                       /* of vertices and cages, definition 4.5, clipped to their domain;
                                                       of a mesh refined by the certificate, whose Steiner vertices may
