@@ -12,6 +12,11 @@ inline CellId cavity_cell(const AnyStore& store, std::uint32_t k) {
     return store.dim == 2 ? static_cast<const PlanarLine*>(end)[at].made
                           : static_cast<const CavityLine*>(end)[at].entry.cell();
 }
+inline std::uint32_t cavity_position(const AnyStore& store, std::uint32_t k) {
+    if (store.dim == 2 || k == 0) return none;
+    return static_cast<const CavityLine*>(static_cast<const void*>(store.list_top()))[-1 - std::ptrdiff_t{k}]
+        .entry.position();
+}
 inline CellId new_cell(const AnyStore& store, std::uint32_t k) {
     const std::ptrdiff_t at = -1 - static_cast<std::ptrdiff_t>(k);
     const void* const end = store.list_top();
@@ -67,6 +72,7 @@ public:
         return call([&](auto& kernel) { return kernel.find_cavity(q, id, first, cavity); });
     }
     CellId cavity_cell(std::uint32_t k) const { return netmesh::cavity_cell(store_, k); }
+    std::uint32_t cavity_position(std::uint32_t k) const { return netmesh::cavity_position(store_, k); }
     bool can_fill(const Cavity& cavity, std::uint32_t vertices) {
         const std::size_t lines = cavity.cells > cavity.facets ? cavity.cells : cavity.facets;
         const std::size_t line_bytes = store_.dim == 2 ? sizeof(PlanarLine) : sizeof(CavityLine);

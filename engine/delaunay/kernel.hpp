@@ -100,6 +100,14 @@ public:
         else
             return line(k).entry.cell();
     }
+    // Where cell k has the only vertex that no cell before it in the list has; none: where that is not told, as of the
+    // first cell and in the plane.
+    std::uint32_t cavity_position(std::uint32_t k) const {
+        if constexpr (D == 2)
+            return none;
+        else
+            return k == 0 ? std::uint32_t{none} : line(k).entry.position();
+    }
     // Is there room to fill this cavity (and for `vertices` new vertices)?
     bool can_fill(const Cavity& cavity, std::uint32_t vertices) {
         const std::size_t lines = cavity.cells > cavity.facets ? cavity.cells : cavity.facets;
@@ -145,5 +153,19 @@ private:
     std::uint64_t steps_ = 0;
     VertexCells vertex_cells_;
 };
+
+// Calls visit(w) for each vertex of the cells in conflict, at least once, while kernel.cavity_cell tells them. In space
+// a cell that the search has come to by a facet has one vertex that the cell before it has not.
+template <class AnyKernel, class AnyStore, class Visit>
+inline void visit_cavity_vertices(const AnyKernel& kernel, const AnyStore& store, const Cavity& cavity, Visit&& visit) {
+    for (std::uint32_t k = 0; k < cavity.cells; ++k) {
+        const std::uint32_t position = kernel.cavity_position(k);
+        auto&& vertices = store.cell(kernel.cavity_cell(k)).vertex;
+        if (position != none)
+            visit(vertices[position]);
+        else
+            for (const VertexId w : vertices) visit(w);
+    }
+}
 
 }  // namespace netmesh

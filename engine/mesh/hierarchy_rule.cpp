@@ -58,6 +58,7 @@ template <int D> class HierarchyRule : public AspectRule<D, HierarchyRule<D>> {
     using Base::inserted_;
     using Base::is_bad;
     using Base::kernel_;
+    using Base::last_;
     using Base::nearest_input;
     using Base::observers_;
     using Base::passed_;
@@ -551,12 +552,14 @@ template <int D> Status HierarchyRule<D>::finish_mesh() {
 
 // What filters and sizes ask of a mesh without cages: the nearest input of each vertex.
 template <int D> [[gnu::cold]] void HierarchyRule<D>::find_nearest_inputs() {
+    const std::uint64_t before = tree_.touches();
     for (std::uint32_t v = inputs_; v < store_.state.vertex_count;)
         for (const std::uint64_t piece = store_.arena.piece(v, store_.state.vertex_count, 500 * store_.dim); v < piece;
              ++v) {
             double d2;
             store_.vertex(v).origin = tree_.nearest(store_.point(v), store_.vertex(v).origin, none, &d2);
         }
+    last_ = tree_.touches() - before;
 }
 
 // A run that is cut off while cages grow leaves them as released ones.

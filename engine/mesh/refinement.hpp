@@ -117,14 +117,14 @@ protected:
     VertexId nearest_in_conflict(VertexId p, const Cavity& cavity) {
         VertexId nearest = none;
         double best2 = infinity;
-        passed_ += std::uint64_t{cavity.cells} * (static_cast<std::uint32_t>(store_.dim) + 1);
-        for (std::uint32_t k = 0; k < cavity.cells; ++k)
-            for (const VertexId w : store_.cell(kernel_.cavity_cell(k)).vertex) {
-                const double d2 = distance2<D>(store_.dim, store_.point(p), store_.point(w));
-                if (!(d2 < best2)) continue;
-                best2 = d2;
-                nearest = w;
-            }
+        const auto look = [&](VertexId w) {
+            ++passed_;
+            const double d2 = distance2<D>(store_.dim, store_.point(p), store_.point(w));
+            if (!(d2 < best2)) return;
+            best2 = d2;
+            nearest = w;
+        };
+        visit_cavity_vertices(kernel_, store_, cavity, look);
         return nearest;
     }
     Status fill(VertexId v, const Cavity& cavity);
@@ -157,6 +157,7 @@ protected:
     Sizes<D> sizes_;
     std::uint32_t inputs_ = 0, inserted_ = 0;
     std::uint64_t passed_ = 0;  // LocationCounts::passed without the cells that the kernel counts
+    std::uint64_t last_ = 0;    // LocationCounts::last
 
 private:
     Status reach_sizes();
@@ -199,7 +200,7 @@ template <int D, class Rule> Status Refinement<D, Rule>::run(std::uint32_t* orde
 template <int D, class Rule> Status Refinement<D, Rule>::close(std::size_t low, Status status) {
     observers_.report(&result_.audit);
     low = rule().keep_results(low);
-    result_.location = {tree_.touches(), observers_.list_looks(), kernel_.steps() + passed_};
+    result_.location = {tree_.touches(), observers_.list_looks(), kernel_.steps() + passed_, last_};
     store_.compact((low + Arena::alignment - 1) & ~(Arena::alignment - 1));
     recompute_balls<D>(store_);
     rule().restore_distances();

@@ -7,11 +7,13 @@
 #include <cmath>
 #include <limits>
 #include <numeric>
+#include <set>
 #include <vector>
 
 #include "common/block.hpp"
 #include "common/dimensions.hpp"
 #include "common/inputs.hpp"
+#include "delaunay/any_kernel.hpp"
 #include "delaunay/check.hpp"
 #include "delaunay/independent_points.hpp"
 #include "delaunay/load.hpp"
@@ -22,6 +24,18 @@
 using namespace netmesh;
 
 namespace {
+
+// Are the vertices visited those of all cells in conflict, by the kernel of the dimension and by that of any?
+template <int D> bool visits_its_vertices(const Store<D>& store, const Kernel<D>& kernel, const Cavity& cavity) {
+    const AnyStore any(store);
+    const Kernel<any_dimension> any_kernel(any, corner_error_max, VertexCells::kept);
+    std::set<std::uint32_t> all, visited, any_visited;
+    for (std::uint32_t k = 0; k < cavity.cells; ++k)
+        for (const VertexId w : store.cell(kernel.cavity_cell(k)).vertex) all.insert(w);
+    visit_cavity_vertices(kernel, store, cavity, [&](VertexId w) { visited.insert(w); });
+    visit_cavity_vertices(any_kernel, any, cavity, [&](VertexId w) { any_visited.insert(w); });
+    return visited == all && any_visited == all;
+}
 
 // By the kernel, in every dimension, as meshes are made; ghosts stay.
 template <int D> void insert_all(Store<D>& store, const inputs::Points& points, double error_max) {
@@ -41,6 +55,7 @@ template <int D> void insert_all(Store<D>& store, const inputs::Points& points, 
         Cavity cavity;
         REQUIRE(
             kernel.find_cavity(store.point(v), v, kernel.locate(store.point(v), v, store.state.last_cell), &cavity));
+        if (k < 200) CHECK(visits_its_vertices<D>(store, kernel, cavity));
         REQUIRE(kernel.can_fill(cavity, 0));
         kernel.fill(cavity, v);
     }
