@@ -253,7 +253,7 @@ Status RadiusOrder::pass(bool all) {
         to = from + 1;
         while (to < end &&
                radius_[to] - deviation_error(radius_[to]) <= radius_[to - 1] + deviation_error(radius_[to - 1]))
-            ++to;
+            work_.arena.step(to++, 40);
         const Status status = decide(from, to, base);
         if (status != Status::ok) return status;
     }
@@ -323,7 +323,7 @@ Status RadiusOrder::pass(bool all) {
     bool in_range = true;
     for (std::uint32_t from = begin, to; in_range && from < end; from = to) {
         to = from + 1;
-        while (to < end && radius_[to] - radius_[to - 1] <= 0x1p-48 * absolute(radius_[to])) ++to;
+        while (to < end && radius_[to] - radius_[to - 1] <= 0x1p-48 * absolute(radius_[to])) work_.arena.step(to++, 15);
         if (to - from == 1 || radius_[from] == 0) {
             settle(from, to, radius, error);
         } else {

@@ -7,8 +7,9 @@ namespace netmesh {
 #ifndef __OPTIMIZE_SIZE__
 namespace {
 
-void reverse(Pair* pairs, std::uint64_t count) {
+void reverse(Pair* pairs, std::uint64_t count, const Arena& arena) {
     for (std::uint64_t i = 0, j = count; i + 1 < j; ++i) {
+        arena.step(i, 12);
         const Pair t = pairs[i];
         pairs[i] = pairs[--j];
         pairs[j] = t;
@@ -25,7 +26,7 @@ void sort_degree(Pair* pairs, std::uint64_t count, const Arena& arena) {
         down += before(pairs[i], pairs[i - 1]);
     }
     if (down == 0) return;
-    if (up == 0) return reverse(pairs, count);
+    if (up == 0) return reverse(pairs, count, arena);
     sort(pairs, count, before, arena);
 }
 
@@ -50,10 +51,9 @@ bool sort_by_degree(Pair* pairs, std::uint64_t count, const Arena& arena) {
         if (least == done) continue;
         // Those before it change places with it.
         const std::uint64_t start = begin[done], middle = begin[least], size = begin[least + 1] - middle;
-        arena.pass(static_cast<std::uint32_t>((begin[least + 1] - start) / 8));
-        reverse(pairs + start, middle - start);
-        reverse(pairs + middle, size);
-        reverse(pairs + start, middle + size - start);
+        reverse(pairs + start, middle - start, arena);
+        reverse(pairs + middle, size, arena);
+        reverse(pairs + start, middle + size - start, arena);
         for (int r = least; r > done; --r) begin[r] = begin[r - 1] + size;
     }
     for (int r = 0, end; r < runs; r = end) {
@@ -66,6 +66,14 @@ bool sort_by_degree(Pair* pairs, std::uint64_t count, const Arena& arena) {
 
 }  // namespace
 #endif
+
+void PairWriter::move_down(std::size_t offset) {
+    const std::size_t begin = (offset + Arena::alignment - 1) & ~(Arena::alignment - 1);
+    NETMESH_ASSERT(begin <= begin_ && reserved_ == 0);
+    move_bytes(arena_.at(begin), pairs(), count_ * sizeof(Pair), arena_);
+    begin_ = begin;
+    arena_.release_low(begin + count_ * sizeof(Pair));
+}
 
 PairList PairWriter::finish() {
     sort(pairs(), count_, CanonicalOrder{}, arena_);

@@ -30,13 +30,7 @@ public:
     }
     bool add_essential(double birth, std::uint32_t degree) { return add(birth, __builtin_inf(), degree); }
     // Moves what is noted down to `offset`, from where on nothing but pairs stands at the low end any more.
-    void move_down(std::size_t offset) {
-        const std::size_t begin = (offset + Arena::alignment - 1) & ~(Arena::alignment - 1);
-        NETMESH_ASSERT(begin <= begin_ && reserved_ == 0);
-        __builtin_memmove(arena_.at(begin), pairs(), count_ * sizeof(Pair));
-        begin_ = begin;
-        arena_.release_low(begin + count_ * sizeof(Pair));
-    }
+    void move_down(std::size_t offset);
     // Whether add() would note such a pair.
     bool keeps(double birth, double death, std::uint32_t degree) const {
         return degree <= request_.max_degree && (birth != death || request_.keep_zero);
