@@ -53,7 +53,7 @@ public:
     void step(std::uint64_t i, std::uint32_t cost) const {
         if (i % 256 == 0) pass(cost);
     }
-    std::uint64_t piece(std::uint64_t from, std::uint64_t to, std::uint32_t cost) const {
+    [[gnu::noinline]] std::uint64_t piece(std::uint64_t from, std::uint64_t to, std::uint32_t cost) const {
         pass(cost / 4);
         return to - from < 64 ? to : from + 64;
     }
