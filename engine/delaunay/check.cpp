@@ -92,7 +92,7 @@ CheckResult check_hull(const AnyStore& store, PredicateCounts& counts) {
     const double* p[dimension_max + 1];
     FacetId target = none;
     for (CellId c(0); c < store.state.cell_slots;)
-        for (const std::uint64_t piece = store.arena.piece(c, store.state.cell_slots, 40 * dim); c < piece; ++c)
+        for (const std::uint64_t piece = store.arena.piece(c, store.state.cell_slots, 100 * dim * dim); c < piece; ++c)
             for (int i = 0; i <= dim; ++i) {
                 if (store.cell(c).neighbour[i] != none) continue;
                 points_of(store, c, p);
@@ -147,7 +147,8 @@ CheckResult check_geometric(const AnyStore& store) {
     PredicateCounts counts = {};
     const double* p[dimension_max + 1];
     for (CellId c(0); c < store.state.cell_slots;)
-        for (const std::uint64_t piece = store.arena.piece(c, store.state.cell_slots, 80 * dim); c < piece; ++c) {
+        for (const std::uint64_t piece = store.arena.piece(c, store.state.cell_slots, 100 * dim * dim); c < piece;
+             ++c) {
             points_of(store, c, p);
             if (orientation(dim, p, counts) != Sign::positive) return {"a cell is flat or not positively oriented", c};
             for (int i = 0; i <= dim; ++i) {

@@ -34,16 +34,16 @@ public:
     bool list(std::uint64_t limit) {
         std::uint32_t end = 0;
         bool fits = true;
-        for (std::uint32_t i = 0; i < left_.count() && fits;)
-            for (const std::uint64_t piece = left_.piece(i, left_.count(), 60); i < piece && fits; ++i) {
-                scratch_.start[i] = end;
-                if (left_[i].diagonal <= limit) continue;
-                right_.visit_within<Scale>(left_[i], limit, [&](std::uint32_t j) {
-                    fits = end < scratch_.edge_max;
-                    if (fits) scratch_.edge[end++] = j;
-                    return fits;
-                });
-            }
+        for (std::uint32_t i = 0; i < left_.count() && fits; ++i) {
+            scratch_.start[i] = end;
+            if (left_[i].diagonal <= limit) continue;
+            right_.visit_within<Scale>(left_[i], limit, [&](std::uint32_t j) {
+                fits = end < scratch_.edge_max;
+                if (fits) scratch_.edge[end++] = j;
+                return fits;
+            });
+            left_.pass(8 + (end - scratch_.start[i]) / 8);
+        }
         scratch_.start[left_.count()] = end;
         return fits;
     }
@@ -90,6 +90,7 @@ public:
     }
     void begin_augment() {}
     std::uint32_t next(std::uint32_t i, std::uint32_t level) const {
+        left_.pass(12);
         const std::uint32_t* const level_of = scratch_.level;
         return right_.find<Scale>(left_[i], limit_, mark_of(level),
                                   [level_of, level](std::uint32_t j) { return level_of[j] == level; });
@@ -189,10 +190,10 @@ private:
             cancelled_ = monitor_->advance(0, reached);
             if (cancelled_) return 0;
             edges.begin_augment();
-            for (std::uint32_t i = 0; i < left_->count();)
-                for (const std::uint64_t piece = left_->piece(i, left_->count(), 12); i < piece; ++i) {
-                    if (is_free(i, limit)) augment(edges, i, found);
-                }
+            for (std::uint32_t i = 0; i < left_->count(); ++i) {
+                left_->step(i, 100);
+                if (is_free(i, limit)) augment(edges, i, found);
+            }
         }
     }
 
@@ -200,10 +201,10 @@ private:
     // *found is that layer's number. Returns the number of left points reached.
     template <class Edges> std::uint32_t search(Edges& edges, std::uint64_t limit, std::uint32_t* found) {
         std::uint32_t end = 0;
-        for (std::uint32_t i = 0; i < left_->count();)
-            for (const std::uint64_t piece = left_->piece(i, left_->count(), 12); i < piece; ++i) {
-                if (is_free(i, limit)) scratch_.queue[end++] = i;
-            }
+        for (std::uint32_t i = 0; i < left_->count(); ++i) {
+            left_->step(i, 12);
+            if (is_free(i, limit)) scratch_.queue[end++] = i;
+        }
         if (end == 0) return 0;
         edges.begin_search();
         std::uint32_t level = 0, level_end = end;

@@ -46,12 +46,15 @@ public:
     std::uint32_t count() const { return count_; }
     const DiagramPoint& operator[](std::uint32_t i) const { return points_[i]; }
 
-    // Reports step i of a loop, or a piece of one; see Arena.
-    void step(std::uint64_t i, std::uint32_t cost) const {
-        if (i % 256 == 0 && monitor_ != nullptr) monitor_->pass(cost);
+    // Reports work, step i of a loop, or a piece of one; see Arena.
+    void pass(std::uint32_t work) const {
+        if (monitor_ != nullptr) monitor_->pass(work);
     }
-    std::uint64_t piece(std::uint64_t from, std::uint64_t to, std::uint32_t cost) const {
-        if (monitor_ != nullptr) monitor_->pass(cost / 4);
+    void step(std::uint64_t i, std::uint32_t cost) const {
+        if (i % 256 == 0) pass(cost);
+    }
+    [[gnu::noinline]] std::uint64_t piece(std::uint64_t from, std::uint64_t to, std::uint32_t cost) const {
+        pass(cost / 4);
         return to - from < 64 ? to : from + 64;
     }
     // The same marks for every point. O(count).

@@ -257,13 +257,13 @@ template <class Visit> std::uint32_t Measurement::visit_ball(std::uint32_t centr
         }
     const std::uint32_t cells = store_.state.cell_slots;
     for (std::uint32_t c = 0; c < cells;)
-        for (const std::uint64_t piece = store_.arena.piece(c, cells, 10 * dim); c < piece; ++c) {
+        for (const std::uint64_t piece = store_.arena.piece(c, cells, 300 * dim); c < piece; ++c) {
             for (int i = 0; i <= dim && is_finite(c); ++i)
                 for (int k = 0; k <= dim && neighbour(c, i) == none; ++k)
                     if (k != i) out2_[store_.cell(c).vertex[k]] = infinity;
         }
     for (std::uint32_t v = 0; v < store_.state.vertex_count;)
-        for (const std::uint64_t piece = store_.arena.piece(v, store_.state.vertex_count, 10); v < piece; ++v) {
+        for (const std::uint64_t piece = store_.arena.piece(v, store_.state.vertex_count, 200); v < piece; ++v) {
             if (store_.vertex(v).cell == none) continue;
             const bool exempt = store_.vertex(v).marker == Marker::exempt;
             if (domain_[v] == none) {
@@ -467,7 +467,7 @@ CageBoundary Measurement::list_boundary(const Cage& cage) {
         quality->vertex = v;
     };
     for (std::uint32_t v = 0; v < store_.state.vertex_count;)
-        for (const std::uint64_t piece = store_.arena.piece(v, store_.state.vertex_count, 10); v < piece; ++v) {
+        for (const std::uint64_t piece = store_.arena.piece(v, store_.state.vertex_count, 200); v < piece; ++v) {
             offer(ratio(v), v);
         }
     for (std::uint32_t d = 0; d < count_;)
@@ -478,7 +478,7 @@ CageBoundary Measurement::list_boundary(const Cage& cage) {
 
 [[gnu::cold]] void Measurement::report(const HierarchyRequest& request) const {
     for (std::uint32_t v = 0; v < store_.state.vertex_count && request.ratios != nullptr; ++v) {
-        store_.arena.step(v, 10);
+        store_.arena.step(v, 200);
         request.ratios[v] = ratio(v);
         request.domains[v] = domain_[v];
     }

@@ -212,9 +212,15 @@ template <int D, class Rule> Status Refinement<D, Rule>::fill(VertexId v, const 
     if (!kernel_.can_fill(cavity, 0)) return Status::out_of_memory;
     if (observers_.locates() && !observers_.before_fill(store_, cavity, v)) return Status::internal;
     kernel_.fill(cavity, v);
+    // Of thousands of facets, about a hull or a shell; in the plane and in space there are not that many.
+    constexpr bool may_be_large = D < 2 || D > 3;
+    if (may_be_large) monitor_.pass(cavity.facets / 2);
     if (store_.vertex(v).marker == Marker::input) ++inserted_;
     rule().update_distances(cavity, v);
-    for (std::uint32_t k = 0; k < cavity.facets; ++k) rule().queue_bad(kernel_.new_cell(k));
+    for (std::uint32_t k = 0; k < cavity.facets; ++k) {
+        if (may_be_large && k % 256 == 255) monitor_.pass(800);
+        rule().queue_bad(kernel_.new_cell(k));
+    }
     rule().queue_new(cavity, v);
     NETMESH_VALIDATE_WHOLE(insertion_violation());
     // The mesh is whole, only the lists are not: the job stops as if it had been asked to.

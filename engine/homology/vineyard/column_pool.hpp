@@ -48,6 +48,7 @@ public:
         if (length == 1) {
             fresh.where = list[0];
         } else if (length > 1) {
+            if (length >= 64) arena_->pass(length / 8);
             if (!take(size_class(length), &fresh.where)) return false;
             __builtin_memcpy(block(fresh.where), list, std::size_t{length} * 4);
         }

@@ -124,7 +124,6 @@ public:
         for (std::uint32_t j = 0; j <= k_; ++j) faces[j] = v_.complex_.facets[k_][std::size_t{k_ + 1} * s + j];
         insertion_sort(faces, k_ + 1, Ascending{});
         column_ = s;
-        cost_ = 1;
         if (!v_.pool_.assign(at(s).r, faces, k_ + 1)) return Status::out_of_memory;
         v_.pool_.assign(at(s).v, &s, 1);  // a single row takes no memory
         pivot_ = v_.pivot_of(k_, at(s).r);
@@ -135,7 +134,7 @@ public:
         Record &r = at(column_), &owner = at(below(pivot_).owner);
         if (!v_.pool_.add(r.r, owner.r) || !v_.pool_.add(r.v, owner.v)) return Status::out_of_memory;
         pivot_ = v_.pivot_of(k_, r.r);
-        cost_ += (r.r.length + r.v.length) / 16;
+        v_.arena_->pass(2);
         return Status::ok;
     }
     bool is_zero() const { return pivot_ == none; }
@@ -154,33 +153,29 @@ public:
             }
             const SparseColumn& cycle = v_.of_[k_ + 1].at[at(*s).owner].r;
             const bool fits = v_.pool_.assign(at(*s).v, v_.pool_.rows(cycle), cycle.length);
-            status_ = fits ? advance(1) : Status::out_of_memory;
+            status_ = fits ? advance() : Status::out_of_memory;
         }
         return false;
     }
     Status pair(std::uint32_t s) {
         at(s).low = pivot_;
         below(pivot_).owner = s;
-        return advance(cost_);
+        return advance();
     }
-    Status zero(std::uint32_t) { return advance(cost_); }
+    Status zero(std::uint32_t) { return advance(); }
     // What stopped next().
     Status status() const { return status_; }
 
 private:
     Record& at(std::uint32_t s) const { return v_.of_[k_].at[s]; }
     Record& below(std::uint32_t row) const { return v_.of_[k_ - 1].at[row]; }
-    Status advance(std::uint64_t cost) {
-        const std::uint32_t work = cost < 1000 ? static_cast<std::uint32_t>(cost) : 1000;
-        return monitor_.advance(++v_.work_, work) ? Status::cancelled : Status::ok;
-    }
+    Status advance() { return monitor_.advance(++v_.work_) ? Status::cancelled : Status::ok; }
 
     Vineyard& v_;
     std::uint32_t k_;
     Monitor& monitor_;
     Status status_ = Status::ok;
     std::uint32_t next_ = 0, column_ = 0, pivot_ = none;
-    std::uint64_t cost_ = 1;
 };
 
 Status Vineyard::reduce(std::uint32_t k, Monitor& monitor) {
