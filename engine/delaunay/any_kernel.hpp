@@ -14,8 +14,9 @@ inline CellId cavity_cell(const AnyStore& store, std::uint32_t k) {
 }
 inline std::uint32_t cavity_position(const AnyStore& store, std::uint32_t k) {
     if (store.dim == 2 || k == 0) return none;
-    return static_cast<const CavityLine*>(static_cast<const void*>(store.list_top()))[-1 - std::ptrdiff_t{k}]
-        .entry.position();
+    const std::ptrdiff_t at = -1 - static_cast<std::ptrdiff_t>(k);
+    const void* const end = store.list_top();
+    return static_cast<const CavityLine*>(end)[at].entry.position();
 }
 inline CellId new_cell(const AnyStore& store, std::uint32_t k) {
     const std::ptrdiff_t at = -1 - static_cast<std::ptrdiff_t>(k);

@@ -161,10 +161,9 @@ inline void visit_cavity_vertices(const AnyKernel& kernel, const AnyStore& store
     for (std::uint32_t k = 0; k < cavity.cells; ++k) {
         const std::uint32_t position = kernel.cavity_position(k);
         auto&& vertices = store.cell(kernel.cavity_cell(k)).vertex;
-        if (position != none)
-            visit(vertices[position]);
-        else
-            for (const VertexId w : vertices) visit(w);
+        const bool is_told = position != none;
+        const std::uint32_t end = is_told ? position + 1 : static_cast<std::uint32_t>(store.dim) + 1;
+        for (std::uint32_t i = is_told ? position : 0; i < end; ++i) visit(vertices[i]);
     }
 }
 
