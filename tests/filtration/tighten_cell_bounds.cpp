@@ -245,8 +245,8 @@ TEST_CASE("the distance to the inputs is within the bounds of every cell") {
 // In the plane a cell is a polygon, whose distance to a point outside is that to one of its sides.
 TEST_CASE("no input is nearer to a cell of the plane than its lower bound, to the last digits") {
     int touched = 0;
-    for (const inputs::Points& points : {inputs::uniform(2, 90), inputs::clusters(2, 120), inputs::circle(40), columns(4, 15, 0.11, 2.4),
-          columns(3, 15, 0.3, 1.9)}) {
+    for (const inputs::Points& points : {inputs::uniform(2, 90), inputs::clusters(2, 120), inputs::circle(40),
+                                         columns(4, 15, 0.11, 2.4), columns(3, 15, 0.3, 1.9)}) {
         Meshed<2> meshed(points, by_quality(2.5, 1, true), std::size_t{1} << 25);
         REQUIRE(meshed.status == Status::ok);
         const Store<2>& store = meshed.store;

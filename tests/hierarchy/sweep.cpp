@@ -110,10 +110,10 @@ template <int D> void sizes(Block& block, bool quick) {
 }
 
 // Touches per input against the number of points and the spread, all looks counted, whoever makes them, but for those
-// of a mesh that is done: with walks, as it is done in production, and with lists of D-balls, where the comparisons with
-// balls come on top of the looks of the tree. Theorem 4.13.1 is about insertions that touch an input: the last column of
-// lists. The D-balls that one of them makes are not few in space, as those of compact cages may be large, so comparisons
-// are shown and not judged.
+// of a mesh that is done: with walks, as it is done in production, and with lists of D-balls, where the comparisons
+// with balls come on top of the looks of the tree. Theorem 4.13.1 is about insertions that touch an input: the last
+// column of lists. The D-balls that one of them makes are not few in space, as those of compact cages may be large, so
+// comparisons are shown and not judged.
 template <int D> void touches(Block& block, bool quick, bool lists) {
     constexpr std::size_t largest[2][5] = {{0, 0, 1000000, 100000, 10000}, {0, 0, 100000, 10000, 1000}};
     std::printf("touches per input (of the tree%s; vertices per input), D = %d, tau 3, %s, spread across\n%10s",
@@ -143,7 +143,8 @@ template <int D> void touches(Block& block, bool quick, bool lists) {
             expect(each[2] <= (lists ? 1.3 : 1.2) * each[0], "touches grow by at most 20% (lists 30%) with the spread");
         if (!lists) expect(each[0] <= 1.2 * each[2], "touches fall by at most 20% with the spread");
         if (!lists) expect(high <= 1.35 * low, "touches change by at most a third");
-        // As log n, but for the hull, which takes more of few points: ten times the points add the same again and again.
+        // As log n, but for the hull, which takes more of few points: ten times the points add the same again and
+        // again.
         if (before > 0 && !lists) expect(each[0] - before <= 0.5 * before, "touches grow slowly");
         if (added > 0 && lists) expect(each[0] - before <= 1.5 * added, "touches grow as a logarithm");
         added = before > 0 ? each[0] - before : 0;
