@@ -154,10 +154,11 @@ private:
     VertexCells vertex_cells_;
 };
 
-// Calls visit(w) for each vertex of the cells in conflict, at least once, while kernel.cavity_cell tells them. In space
-// a cell that the search has come to by a facet has one vertex that the cell before it has not.
-template <class AnyKernel, class AnyStore, class Visit>
-inline void visit_cavity_vertices(const AnyKernel& kernel, const AnyStore& store, const Cavity& cavity, Visit&& visit) {
+// Calls visit(w) for each vertex of the cells in conflict, at least once, until the cavity is filled. From space on a
+// cell that the search has come to by a facet has one vertex that the cell on the other side has not. D: the dimension,
+// or any_dimension.
+template <int D, class Visit>
+inline void visit_cavity_vertices(const Kernel<D>& kernel, const Store<D>& store, const Cavity& cavity, Visit&& visit) {
     for (std::uint32_t k = 0; k < cavity.cells; ++k) {
         const std::uint32_t position = kernel.cavity_position(k);
         auto&& vertices = store.cell(kernel.cavity_cell(k)).vertex;

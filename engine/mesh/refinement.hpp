@@ -213,7 +213,7 @@ template <int D, class Rule> Status Refinement<D, Rule>::fill(VertexId v, const 
     if (observers_.locates() && !observers_.before_fill(store_, cavity, v)) return Status::internal;
     kernel_.fill(cavity, v);
     // Of thousands of facets, about a hull or a shell; in the plane and in space there are not that many.
-    constexpr bool may_be_large = D < 2 || D > 3;
+    constexpr bool may_be_large = D == any_dimension || D > 3;
     if (may_be_large) monitor_.pass(cavity.facets / 2);
     if (store_.vertex(v).marker == Marker::input) ++inserted_;
     rule().update_distances(cavity, v);
