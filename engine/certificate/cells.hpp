@@ -36,7 +36,11 @@ template <int D> void measure_cells(const Store<D>& store, double* out_radius, d
     for (CellId c(0); c < store.state.cell_slots;)
         for (const std::uint64_t piece = store.arena.piece(c, store.state.cell_slots, 30 * (D + 1)); c < piece; ++c) {
             if (D == 2 && c + 2 * ahead < store.state.cell_slots) {  // in space a vertex is in four times as many cells
-                for (const VertexId v : store.cell(c + 2 * ahead).vertex) prefetch(&store.vertex(v));
+                for (const VertexId v : store.cell(c + 2 * ahead).vertex) {
+                    prefetch(&store.vertex(v));
+                    prefetch(out_radius + v);
+                    if (v >= first) prefetch(reach + (v - first));
+                }
                 for (const VertexId v : store.cell(c + ahead).vertex) prefetch(store.point(nearest_input<D>(store, v)));
             }
             const Cell<D>& cell = store.cell(c);

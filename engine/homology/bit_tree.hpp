@@ -56,6 +56,18 @@ public:
         for (; l >= 0; --l) i = i << 6 | highest_bit(level_[l][i]);
         return i;
     }
+    // The largest member below i, `none` when there is none.
+    std::uint32_t below(std::uint32_t i) const {
+        for (int l = 0; l < levels_; ++l) {
+            const std::uint64_t lower = level_[l][i >> 6] & ((std::uint64_t{1} << (i & 63)) - 1);
+            i >>= 6;
+            if (lower == 0) continue;
+            i = i << 6 | highest_bit(lower);
+            while (l-- > 0) i = i << 6 | highest_bit(level_[l][i]);
+            return i;
+        }
+        return none;
+    }
 
 private:
     // Word i of level 0 became non-zero (zero): tells the levels above.

@@ -20,6 +20,7 @@
 
 #include "homology/bit_tree.hpp"
 #include "memory/arena.hpp"
+#include "memory/prefetch.hpp"
 #include "vocabulary/dimension.hpp"
 
 namespace netmesh {
@@ -48,8 +49,8 @@ public:
     // Stars to visit, by rank.
     BitTree& waiting() { return waiting_; }
     std::uint32_t column_count() const { return columns_; }
-    void prefetch(std::uint32_t r) const {
-        if (first_[r] != none) __builtin_prefetch(block(first_[r]));
+    [[gnu::always_inline]] void prefetch(std::uint32_t r) const {
+        if (first_[r] != none) netmesh::prefetch(block(first_[r]));
     }
 
     // `none` when out of memory.

@@ -109,7 +109,7 @@ template <int D> bool LowerStars<D>::classify_small_link(Link<D>& link, VertexId
 
 // Of a whole star of few cells. Columns begin only where there are two upper pieces or more.
 template <int D> Status LowerStars<D>::classify_in_space(SpaceStar& star, VertexId v, JoinList& joins) {
-    if (!star.open(ball_, v)) return Status::internal;
+    if (!star.open(ball_, v, ball_.begin[ball_.vertex_count])) return Status::internal;
     star.close(ball_, v);
     below_[v] = star.lower_count() == 0 ? std::uint32_t{none} : star.lower_vertex(1);
     above_[v] = star.upper_neighbour() == none ? v : star.upper_neighbour();

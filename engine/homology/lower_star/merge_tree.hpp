@@ -8,6 +8,7 @@
 #include "homology/pair_writer.hpp"
 #include "homology/union_find.hpp"
 #include "memory/arena.hpp"
+#include "memory/prefetch.hpp"
 #include "numerics/sort.hpp"
 
 namespace netmesh {
@@ -81,6 +82,9 @@ inline bool join_sublevel(const VertexOrder& vertices, std::uint32_t* below, con
     };
     for (std::uint32_t r = 0; r < vertices.count; ++r) {
         writer.arena().step(r, 60);
+        const std::uint32_t later = vertices.order[r + 16 < vertices.count ? r + 16 : r];
+        prefetch(below + later);
+        prefetch(vertices.value + later);
         const std::uint32_t v = vertices.order[r], u = below[v];
         const double time = vertices.value[v];
         if (u == vertices.count) continue;

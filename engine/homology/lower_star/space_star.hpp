@@ -30,8 +30,8 @@ public:
     }
 
     // Reads L of a vertex whose star is small. False when the numbers of vertices and cells are not those of a ball.
-    // Until close() there are labels in ball.slot.
-    bool open(const TriangulatedBall<3>& ball, VertexId v);
+    // Until close() there are labels in ball.slot. asked: incidences before this one will be needed soon.
+    bool open(const TriangulatedBall<3>& ball, VertexId v, std::uint32_t asked);
     void close(const TriangulatedBall<3>& ball, VertexId v) const {
         ball.slot[v] = 0;
         for (std::uint32_t i = 0; i < seen_count_; ++i) ball.slot[seen_[i]] = 0;
@@ -104,17 +104,17 @@ inline std::uint32_t SpaceStar::label(const TriangulatedBall<3>& ball, std::uint
     return ball.slot[u] = is_lower != 0 ? n : upper;
 }
 
-inline bool SpaceStar::open(const TriangulatedBall<3>& ball, VertexId v) {
+inline bool SpaceStar::open(const TriangulatedBall<3>& ball, VertexId v, std::uint32_t asked) {
     const std::uint32_t r = ball.rank[v];
     is_ball_ = true;
     seen_count_ = lower_count_ = piece_count_ = 0;
     upper_neighbour_ = none;
     lower_adjacent_[0] = 0;
     ball.slot[v] = upper;
-    const std::uint32_t last = ball.begin[ball.vertex_count] - 1;
+    const std::uint32_t last = asked - 1;
     std::uint32_t with_upper[5] = {};  // cells with so many vertices that are not lower
     for (std::uint32_t t = ball.begin[v]; t < ball.begin[v + 1]; ++t) {
-        ball.prefetch(t + 24);
+        ball.prefetch(t + 24 < last ? t + 24 : last);
         const VertexId* const q = ball.complex.vertices(ball.incidence[t + 8 < last ? t + 8 : last].cell());
         for (std::uint32_t j = 0; j < 4; ++j) prefetch(ball.slot + q[j]), prefetch(ball.rank + q[j]);
         const VertexId* const p = ball.complex.vertices(ball.incidence[t].cell());

@@ -1,6 +1,7 @@
 #include "homology/lower_star/surface.hpp"
 
 #include "homology/rank.hpp"
+#include "memory/prefetch.hpp"
 #include "numerics/sort.hpp"
 
 namespace netmesh {
@@ -143,7 +144,16 @@ Status Surface::run() {
         below_[v] = none;
         above_[v] = unseen | static_cast<std::uint32_t>(v);
     });
-    arena_.each(cells, 40, [this](std::uint64_t c) { read_cell(CellId(static_cast<std::uint32_t>(c))); });
+    arena_.each(cells, 40, [this, cells](std::uint64_t c) {
+        const CellId later(static_cast<std::uint32_t>(c + 12 < cells ? c + 12 : c));
+        for (int i = 0; i < 3; ++i) {
+            const VertexId v = complex_.vertices(later)[i];
+            prefetch(rank_ + v);
+            prefetch(above_ + v);
+            prefetch(below_ + v);
+        }
+        read_cell(CellId(static_cast<std::uint32_t>(c)));
+    });
     for (std::uint32_t v = 0; v < n; ++v) {
         arena_.step(v, 4);
         if (below_[v] == none && (above_[v] & ~walk_to_come) == v) return Status::invalid_argument;
@@ -152,6 +162,15 @@ Status Surface::run() {
     JoinList joins(arena_);
     for (CellId c(0); c < cells;)
         for (const std::uint64_t piece = arena_.piece(c, cells, 15); c < piece; ++c) {
+            const CellId later(c + 24 < cells ? c + 24 : c), next(c + 12 < cells ? c + 12 : c);
+            for (int i = 0; i < 3; ++i) {
+                prefetch(above_ + complex_.vertices(later)[i]);
+                if (above_[complex_.vertices(next)[i]] < walk_to_come) continue;
+                for (std::uint32_t j = 0; j < 3; ++j) {
+                    const FacetId facet = complex_.facet_beyond(next, j);
+                    if (facet != none) prefetch(complex_.vertices(facet.cell()));
+                }
+            }
             for (int i = 0; i < 3; ++i) {
                 const VertexId v = complex_.vertices(c)[i];
                 if (above_[v] < walk_to_come) continue;

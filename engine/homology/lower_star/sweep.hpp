@@ -21,6 +21,7 @@
 #include "homology/lower_star/star_cycles.hpp"
 #include "homology/lower_star/triangulated_ball.hpp"
 #include "homology/pair_writer.hpp"
+#include "memory/prefetch.hpp"
 #include "numerics/sort.hpp"
 #include "vocabulary/monitor.hpp"
 
@@ -57,7 +58,7 @@ private:
     Status visit_link(std::uint32_t r);
     bool join_above(SpaceStar& star, VertexId v);
     Status reduce_in_link(const SpaceStar& star, std::uint32_t r);
-    void prefetch_star(std::uint32_t r);
+    [[gnu::always_inline]] void prefetch_stars();  // see memory/prefetch.hpp
     bool reserve_columns(Arena& arena);
     bool add_zero_pairs(double value);
     Status reduce_columns_at(std::uint32_t r);
@@ -143,7 +144,7 @@ template <int D> Status Sweep<D>::visit(std::uint32_t r) {
     }
     irregular_ = (ball_.flags[v] & TriangulatedBall<D>::irregular) != 0;
     if (!star_.open(ball_, v)) return Status::internal;
-    prefetch_star(front_.waiting().top());
+    prefetch_stars();
     critical_ = star_.match();
     NETMESH_VALIDATE_WHOLE(star_.gradient_violation(critical_));
     work_ += 3 * star_.count();
@@ -158,8 +159,8 @@ template <int D> Status Sweep<D>::visit(std::uint32_t r) {
 template <int D> Status Sweep<D>::visit_link(std::uint32_t r) {
     const VertexId v(ball_.order[r]);
     SpaceStar star;
-    if (!star.open(ball_, v)) return Status::internal;
-    prefetch_star(front_.waiting().top());
+    if (!star.open(ball_, v, ball_.begin[v + 1])) return Status::internal;
+    prefetch_stars();
     work_ += (ball_.begin[v + 1] - ball_.begin[v]) / 2;
     const bool joins = (ball_.flags[v] & TriangulatedBall<D>::irregular) != 0;
     const Status status = joins && !join_above(star, v) ? Status::out_of_memory : reduce_in_link(star, r);
@@ -276,13 +277,32 @@ template <int D> const char* Sweep<D>::owners_violation(std::uint32_t k) {
 }
 #endif
 
-// Stars next to each other in rank are far apart in memory: the cells of what is likely the next one come while this
-// one is worked on.
-template <int D> void Sweep<D>::prefetch_star(std::uint32_t r) {
-    if (r == none) return;
-    const VertexId v(ball_.order[r]);
-    for (std::uint32_t t = ball_.begin[v]; t < ball_.begin[v + 1]; ++t) ball_.prefetch(t);
-    if (ball_.dim() > 2) front_.prefetch(r);
+// Stars next to each other in rank are far apart in memory. While one is worked on, what leads to those that are likely
+// next comes step by step: where its incidences begin, they themselves, its cells, what is known of their vertices.
+template <int D> inline void Sweep<D>::prefetch_stars() {
+    if (!jumps_matter) return;
+    std::uint32_t next[4], r = front_.waiting().top();
+    for (std::uint32_t& star : next) {
+        star = r;
+        if (r != none) r = front_.waiting().below(r);
+    }
+    if (next[3] != none) prefetch(ball_.begin + ball_.order[next[3]]);
+    if (next[2] != none) {
+        const FacetId* const first = ball_.incidence + ball_.begin[ball_.order[next[2]]];
+        for (std::uint32_t t = 0; t < 32; t += 16) prefetch(first + t);
+    }
+    if (next[1] != none) {
+        const VertexId v(ball_.order[next[1]]);
+        for (std::uint32_t t = ball_.begin[v]; t < ball_.begin[v + 1]; ++t) ball_.prefetch(t);
+        if (ball_.dim() > 2) front_.prefetch(next[1]);
+    }
+    if (next[0] != none) {
+        const VertexId v(ball_.order[next[0]]);
+        for (std::uint32_t t = ball_.begin[v]; t < ball_.begin[v + 1]; t += 2) {
+            const VertexId* const p = ball_.complex.vertices(ball_.incidence[t].cell());
+            for (std::uint32_t j = 0; j <= ball_.dim(); ++j) prefetch(ball_.slot + p[j]), prefetch(ball_.rank + p[j]);
+        }
+    }
 }
 
 // Pairs of the gradient in an irregular star; those of regular ones are counted elsewhere, and so is degree 0.

@@ -21,6 +21,7 @@
 #include "complex/subcomplex.hpp"
 #include "complex/triangulation.hpp"
 #include "memory/arena.hpp"
+#include "memory/prefetch.hpp"
 
 namespace netmesh {
 
@@ -61,9 +62,9 @@ template <int D> struct TriangulatedBall {
     // Whether the cell is in the part.
     bool has(CellId cell) const { return part == nullptr || part->cell[cell] != 0; }
     // Asks for the vertices of the cell of incidence t, or of the last one.
-    void prefetch(std::uint32_t t) const {
+    [[gnu::always_inline]] void prefetch(std::uint32_t t) const {
         const std::uint32_t last = begin[vertex_count] - 1;
-        __builtin_prefetch(complex.vertices(incidence[t < last ? t : last].cell()));
+        netmesh::prefetch(complex.vertices(incidence[t < last ? t : last].cell()));
     }
     // Lists the incidences; the arrays taken stay at the arena's high end. False: out of memory.
     bool list_incidences(Arena& arena) {
