@@ -114,8 +114,8 @@ inline bool SpaceStar::open(const TriangulatedBall<3>& ball, VertexId v, std::ui
     const std::uint32_t last = asked - 1;
     std::uint32_t with_upper[5] = {};  // cells with so many vertices that are not lower
     for (std::uint32_t t = ball.begin[v]; t < ball.begin[v + 1]; ++t) {
-        ball.prefetch(t + 24 < last ? t + 24 : last);
-        const VertexId* const q = ball.complex.vertices(ball.incidence[t + 8 < last ? t + 8 : last].cell());
+        ball.prefetch(t + 40 < last ? t + 40 : last);
+        const VertexId* const q = ball.complex.vertices(ball.incidence[t + 12 < last ? t + 12 : last].cell());
         for (std::uint32_t j = 0; j < 4; ++j) prefetch(ball.slot + q[j]), prefetch(ball.rank + q[j]);
         const VertexId* const p = ball.complex.vertices(ball.incidence[t].cell());
         std::uint32_t slot[4], uppers = 0;

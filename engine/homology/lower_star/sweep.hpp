@@ -296,7 +296,7 @@ template <int D> inline void Sweep<D>::prefetch_stars() {
         for (std::uint32_t t = ball_.begin[v]; t < ball_.begin[v + 1]; ++t) ball_.prefetch(t);
         if (ball_.dim() > 2) front_.prefetch(next[1]);
     }
-    if (next[0] != none) {
+    if (D == 3 && next[0] != none) {
         const VertexId v(ball_.order[next[0]]);
         for (std::uint32_t t = ball_.begin[v]; t < ball_.begin[v + 1]; t += 2) {
             const VertexId* const p = ball_.complex.vertices(ball_.incidence[t].cell());
