@@ -56,7 +56,7 @@ public:
         for (; l >= 0; --l) i = i << 6 | highest_bit(level_[l][i]);
         return i;
     }
-    // The largest member below i, `none` when there is none.
+    // The largest member below i < size, `none` when there is none.
     std::uint32_t below(std::uint32_t i) const {
         for (int l = 0; l < levels_; ++l) {
             const std::uint64_t lower = level_[l][i >> 6] & ((std::uint64_t{1} << (i & 63)) - 1);

@@ -2,6 +2,7 @@
 #include <doctest/doctest.h>
 
 #include <algorithm>
+#include <iterator>
 #include <numeric>
 #include <random>
 #include <set>
@@ -33,6 +34,8 @@ TEST_CASE("a tree of bits is a set whose largest member is known, with one to fo
             CHECK(tree.has(i) == (members.count(i) == 1));
             CHECK(tree.empty() == members.empty());
             CHECK(tree.top() == (members.empty() ? none : *members.rbegin()));
+            const auto at = members.lower_bound(i);
+            CHECK(tree.below(i) == (at == members.begin() ? none : *std::prev(at)));
         }
     }
 }

@@ -71,6 +71,7 @@ inline bool note_component(double birth, double death, std::uint32_t vertex, std
 // none are wanted. False: out of memory.
 inline bool join_sublevel(const VertexOrder& vertices, std::uint32_t* below, const JoinList* const* joins, int lists,
                           const std::uint32_t* rank, PairWriter& writer, CycleWriter* cycles = nullptr) {
+    constexpr std::uint32_t ahead = 16;
     std::size_t next[2] = {0, 0};
     const auto join = [&](std::uint32_t older, std::uint32_t younger, double time) {
         const auto is_older = [&](std::uint32_t x, std::uint32_t y) {
@@ -82,9 +83,10 @@ inline bool join_sublevel(const VertexOrder& vertices, std::uint32_t* below, con
     };
     for (std::uint32_t r = 0; r < vertices.count; ++r) {
         writer.arena().step(r, 60);
-        const std::uint32_t later = vertices.order[r + 16 < vertices.count ? r + 16 : r];
-        prefetch(below + later);
-        prefetch(vertices.value + later);
+        if (vertices.count - r > ahead) {
+            prefetch(below + vertices.order[r + ahead]);
+            prefetch(vertices.value + vertices.order[r + ahead]);
+        }
         const std::uint32_t v = vertices.order[r], u = below[v];
         const double time = vertices.value[v];
         if (u == vertices.count) continue;

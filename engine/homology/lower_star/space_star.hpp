@@ -30,8 +30,9 @@ public:
     }
 
     // Reads L of a vertex whose star is small. False when the numbers of vertices and cells are not those of a ball.
-    // Until close() there are labels in ball.slot. asked: incidences before this one will be needed soon.
-    bool open(const TriangulatedBall<3>& ball, VertexId v, std::uint32_t asked);
+    // Until close() there are labels in ball.slot. needed: where the
+    // incidences end that are needed now or soon.
+    bool open(const TriangulatedBall<3>& ball, VertexId v, std::uint32_t needed);
     void close(const TriangulatedBall<3>& ball, VertexId v) const {
         ball.slot[v] = 0;
         for (std::uint32_t i = 0; i < seen_count_; ++i) ball.slot[seen_[i]] = 0;
@@ -104,14 +105,14 @@ inline std::uint32_t SpaceStar::label(const TriangulatedBall<3>& ball, std::uint
     return ball.slot[u] = is_lower != 0 ? n : upper;
 }
 
-inline bool SpaceStar::open(const TriangulatedBall<3>& ball, VertexId v, std::uint32_t asked) {
+inline bool SpaceStar::open(const TriangulatedBall<3>& ball, VertexId v, std::uint32_t needed) {
     const std::uint32_t r = ball.rank[v];
     is_ball_ = true;
     seen_count_ = lower_count_ = piece_count_ = 0;
     upper_neighbour_ = none;
     lower_adjacent_[0] = 0;
     ball.slot[v] = upper;
-    const std::uint32_t last = asked - 1;
+    const std::uint32_t last = needed - 1;
     std::uint32_t with_upper[5] = {};  // cells with so many vertices that are not lower
     for (std::uint32_t t = ball.begin[v]; t < ball.begin[v + 1]; ++t) {
         ball.prefetch(t + 40 < last ? t + 40 : last);

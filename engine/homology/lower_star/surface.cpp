@@ -104,6 +104,27 @@ bool Surface::add_zero_pairs(const Circle& circle) {
     return true;
 }
 
+// What is known of the vertices of a cell that read_cell comes to soon.
+inline void Surface::prefetch_vertices(CellId c) const {
+    if (complex_.cell_count - c <= ahead) return;
+    const VertexId* const p = complex_.vertices(CellId(c + ahead));
+    for (int i = 0; i < 3; ++i) prefetch(rank_ + p[i]), prefetch(above_ + p[i]), prefetch(below_ + p[i]);
+}
+
+// The cells where a walk goes first that begins in a cell soon to come, and what a later one is asked for that.
+inline void Surface::prefetch_walks(CellId c) const {
+    if (complex_.cell_count - c <= 2 * ahead) return;
+    const CellId soon(c + ahead), later(c + 2 * ahead);
+    for (int i = 0; i < 3; ++i) {
+        prefetch(above_ + complex_.vertices(later)[i]);
+        if (above_[complex_.vertices(soon)[i]] < walk_to_come) continue;
+        for (std::uint32_t j = 0; j < 3; ++j) {
+            const FacetId facet = complex_.facet_beyond(soon, j);
+            if (facet != none) prefetch(complex_.vertices(facet.cell()));
+        }
+    }
+}
+
 // What the cell says of the links of its vertices.
 void Surface::read_cell(CellId c) {
     const VertexId* const p = complex_.vertices(c);
@@ -144,15 +165,10 @@ Status Surface::run() {
         below_[v] = none;
         above_[v] = unseen | static_cast<std::uint32_t>(v);
     });
-    arena_.each(cells, 40, [this, cells](std::uint64_t c) {
-        const CellId later(static_cast<std::uint32_t>(c + 12 < cells ? c + 12 : c));
-        for (int i = 0; i < 3; ++i) {
-            const VertexId v = complex_.vertices(later)[i];
-            prefetch(rank_ + v);
-            prefetch(above_ + v);
-            prefetch(below_ + v);
-        }
-        read_cell(CellId(static_cast<std::uint32_t>(c)));
+    arena_.each(cells, 40, [this](std::uint64_t c) {
+        const CellId cell(static_cast<std::uint32_t>(c));
+        prefetch_vertices(cell);
+        read_cell(cell);
     });
     for (std::uint32_t v = 0; v < n; ++v) {
         arena_.step(v, 4);
@@ -162,15 +178,7 @@ Status Surface::run() {
     JoinList joins(arena_);
     for (CellId c(0); c < cells;)
         for (const std::uint64_t piece = arena_.piece(c, cells, 15); c < piece; ++c) {
-            const CellId later(c + 24 < cells ? c + 24 : c), next(c + 12 < cells ? c + 12 : c);
-            for (int i = 0; i < 3; ++i) {
-                prefetch(above_ + complex_.vertices(later)[i]);
-                if (above_[complex_.vertices(next)[i]] < walk_to_come) continue;
-                for (std::uint32_t j = 0; j < 3; ++j) {
-                    const FacetId facet = complex_.facet_beyond(next, j);
-                    if (facet != none) prefetch(complex_.vertices(facet.cell()));
-                }
-            }
+            prefetch_walks(c);
             for (int i = 0; i < 3; ++i) {
                 const VertexId v = complex_.vertices(c)[i];
                 if (above_[v] < walk_to_come) continue;

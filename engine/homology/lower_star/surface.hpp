@@ -48,6 +48,9 @@ private:
     std::uint32_t outside() const { return complex_.vertex_count; }
     bool reserve();
     void read_cell(CellId c);
+    static constexpr std::uint32_t ahead = 12;                      // cells
+    [[gnu::always_inline]] void prefetch_vertices(CellId c) const;  // see memory/prefetch.hpp
+    [[gnu::always_inline]] void prefetch_walks(CellId c) const;
     bool read_link(VertexId v, CellId cell, JoinList& joins);
     bool add_zero_pairs(const Circle& circle);
     bool advance(VertexId v, Corner* corner) const;

@@ -288,8 +288,9 @@ template <int D> inline void Sweep<D>::prefetch_stars() {
     }
     if (next[3] != none) prefetch(ball_.begin + ball_.order[next[3]]);
     if (next[2] != none) {
-        const FacetId* const first = ball_.incidence + ball_.begin[ball_.order[next[2]]];
-        for (std::uint32_t t = 0; t < 32; t += 16) prefetch(first + t);
+        const VertexId v(ball_.order[next[2]]);
+        constexpr std::uint32_t step = 64 / sizeof(FacetId);
+        for (std::uint32_t t = ball_.begin[v]; t < ball_.begin[v + 1]; t += step) prefetch(ball_.incidence + t);
     }
     if (next[1] != none) {
         const VertexId v(ball_.order[next[1]]);
