@@ -34,6 +34,10 @@ netmesh_status finish_points(netmesh_context* context, Status status, const Inpu
                                       Status status) {
     KeptMesh& mesh = context->mesh;
     if (!mesh.present) return status;
+    if (status == Status::cancelled) {  // who cancels does not wait: corners far outside of the domain are dear
+        mesh.aspect_ratio_max = infinity;
+        return status;
+    }
     HierarchyQuality quality;
     const Status measured = measure_quality(*context, store, &quality);
     mesh.aspect_ratio_max = quality.worst;

@@ -56,17 +56,12 @@ public:
         for (; l >= 0; --l) i = i << 6 | highest_bit(level_[l][i]);
         return i;
     }
-    // The largest member below i < size, `none` when there is none.
-    std::uint32_t below(std::uint32_t i) const {
-        for (int l = 0; l < levels_; ++l) {
-            const std::uint64_t lower = level_[l][i >> 6] & ((std::uint64_t{1} << (i & 63)) - 1);
-            i >>= 6;
-            if (lower == 0) continue;
-            i = i << 6 | highest_bit(lower);
-            while (l-- > 0) i = i << 6 | highest_bit(level_[l][i]);
-            return i;
-        }
-        return none;
+    // The largest member below i < size that is in i's word or the one before; `none` when there is none.
+    std::uint32_t near_below(std::uint32_t i) const {
+        std::uint32_t word = i >> 6;
+        std::uint64_t members = level_[0][word] & ((std::uint64_t{1} << (i & 63)) - 1);
+        if (members == 0 && word > 0) members = level_[0][--word];
+        return members == 0 ? std::uint32_t{none} : word << 6 | highest_bit(members);
     }
 
 private:

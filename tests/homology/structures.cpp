@@ -35,7 +35,8 @@ TEST_CASE("a tree of bits is a set whose largest member is known, with one to fo
             CHECK(tree.empty() == members.empty());
             CHECK(tree.top() == (members.empty() ? none : *members.rbegin()));
             const auto at = members.lower_bound(i);
-            CHECK(tree.below(i) == (at == members.begin() ? none : *std::prev(at)));
+            const std::uint32_t below = at == members.begin() ? none : *std::prev(at);
+            CHECK(tree.near_below(i) == (below != none && i / 64 - below / 64 <= 1 ? below : none));
         }
     }
 }

@@ -46,7 +46,7 @@ private:
     std::uint32_t piece_count_ = 0;
 };
 
-template <int D> bool StarCycles<D>::write_column(std::uint32_t c, VertexId v, std::uint32_t* handle) {
+template <int D> [[gnu::cold]] bool StarCycles<D>::write_column(std::uint32_t c, VertexId v, std::uint32_t* handle) {
     const std::uint32_t n = front_.dimension(c);
     const Run here = front_.local(c), below = front_.below(c);
     std::uint32_t* out = writer_->append(std::uint64_t{here.count} + below.count, n - 1, handle);
@@ -101,7 +101,8 @@ template <int D> template <class F> void StarCycles<D>::each_boundary_facet(F f)
     }
 }
 
-template <int D> Status StarCycles<D>::write_piece(CellId cell, std::uint32_t i, VertexId v, std::uint32_t* handle) {
+template <int D>
+[[gnu::cold]] Status StarCycles<D>::write_piece(CellId cell, std::uint32_t i, VertexId v, std::uint32_t* handle) {
     const Status status = collect(cell, v, star_.position(i));
     if (status != Status::ok) return status;
     std::uint64_t count = 0;

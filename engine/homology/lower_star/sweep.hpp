@@ -144,7 +144,6 @@ template <int D> Status Sweep<D>::visit(std::uint32_t r) {
     }
     irregular_ = (ball_.flags[v] & TriangulatedBall<D>::irregular) != 0;
     if (!star_.open(ball_, v)) return Status::internal;
-    prefetch_stars();
     critical_ = star_.match();
     NETMESH_VALIDATE_WHOLE(star_.gradient_violation(critical_));
     work_ += 3 * star_.count();
@@ -281,28 +280,28 @@ template <int D> const char* Sweep<D>::owners_violation(std::uint32_t k) {
 // next comes step by step: where its incidences begin, they themselves, its cells, what is known of their vertices.
 template <int D> inline void Sweep<D>::prefetch_stars() {
     if (!jumps_matter) return;
-    std::uint32_t next[4], r = front_.waiting().top();
-    for (std::uint32_t& star : next) {
-        star = r;
-        if (r != none) r = front_.waiting().below(r);
-    }
-    if (next[3] != none) prefetch(ball_.begin + ball_.order[next[3]]);
-    if (next[2] != none) {
-        const VertexId v(ball_.order[next[2]]);
-        constexpr std::uint32_t step = 64 / sizeof(FacetId);
-        for (std::uint32_t t = ball_.begin[v]; t < ball_.begin[v + 1]; t += step) prefetch(ball_.incidence + t);
-    }
-    if (next[1] != none) {
-        const VertexId v(ball_.order[next[1]]);
-        for (std::uint32_t t = ball_.begin[v]; t < ball_.begin[v + 1]; ++t) ball_.prefetch(t);
-        if (ball_.dim() > 2) front_.prefetch(next[1]);
-    }
-    if (D == 3 && next[0] != none) {
-        const VertexId v(ball_.order[next[0]]);
-        for (std::uint32_t t = ball_.begin[v]; t < ball_.begin[v + 1]; t += 2) {
-            const VertexId* const p = ball_.complex.vertices(ball_.incidence[t].cell());
-            for (std::uint32_t j = 0; j <= ball_.dim(); ++j) prefetch(ball_.slot + p[j]), prefetch(ball_.rank + p[j]);
+    std::uint32_t r = front_.waiting().top();
+    for (std::uint32_t ahead = 0; ahead < 4 && r != none; ++ahead, r = front_.waiting().near_below(r)) {
+        const VertexId v(ball_.order[r]);
+        if (ahead == 3) {
+            prefetch(ball_.begin + v);
+            return;
         }
+        const std::uint32_t end = ball_.begin[v + 1];
+        constexpr std::uint32_t line = 64 / sizeof(FacetId);
+        for (std::uint32_t t = ball_.begin[v]; t < end; t += ahead == 2 ? line : 1) {
+            if (ahead == 2) {
+                prefetch(ball_.incidence + t);
+                continue;
+            }
+            const VertexId* const p = ball_.complex.vertices(ball_.incidence[t].cell());
+            if (ahead == 1) {
+                prefetch(p);
+                continue;
+            }
+            for (std::uint32_t j = 0; j < 4; ++j) prefetch(ball_.slot + p[j]), prefetch(ball_.rank + p[j]);
+        }
+        if (ahead == 1) front_.prefetch(r);
     }
 }
 

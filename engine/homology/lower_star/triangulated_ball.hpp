@@ -62,7 +62,7 @@ template <int D> struct TriangulatedBall {
     // Whether the cell is in the part.
     bool has(CellId cell) const { return part == nullptr || part->cell[cell] != 0; }
     // Asks for the vertices of the cell of incidence t, or of the last one.
-    [[gnu::always_inline]] void prefetch(std::uint32_t t) const {
+    void prefetch(std::uint32_t t) const {
         const std::uint32_t last = begin[vertex_count] - 1;
         netmesh::prefetch(complex.vertices(incidence[t < last ? t : last].cell()));
     }

@@ -71,7 +71,8 @@ typedef struct netmesh_mesh_report {
     double domain[NETMESH_DIM_MAX + 1]; /* centre, radius at index D */
     /* Worst clipped aspect ratio over vertices that are not exempt, of corners as computed; 0 if none. Where vertices
      * are so near to one another that coordinates blur the corners, 2^-28 of their size, one in truth may be a
-     * thousandth larger, but not above tau. */
+     * thousandth larger, but not above tau. Infinite when the call that made the mesh was cancelled: then nobody waits
+     * for it to be measured. */
     double aspect_ratio_max;
     double tau;                           /* bound asked for; 0 for a mesh refined by the certificate */
     netmesh_certificate_goal certificate; /* asked for */
