@@ -30,8 +30,7 @@ public:
     }
 
     // Reads L of a vertex whose star is small. False when the numbers of vertices and cells are not those of a ball.
-    // Until close() there are labels in ball.slot. needed: where the
-    // incidences end that are needed now or soon.
+    // Until close() there are labels in ball.slot. needed: the end of the incidences that are read now or soon.
     bool open(const TriangulatedBall<3>& ball, VertexId v, std::uint32_t needed);
     void close(const TriangulatedBall<3>& ball, VertexId v) const {
         ball.slot[v] = 0;

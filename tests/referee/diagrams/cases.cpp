@@ -34,7 +34,7 @@ void judge_head(const PointSet& set, const Way& way, const DiagramFile& diagram,
         !(way.k == 1 && way.reference != Reference::rips &&
           reference == "closed offsets of the points in R^" + count_text(set.dim())))
         verdict->add("head", "the reference is " + reference);
-    if (way.ratio_most > 0 && diagram.ratio() > way.ratio_most * (1 + 1e-11) + set.blur())
+    if (way.ratio_most > 0 && diagram.ratio() > way.ratio_most * (1 + 1e-11))
         verdict->add("bound", "the certified ratio is " + exact_text(diagram.ratio()) + ", documented as at most " +
                                   exact_text(way.ratio_most));
 }
@@ -57,13 +57,6 @@ PointSet::PointSet(const Points& points, int dim, std::size_t k, std::size_t set
     while (k_ > 1 && !is_feasible(different_.size(), k_, dim, sets_max)) k_--;
     for (const Point& p : points)
         for (const Point& q : points) width_ = std::max(width_, distance(p, q, dim));
-    for (const Point& p : different_) {
-        double least = 2 * width_;  // corners of the cell of p are within tau / 2 of it, and tau is at most 5
-        for (const Point& q : different_)
-            if (&q != &p) least = std::min(least, distance(p, q, dim));
-        const double size = distance(p, Point{}, dim) + 2.5 * least;
-        if (least > 0) blur_ = std::max(blur_, 4.2 * 0x1p-53 * size / (0.5 * least));
-    }
 }
 
 const Truth& PointSet::truth(const Way& way) const {

@@ -19,16 +19,13 @@ public:
     const Points& all() const { return all_; }  // as they are handed to the tool
     const Points& different() const { return different_; }
     double width() const { return width_; }
-    // What a certified ratio may have more than documented: the out-radius of a cell is that of corners whose
-    // coordinates are rounded, 4.2 2^-53 of their size, over half the distance to the nearest point.
-    double blur() const { return blur_; }
     const Truth& truth(const Way& way) const;
 
 private:
     int dim_;
     std::size_t k_;
     Points all_, different_;
-    double width_ = 0, blur_ = 0;
+    double width_ = 0;
     mutable std::map<std::pair<Reference, int>, Truth> truths_;
 };
 
