@@ -76,7 +76,7 @@ private:
     void settle(std::uint32_t begin, std::uint32_t end, double radius, double error);
     Status pass(bool all);
     bool collect(bool all);
-    template <class Fetch, class Act> void each_radius(Fetch fetch, Act act) const;
+    template <class Act> void each_radius(const CloseValues* close, Act act) const;
     bool stop(std::uint32_t work) { return work_.monitor.advance(done_, work); }
 
     const FaceTable faces_;
@@ -96,11 +96,11 @@ private:
     std::uint64_t done_ = 0;
 };
 
-// Calls act(radius, label) for each radius, after fetch(radius) some before that. In two steps, as nobody could foresee
-// which faces have one.
-template <class Fetch, class Act> void RadiusOrder::each_radius(Fetch fetch, Act act) const {
+// Calls act(radius, label) for each radius, after asking for what `close`, if any, reads of it some before that. In two
+// steps, as nobody could foresee which faces have one.
+template <class Act> void RadiusOrder::each_radius(const CloseValues* close, Act act) const {
 #ifdef __OPTIMIZE_SIZE__
-    static_cast<void>(fetch);
+    static_cast<void>(close);
     std::uint32_t label = 0;
     for (int k = 1; k <= faces_.dim; ++k)
         for (std::uint32_t i = 0; i < faces_.count[k]; ++i, ++label) {
@@ -122,10 +122,9 @@ template <class Fetch, class Act> void RadiusOrder::each_radius(Fetch fetch, Act
                 count += value_[k][i] >= 0;
             }
             for (std::uint32_t i = 0; i < ahead; ++i) radius[count + i] = 0;
-            for (std::uint32_t i = 0; i < ahead; ++i) fetch(radius[i]);
-            for (std::uint32_t i = 0; i < count; ++i) {
-                fetch(radius[i + ahead]);
-                act(radius[i], label[i]);
+            for (std::uint32_t i = 0; i < count + ahead; ++i) {
+                if (close != nullptr) close->fetch(radius[i]);
+                if (i >= ahead) act(radius[i - ahead], label[i - ahead]);
             }
         }
 #endif
@@ -142,12 +141,9 @@ bool RadiusOrder::collect(bool all) {
     if (faces > 0xFFFFFFFFu) return false;
     const std::size_t low = work_.arena.low_mark();
     CloseValues close;
-    const auto fetch = [&](double x) {
-        if (!all) close.fetch(x);
-    };
     if (!all) {
         if (!close.take(radii, spread_, work_.arena)) return false;
-        each_radius(fetch, [&](double x, std::uint32_t) { room += 2 * close.add(x); });
+        each_radius(&close, [&](double x, std::uint32_t) { room += 2 * close.add(x); });
     }
     if (all || room > radii) room = radii;
     radius_ = work_.arena.take_high<double>(static_cast<std::size_t>(room));
@@ -156,7 +152,7 @@ bool RadiusOrder::collect(bool all) {
         work_.arena.release_low(low);
         return false;
     }
-    each_radius(fetch, [&](double x, std::uint32_t label) {
+    each_radius(all ? nullptr : &close, [&](double x, std::uint32_t label) {
         if (!all && !close.found(x)) return;
         radius_[count_] = x;
         label_[count_++] = label;
