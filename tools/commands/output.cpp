@@ -187,7 +187,10 @@ MeshFiles files_of(const EngineMesh& mesh) {
 }
 
 std::vector<Bar> bars_of(const Engine& engine) {
+    std::size_t count = 0;
+    engine.for_each_pair([&](std::uint64_t, const netmesh_pair&) { count++; });
     std::vector<Bar> bars;
+    bars.reserve(count);  // as it grows a vector holds all twice
     engine.for_each_pair([&](std::uint64_t, const netmesh_pair& pair) {
         bars.push_back({pair.degree, pair.birth, pair.death});
     });
