@@ -248,7 +248,8 @@ void alpha() {
     };
     const Case cases[] = {{2, inputs::uniform(2, scaled(1e5))},
                           {3, inputs::uniform(3, scaled(2e4))},
-                          {4, inputs::uniform(4, scaled(2000))}};
+                          {4, inputs::uniform(4, scaled(2000))},
+                          {4, inputs::uniform(4, scaled(2e4))}};
     std::printf("\nAlpha complex of uniform points, from points to diagram, against GUDHI\n");
     for (const Case& c : cases) {
         std::vector<bench::Contestant> contestants = {[&](Trial& t) { bench::ours_alpha(t, c.dim, c.points); }};
@@ -259,7 +260,8 @@ void alpha() {
         const double n = s[0].figure(bench::simplices);
         std::printf("%dD %7zu  ", c.dim, c.points.size() / static_cast<std::size_t>(c.dim));
         print_times("netmesh", s[0]);
-        std::printf(" (%.0f simplices, %.0f B each)", n, s[0].figure(bench::arena_bytes) / n);
+        std::printf(" (%.0f simplices, %.0f ns and %.0f B each)", n, 1e9 * s[0].seconds_median() / n,
+                    s[0].figure(bench::arena_bytes) / n);
         all_equal = all_equal && s[0].finished();
         if (s.size() > 1) {
             print_times("; GUDHI", s[1]);

@@ -66,8 +66,8 @@ void ours_alpha(Trial& trial, int dim, const inputs::Points& points) {
     Session session(dim);
     trial.start();
     session.reserve(block_bytes);
-    demand(session.delaunay_in_block(points), session);
-    demand(session.persist(NETMESH_FILTER_ALPHA), session);
+    const netmesh_alpha_request request = session.alpha_request(points);
+    demand(netmesh_persist_alpha(session.context, &request), session);
     trial.stop();
     trial.figure(simplices, static_cast<double>(session.report().diagram.simplices));
     trial.figure(arena_bytes, static_cast<double>(session.report().memory.peak_bytes));
