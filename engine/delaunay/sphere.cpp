@@ -36,11 +36,18 @@ template <int D> [[gnu::cold]] bool rescale(double (&a)[D + 1][D + 1], double* l
     return longest > 0x1p-900;
 }
 
+struct Ball {
+    double* centre;
+    double* radius2;
+    float* error;
+};
+template <int D> Ball ball_of(Cell<D>& cell) { return {cell.centre, &cell.radius2, &cell.error}; }
+
 // Says that nothing is known: every question about this ball goes to the exact predicates.
-template <int D> void forget_sphere(const double* const* p, Cell<D>& cell) {
-    for (int j = 0; j < D; ++j) cell.centre[j] = p[0][j];
-    cell.radius2 = infinity;
-    cell.error = static_cast<float>(infinity);
+void forget_sphere(int dim, const double* const* p, const Ball& ball) {
+    copy(dim, p[0], ball.centre);
+    *ball.radius2 = infinity;
+    *ball.error = static_cast<float>(infinity);
 }
 
 // A squared radius above this loses no more than 2^-60 of itself to underflow: the inputs of a mesh are 2^-500 apart.
@@ -48,31 +55,44 @@ constexpr double shortest2 = 0x1p-1010;
 
 // Makes the ball of p0 + x. The two terms of the error are the shape's, shape2 its square, and the rounding of the
 // centre's coordinates. False when it is above error_max.
-template <int D> bool keep_sphere(const double* p0, const double* x, double shape2, double error_max, Cell<D>& cell) {
+template <int D>
+bool keep_sphere(int dim, const double* p0, const double* x, double shape2, double error_max, const Ball& ball) {
+    if (D != any_dimension) dim = D;
     double radius2 = 0, size2 = 0;
-    for (int j = 0; j < D; ++j) {
-        cell.centre[j] = p0[j] + x[j];
-        const double d = p0[j] - cell.centre[j];
+    for (int j = 0; j < dim; ++j) {
+        ball.centre[j] = p0[j] + x[j];
+        const double d = p0[j] - ball.centre[j];
         radius2 += d * d;
-        size2 += cell.centre[j] * cell.centre[j];
+        size2 += ball.centre[j] * ball.centre[j];
     }
     const double error2 = 2.1 * (shape2 + 8 * u * u * (size2 / radius2));
     if (!(error2 < error_max * error_max) || !(radius2 > shortest2)) return false;
-    cell.radius2 = radius2;
-    cell.error = static_cast<float>(1.01 * square_root(error2));
+    *ball.radius2 = radius2;
+    *ball.error = static_cast<float>(1.01 * square_root(error2));
     return true;
 }
 
 constexpr double error_limit = 0.25;  // beyond it the bounds' own assumptions fail
 
-// For cells so flat that the digits of a double do not tell their centre.
-template <int D> [[gnu::cold, gnu::noinline]] void solve_flat_sphere(const double* const* p, Cell<D>& cell) {
-    double x[D], error2;
-    if (centre_in_long_digits(D, p, shape_factor<D>(), x, &error2) &&
-        keep_sphere<D>(p[0], x, error2, error_limit, cell))
+// For cells so flat that the digits of a double do not tell their centre, or so small that they do not place it. Where
+// the rounding of coordinates makes its error more than blurred_error, the radius r is that of the centre as it was
+// before, |x|, which is known within 2^-27 of r. Rounding moves the centre by at most u |centre|. With error 1.8 times
+// that over r, the f of sphere.hpp is at most (2 error / 1.8 + error^2 / 3) r^2 at p0, and its gradient 2 (error / 1.8
+// + 2^-28) r; together less than error (|q-c|^2 + 3 r^2), as power() wants it.
+[[gnu::cold, gnu::noinline]] void solve_flat_sphere(int dim, const double* const* p, double shape_factor,
+                                                    const Ball& ball) {
+    for (int in_integers = 0; in_integers < 2; ++in_integers) {
+        double x[dimension_max], shape2;
+        const bool solved = in_integers != 0 ? centre_in_integers(dim, p, x, &shape2)
+                                             : centre_in_long_digits(dim, p, shape_factor, x, &shape2);
+        if (!solved || !keep_sphere<any_dimension>(dim, p[0], x, shape2, error_limit, ball)) continue;
+        if (*ball.error <= blurred_error) return;
+        if (!(shape2 < 0x1p-56)) continue;
+        *ball.radius2 = dot(dim, x, x);
+        *ball.error = static_cast<float>(1.8 * u * square_root(dot(dim, ball.centre, ball.centre) / *ball.radius2));
         return;
-    if (!centre_in_integers(D, p, x, &error2) || !keep_sphere<D>(p[0], x, error2, error_limit, cell))
-        forget_sphere<D>(p, cell);
+    }
+    forget_sphere(dim, p, ball);
 }
 
 }  // namespace
@@ -94,14 +114,15 @@ template <int D> void solve_sphere(const double* const* p, double error_max, Cel
         plain = plain && a[D][i] > edge_square_min && a[D][i] < edge_square_max;
         lengths2 *= 2 * a[D][i];
     }
-    if (!plain && !rescale<D>(a, &lengths2)) return forget_sphere<D>(p, cell);
+    if (!plain && !rescale<D>(a, &lengths2)) return forget_sphere(D, p, ball_of(cell));
     minors_of_order<D>(a, minors);  // minors[D - j] is the one without row j
     const double inverse = 1 / minors[0];
     double x[D];
     for (int j = 0; j < D; ++j) x[j] = minors[D - j] * ((D - 1 - j) % 2 == 0 ? inverse : -inverse);
     constexpr double shape = shape_factor<D>();
-    if (!keep_sphere<D>(p[0], x, shape * shape * lengths2 * (inverse * inverse), error_max, cell))
-        solve_flat_sphere<D>(p, cell);
+    if (!keep_sphere<shared_dimension<D>>(D, p[0], x, shape * shape * lengths2 * (inverse * inverse), error_max,
+                                          ball_of(cell)))
+        solve_flat_sphere(D, p, shape, ball_of(cell));
 }
 
 template <int D> void recompute_balls(Store<D>& store) {

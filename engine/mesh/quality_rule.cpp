@@ -1,5 +1,6 @@
 #include "mesh/quality_rule.hpp"
 
+#include "certificate/cells.hpp"
 #include "certificate/interval.hpp"
 #include "mesh/aspect_rule.hpp"
 #include "mesh/reference_rule.hpp"
@@ -198,8 +199,10 @@ template <int D> bool QualityRule<D>::view_cell(VertexId v, double least2, CellV
             view->leaves_domain |= cell.radius2 > least2;
         }
         if (!certify_) return;
-        view->whole.offer(cell.centre, d2, c);
-        const double reach2 = distance2<D>(store_.dim, cell.centre, input);
+        const bool is_blurred = static_cast<double>(cell.error) > blurred_error;
+        view->whole.offer(cell.centre, is_blurred ? cell.radius2 : d2, c);
+        const double reach = is_blurred ? blurred_reach(store_, v, c) : 0;
+        const double reach2 = is_blurred ? reach * reach : distance2<D>(store_.dim, cell.centre, input);
         if (reach2 > view->reach2) view->reach2 = reach2;
     });
 }
