@@ -29,6 +29,25 @@ long double circumradius(const double* p, const double* q, const double* r) {
            std::sqrt(static_cast<long double>(edge2(r, p))) / (2 * std::fabs(static_cast<long double>(twice)));
 }
 
+// The third vertex counts as a Steiner vertex that is nearest to the first: its corner is as far from that.
+struct Measured {
+    double radius2, out_radius[3], reach;
+};
+Measured measure(const double* points) {
+    const std::uint32_t triangle[] = {0, 1, 2};
+    Block block(std::size_t{1} << 16);
+    StoreState state = {};
+    Store<2> store(block.arena, state);
+    CheckResult why;
+    REQUIRE(load_cells<2>(store, points, 3, triangle, 1, &why) == Status::ok);
+    store.vertex(2).marker = Marker::steiner;
+    store.vertex(2).origin = 0;
+    Measured measured;
+    measure_cells<2>(store, measured.out_radius, &measured.reach, 2);
+    measured.radius2 = store.cell(0).radius2;
+    return measured;
+}
+
 }  // namespace
 
 TEST_CASE("out-radii are no less than the exact distances to corners, though the computed ones are") {
@@ -42,20 +61,36 @@ TEST_CASE("out-radii are no less than the exact distances to corners, though the
         const double s = 1 + static_cast<double>(random.below(50)), t = -1 - static_cast<double>(random.below(50));
         const double off = 1 + static_cast<double>(random.below(std::uint64_t{1} << random.below(20)));
         const double points[] = {far, far - 7, far + s * x, far - 7 + s * y, far + t * x - off, far - 7 + t * y + off};
-        const std::uint32_t triangle[] = {0, 1, 2};
-        Block block(std::size_t{1} << 16);
-        StoreState state = {};
-        Store<2> store(block.arena, state);
-        CheckResult why;
-        REQUIRE(load_cells<2>(store, points, 3, triangle, 1, &why) == Status::ok);
-        double out_radius[3];
-        measure_cells<2>(store, out_radius, nullptr);
+        const Measured measured = measure(points);
         const long double exact = circumradius(points, points + 2, points + 4);
-        for (const double r : out_radius) CHECK(r >= exact * (1 - 1e-18L));
-        if (!(store.cell(0).radius2 < infinity)) continue;
+        for (const double r : measured.out_radius) CHECK(r >= exact * (1 - 1e-18L));
+        CHECK(measured.reach >= exact * (1 - 1e-18L));
+        if (!(measured.radius2 < infinity)) continue;
         ++solved;
-        short_by_rounding += std::sqrt(store.cell(0).radius2) * up < exact;
+        short_by_rounding += std::sqrt(measured.radius2) * up < exact;
     }
     CHECK(solved > 10000);
     CHECK(short_by_rounding > 10);
+}
+
+TEST_CASE("coordinates that hardly resolve a corner leave its distance from the vertices known") {
+    inputs::Random random(5);
+    int blurred = 0;
+    for (int trial = 0; trial < 20000; ++trial) {
+        const double far = std::ldexp(1.0, 40 + trial % 12);
+        double points[6];
+        for (double& x : points) x = far + static_cast<double>(random.below(3000));
+        const long double exact = circumradius(points, points + 2, points + 4);
+        if (!(exact < 1e5L)) continue;  // flat, or nearly so
+        const Measured measured = measure(points);
+        if (!(measured.radius2 < infinity)) continue;
+        for (const double r : measured.out_radius) {
+            CHECK(r >= exact * (1 - 1e-18L));
+            CHECK(r <= exact * (1 + 1e-6L));
+        }
+        CHECK(measured.reach >= exact * (1 - 1e-18L));
+        blurred +=
+            std::fabs(std::sqrt(measured.radius2) - exact) < 1e-8L * exact && measured.reach > exact * (1 + 1e-6L);
+    }
+    CHECK(blurred > 1000);
 }

@@ -73,6 +73,19 @@ TEST_CASE("the certified ratio is what tau promises where distances are some hun
     CHECK(most > .98);  // so some come near to what is promised
 }
 
+TEST_CASE("ten points whose certified ratio was more than tau") {
+    Session session(2);
+    session.request.tau = 2.9;
+    const inputs::Points points = {
+        -0.2338670800474959,  0.50080895645059009,  -0.23386708004824561, 0.50080895645179568,  -0.23386708004833101,
+        0.50080895645143941,  -0.2338670800472655,  0.50080895645122503,  -0.23386708004803394, 0.50080895645138901,
+        -0.23386708004757972, 0.50080895645062562,  -0.23386708004745957, 0.50080895645175139,  -0.23386708004753262,
+        0.5008089564504774,   -0.23386708004730922, 0.5008089564517676,   -0.2338670800475528,  0.50080895645089618};
+    REQUIRE(session.mesh_and_persist(points, persist_by(NETMESH_FILTER_COMPLETE, 0, NETMESH_VALUES_THESIS)) ==
+            NETMESH_OK);
+    CHECK(session.report().diagram.certified_ratio <= 2.9);
+}
+
 TEST_CASE("cells are as small as asked for where that is some tens of units in the last place") {
     for (const int dim : dimensions(2, 3)) {
         int meshed = 0;
