@@ -19,10 +19,6 @@ template <int D> double distance_to_inputs(const Store<D>& store, VertexId v) {
     return distance<D>(store.dim, store.point(v), store.point(nearest_input<D>(store, v)));
 }
 
-// From v's nearest input to corner c of v's cell, or more: no more than where the corner may be, nor than by way of v.
-// For balls of more than blurred_error.
-[[gnu::cold]] double blurred_reach(const AnyStore& store, VertexId v, CellId c);
-
 // out_radius[v]: R_v or more, over all corners of v's cell; reach[v - first], v >= first: the largest distance from a
 // corner to v's nearest input or more; reach may be null. The unbounded sides of cells on the hull are not seen.
 // O(cells).
@@ -50,15 +46,12 @@ template <int D> void measure_cells(const Store<D>& store, double* out_radius, d
             }
             const Cell<D>& cell = store.cell(c);
             const double radius = square_root(cell.radius2);
-            const double error = static_cast<double>(cell.error), doubt = error * radius;
-            const double r = (radius + (error > blurred_error ? corner_error_max : error) * radius) * up;
+            const double doubt = static_cast<double>(cell.error) * radius;
+            const double r = (radius + (cell.error > blurred_error ? corner_error_max * radius : doubt)) * up;
             for (const VertexId v : cell.vertex) {
                 out_radius[v] = out_radius[v] > r ? out_radius[v] : r;  // without branches; also r if that is no number
                 if (v < first) continue;
-                const double far =
-                    error > blurred_error
-                        ? blurred_reach(store, v, c)
-                        : (distance<D>(cell.centre, store.point(nearest_input<D>(store, v))) + doubt) * up;
+                const double far = (distance<D>(cell.centre, store.point(nearest_input<D>(store, v))) + doubt) * up;
                 double& farthest = reach[v - first];
                 farthest = farthest > far ? farthest : far;
             }

@@ -41,7 +41,6 @@ struct Ball {
     double* radius2;
     float* error;
 };
-template <int D> Ball ball_of(Cell<D>& cell) { return {cell.centre, &cell.radius2, &cell.error}; }
 
 // Says that nothing is known: every question about this ball goes to the exact predicates.
 void forget_sphere(int dim, const double* const* p, const Ball& ball) {
@@ -76,20 +75,20 @@ constexpr double error_limit = 0.25;  // beyond it the bounds' own assumptions f
 
 // For cells so flat that the digits of a double do not tell their centre, or so small that they do not place it. Where
 // the rounding of coordinates makes its error more than blurred_error, the radius r is that of the centre as it was
-// before, |x|, which is known within 2^-27 of r. Rounding moves the centre by at most u |centre|. With error 1.8 times
-// that over r, the f of sphere.hpp is at most (2 error / 1.8 + error^2 / 3) r^2 at p0, and its gradient 2 (error / 1.8
-// + 2^-28) r; together less than error (|q-c|^2 + 3 r^2), as power() wants it.
-[[gnu::cold, gnu::noinline]] void solve_flat_sphere(int dim, const double* const* p, double shape_factor,
+// before, |x|, which is known within 2^-27 of r. Rounding moves the centre by at most u |centre|, less than error r / 3
+// by keep_sphere. So the f of sphere.hpp is less than error r^2 at p0, and its gradient less than error r; together
+// less than error (|q-c|^2 + 3 r^2), as power() wants it.
+[[gnu::cold, gnu::noinline]] void solve_flat_sphere(AnyDimension dim, const double* const* p, double shape_factor,
                                                     const Ball& ball) {
+    constexpr int D = serves_one_dimension ? dimension_most() : any_dimension;
     for (int in_integers = 0; in_integers < 2; ++in_integers) {
         double x[dimension_max], shape2;
         const bool solved = in_integers != 0 ? centre_in_integers(dim, p, x, &shape2)
                                              : centre_in_long_digits(dim, p, shape_factor, x, &shape2);
-        if (!solved || !keep_sphere<any_dimension>(dim, p[0], x, shape2, error_limit, ball)) continue;
+        if (!solved || !keep_sphere<D>(dim, p[0], x, shape2, error_limit, ball)) continue;
         if (*ball.error <= blurred_error) return;
         if (!(shape2 < 0x1p-56)) continue;
         *ball.radius2 = dot(dim, x, x);
-        *ball.error = static_cast<float>(1.8 * u * square_root(dot(dim, ball.centre, ball.centre) / *ball.radius2));
         return;
     }
     forget_sphere(dim, p, ball);
@@ -114,15 +113,15 @@ template <int D> void solve_sphere(const double* const* p, double error_max, Cel
         plain = plain && a[D][i] > edge_square_min && a[D][i] < edge_square_max;
         lengths2 *= 2 * a[D][i];
     }
-    if (!plain && !rescale<D>(a, &lengths2)) return forget_sphere(D, p, ball_of(cell));
+    const Ball ball = {cell.centre, &cell.radius2, &cell.error};
+    if (!plain && !rescale<D>(a, &lengths2)) return forget_sphere(D, p, ball);
     minors_of_order<D>(a, minors);  // minors[D - j] is the one without row j
     const double inverse = 1 / minors[0];
     double x[D];
     for (int j = 0; j < D; ++j) x[j] = minors[D - j] * ((D - 1 - j) % 2 == 0 ? inverse : -inverse);
     constexpr double shape = shape_factor<D>();
-    if (!keep_sphere<shared_dimension<D>>(D, p[0], x, shape * shape * lengths2 * (inverse * inverse), error_max,
-                                          ball_of(cell)))
-        solve_flat_sphere(D, p, shape, ball_of(cell));
+    if (!keep_sphere<shared_dimension<D>>(D, p[0], x, shape * shape * lengths2 * (inverse * inverse), error_max, ball))
+        solve_flat_sphere(D, p, shape, ball);
 }
 
 template <int D> void recompute_balls(Store<D>& store) {

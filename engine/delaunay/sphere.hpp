@@ -52,7 +52,7 @@ constexpr double edge_square_max = 0x1p150;
 constexpr double corner_error_max = 0x1p-22;
 // Of a ball with a greater error the radius is known within corner_error_max of itself, but not where the centre is, as
 // coordinates do not resolve that; see solve_flat_sphere.
-constexpr double blurred_error = 2 * corner_error_max;
+constexpr float blurred_error = 0x1p-21f;
 
 // The ball through D+1 points by solving for its centre, in about 100 bits when the error bound in doubles is above
 // error_max

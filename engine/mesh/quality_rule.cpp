@@ -1,6 +1,5 @@
 #include "mesh/quality_rule.hpp"
 
-#include "certificate/cells.hpp"
 #include "certificate/interval.hpp"
 #include "mesh/aspect_rule.hpp"
 #include "mesh/reference_rule.hpp"
@@ -54,7 +53,7 @@ private:
         bool leaves_domain = false;  // some corner is outside, far enough to matter, or not known
         Corner<D> clipped;           // farthest corner of the clipped cell
         Corner<D> whole;             // farthest corner of the whole cell
-        double reach2 = 0;           // squared distance from the nearest input to the farthest corner from it
+        double reach2 = 0;           // squared distance from the nearest input to the farthest corner from it, or more
     };
 
     bool is_reference() const { return built::refine && reference_; }
@@ -199,10 +198,13 @@ template <int D> bool QualityRule<D>::view_cell(VertexId v, double least2, CellV
             view->leaves_domain |= cell.radius2 > least2;
         }
         if (!certify_) return;
-        const bool is_blurred = static_cast<double>(cell.error) > blurred_error;
-        view->whole.offer(cell.centre, is_blurred ? cell.radius2 : d2, c);
-        const double reach = is_blurred ? blurred_reach(store_, v, c) : 0;
-        const double reach2 = is_blurred ? reach * reach : distance2<D>(store_.dim, cell.centre, input);
+        double whole2 = d2, reach2 = distance2<D>(store_.dim, cell.centre, input);
+        if (cell.error > blurred_error) {
+            const double reach = square_root(reach2) + static_cast<double>(cell.error) * square_root(cell.radius2);
+            whole2 = cell.radius2;
+            reach2 = reach * reach;
+        }
+        view->whole.offer(cell.centre, whole2, c);
         if (reach2 > view->reach2) view->reach2 = reach2;
     });
 }
@@ -211,11 +213,13 @@ template <int D> bool QualityRule<D>::view_cell(VertexId v, double least2, CellV
 template <int D> bool QualityRule<D>::spoils_certificate(VertexId v, const CellView& view) const {
     const double nearest2 = store_.vertex(v).nearest2;
     if (!is_bad(view.whole.distance2, nearest2)) return false;
-    const double rho = domain_.enclosing_radius, reach = square_root(view.reach2);
+    const bool is_input = store_.vertex(v).marker == Marker::input;
+    const double rho = domain_.enclosing_radius, out_radius = square_root(view.whole.distance2),
+                 reach = is_input ? out_radius : square_root(view.reach2);
     const double hi = reach < rho ? reach : rho;
-    if (store_.vertex(v).marker == Marker::input) return 2 * hi > tau_ * square_root(nearest2);
+    if (is_input) return 2 * hi > tau_ * square_root(nearest2);
     const double d = distance<D>(store_.dim, store_.point(v), store_.point(nearest_input(v)));
-    const double lo = least_distance(d, square_root(view.whole.distance2), as_computed);
+    const double lo = least_distance(d, out_radius, as_computed);
     return hi > (2 + tau_) * lo || hi > tau_ * d;
 }
 
