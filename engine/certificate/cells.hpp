@@ -21,7 +21,7 @@ template <int D> double distance_to_inputs(const Store<D>& store, VertexId v) {
 
 // out_radius[v]: R_v or more, over all corners of v's cell; reach[v - first], v >= first: the largest distance from a
 // corner to v's nearest input or more; reach may be null. The unbounded sides of cells on the hull are not seen.
-// O(cells).
+// Needs balls of corner_error_max, as those of meshes are: see blurred_error. O(cells).
 template <int D> void measure_cells(const Store<D>& store, double* out_radius, double* reach, std::uint32_t first = 0) {
     constexpr std::uint32_t ahead = 8;
     const std::uint32_t count = store.state.vertex_count;

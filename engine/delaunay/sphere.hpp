@@ -50,14 +50,14 @@ constexpr double edge_square_max = 0x1p150;
 
 // For corners that results depend on.
 constexpr double corner_error_max = 0x1p-22;
-// Of a ball with a greater error the radius is known within corner_error_max of itself, but not where the centre is, as
-// coordinates do not resolve that; see solve_flat_sphere.
+// More than any error of a ball that was kept with error_max = corner_error_max, rounded up by a hundredth. A ball
+// solved with that error_max that has a greater one is of solve_flat_sphere: coordinates do not resolve its centre, but
+// its radius is known within corner_error_max of itself.
 constexpr float blurred_error = 0x1p-21f;
 
 // The ball through D+1 points by solving for its centre, in about 100 bits when the error bound in doubles is above
-// error_max
-// (<= 1/4), in integers when that does not do either; error is +infinity, and centre a vertex, when no bound could be
-// proven.
+// error_max (<= 1/4), in integers when that does not do either; error is +infinity, and centre a vertex, when no bound
+// could be proven.
 template <int D> void solve_sphere(const double* const* p, double error_max, Cell<D>& cell);
 
 // That of a cell of `store` by its vertices.
