@@ -19,7 +19,6 @@ void keep_alpha(netmesh_context* context, const netmesh_alpha_request& request, 
     diagram.pairs = Slice<Pair>::of(context->arena, made.found.pairs.pairs, made.found.pairs.count);
     diagram.simplices = made.found.simplices;
     diagram.certified_ratio = diagram.certified_ratio_best = 1;
-    diagram.value_error = made.value_error;
 }
 
 }  // namespace

@@ -15,10 +15,11 @@ Status bound_diagram(netmesh_context* context, const netmesh_function* function,
                                       diagram.vertex_values.in(context),
                                       diagram.certified_error};
     const bool has_cells = filter != nullptr && filter->has(filter_trait::bounds_by_scale);
+    const bool is_rounded =
+        filter != nullptr && (filter->source == FilterSource::delaunay || filter->source == FilterSource::points);
     if (!has_cells || (filter->has(filter_trait::needs_function) && function == nullptr))
-        return bound_bars_by_ratio({diagram.certified_ratio, diagram.value_error,
-                                    diagram.filter == NETMESH_FILTER_FUNCTION ? diagram.certified_error : -1,
-                                    filter == nullptr || filter->source != FilterSource::points},
+        return bound_bars_by_ratio({diagram.certified_ratio, is_rounded,
+                                    diagram.filter == NETMESH_FILTER_FUNCTION ? diagram.certified_error : -1},
                                    request.bars, work, bars);
     return bound_bars(filtered_mesh_of(*context), request, work, bars);
 }

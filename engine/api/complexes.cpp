@@ -69,7 +69,6 @@ netmesh_status netmesh_persist_points(netmesh_context* context, const netmesh_po
     diagram.max_degree = request.max_degree;
     diagram.k = find_filter(request.filter)->has(filter_trait::needs_k) ? request.k : 0;
     diagram.certified_ratio = diagram.certified_ratio_best = made.ratio;
-    diagram.value_error = made.value_error;
     keep_diagram(context, input_of(request, made), diagram, made.diagram, made.is_listed ? &made.complex : nullptr);
     return finish(context, status);
 }

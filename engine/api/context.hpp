@@ -77,7 +77,7 @@ struct KeptDiagram {
     Slice<double> vertex_values;  // of a filter on meshes: one for each vertex
     std::uint64_t simplices = 0;
     double certified_ratio = 0, certified_ratio_best = 0, certified_from = 0, certified_focus = 0;
-    double certified_error = 0, value_error = 0, fitted_error = 0;
+    double certified_error = 0, fitted_error = 0;
     netmesh_why why = NETMESH_WHY_ASKED;
     std::uint64_t tried_points = 0, tried_cells = 0;
 
@@ -99,7 +99,7 @@ struct KeptVineyard {
     Slice<double> ratios;  // [k_last - k_first + 1]
     Slice<VinePoint> points;
     std::uint64_t simplices = 0, transpositions = 0;
-    double certified_ratio = 0, value_error = 0;
+    double certified_ratio = 0;
 };
 
 struct KeptScales {

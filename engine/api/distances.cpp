@@ -111,7 +111,6 @@ netmesh_status netmesh_persist_distances(netmesh_context* context, const netmesh
     diagram.filter = NETMESH_FILTER_RIPS;
     diagram.max_degree = request.max_degree;
     diagram.certified_ratio = diagram.certified_ratio_best = 1;
-    diagram.value_error = made.value_error;
     const std::uint32_t n = static_cast<std::uint32_t>(request.point_count);
     const KeptInput input = {true, true, 0, n, 0, made.input_fingerprint, n};
     keep_diagram(context, input, diagram, made.diagram, wanted.representatives ? &made.complex : nullptr);

@@ -124,7 +124,6 @@ template <> struct Figures_of<netmesh_report> {
         ONE("diagram.certified_error", real, diagram.certified_error, diagram, on_request | positive, 0),
         ONE("diagram.fitted_error", real, diagram.fitted_error, diagram, on_request | positive, 0),
         ONE("diagram.focus", real, diagram.certified_focus, diagram, on_request | positive, 0),
-        ONE("diagram.value_error", real, diagram.value_error, diagram, on_request | positive, 0),
         ONE("diagram.simplices", uint64, diagram.simplices, diagram, 0, 0),
         ONE("diagram.scales.count", uint32, scales.count, scales, on_request, 0),
         ONE("diagram.scales.extended_ball", real, scales.separation, scales, on_request, 0),
@@ -149,7 +148,6 @@ template <> struct Figures_of<netmesh_report> {
         ONE("vineyard.transpositions", uint64, vineyard.transpositions, vines, on_request, 0),
         ONE("vineyard.simplices", uint64, vineyard.simplices, vines, on_request, 0),
         ONE("vineyard.certified_ratio", real, vineyard.certified_ratio, vines, on_request, before_vines),
-        ONE("vineyard.value_error", real, vineyard.value_error, vines, on_request | positive, 0),
 
         ONE("memory.arena_bytes", uint64, memory.block_bytes, unconditional, positive, 0),
         ONE("memory.peak_bytes", uint64, memory.peak_bytes, unconditional, positive, 0),

@@ -27,7 +27,6 @@ void keep_mesh_diagram(netmesh_context* context, const PersistRequest& request, 
     kept.certified_ratio_best = diagram.certificate.ratio_best;
     kept.certified_from = diagram.certificate.from;
     kept.certified_error = diagram.certificate.error;
-    kept.value_error = diagram.value_error;
     if (diagram.clip_radius > 0) context->mesh.radius = diagram.clip_radius;
 }
 

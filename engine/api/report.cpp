@@ -143,7 +143,6 @@ void report_predicates(const StoreState& store, netmesh_predicates_report* to) {
     to->certified_ratio_best = diagram.certified_ratio_best;
     to->certified_from = diagram.certified_from;
     to->certified_focus = diagram.certified_focus;
-    to->value_error = diagram.value_error;
     to->certified_error = diagram.certified_error;
     to->fitted_error = diagram.fitted_error;
     to->why = diagram.why;
@@ -194,7 +193,6 @@ void report_predicates(const StoreState& store, netmesh_predicates_report* to) {
     to->transpositions = vineyard.transpositions;
     to->simplices = vineyard.simplices;
     to->certified_ratio = vineyard.certified_ratio;
-    to->value_error = vineyard.value_error;
 }
 
 netmesh_report report_of(const netmesh_context* context) {

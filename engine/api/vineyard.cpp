@@ -118,7 +118,6 @@ netmesh_status netmesh_points_vineyard(netmesh_context* context, const netmesh_p
     kept.max_degree = request.max_degree;
     kept.k_first = request.k_first;
     kept.k_last = request.k_last;
-    kept.value_error = made.value_error;
     keep_vineyard(context, kept, made.vines);
     return finish(context, status);
 }

@@ -1,7 +1,7 @@
 // Values go down from the cells. Of each simplex that is not marked the radius is found, and all faces in its interval
 // are marked: those that lack none but vertices that lie in or on the sphere of the facet opposite. A marked face has
-// no radius of its own, and the value of what marked it, as its negative: of one of those, which then tie. Then the
-// radii are put into exact order. If some tie, marked faces get the least value of their cofacets anew.
+// no radius of its own, and the value of what marked it, as its negative. What has it in its interval besides has the
+// same radius, and so the same double.
 //
 // Intervals. Let S be a simplex whose smallest circumsphere, with centre c, has no point inside; beta the barycentric
 // coordinates of c; F a face that lacks vertices of beta <= 0 alone. Then c is the sum of the beta_v v and so the
@@ -25,8 +25,10 @@
 // value of the face is right, and copied instead of being compared.
 #include "filtration/alpha.hpp"
 
+#include "filtration/circumsphere_exact.hpp"
 #include "filtration/circumsphere_fast.hpp"
-#include "filtration/radius_order.hpp"
+#include "filtration/half_distance.hpp"
+#include "filtration/point_records.hpp"
 #include "numerics/bits.hpp"
 #include "numerics/real.hpp"
 #include "vocabulary/dimension.hpp"
@@ -44,10 +46,11 @@ protected:
 
     // Marks the faces of a k-face that lack some of the vertices `within` and no other.
     [[gnu::noinline]] void mark_interval(std::uint32_t k, std::uint32_t f, std::uint32_t within, double radius);
-    // Puts the radii in order; marked faces get their values.
-    Status finish();
-    // Any simplex; not in the loop, and not often.
-    [[gnu::noinline]] Status evaluate_exactly(const double* const* point, std::uint32_t k, Circumsphere* out);
+    // What is not certain of a simplex. Not often, but on lattices.
+    [[gnu::noinline]] Status evaluate_exactly(const double* const* point, std::uint32_t k, bool within, bool radius,
+                                              Circumsphere* out);
+    // Marked faces get their values.
+    void finish();
     bool stop(std::uint32_t f, std::uint32_t k) {
         if (f % faces_between_polls != faces_between_polls - 1) return false;
         done_ += faces_between_polls;
@@ -60,10 +63,6 @@ protected:
     double* const* value_;
     std::uint64_t* scratch_ = nullptr;
     std::uint64_t done_ = 0;
-    RadiusErrors errors_ = {0, 0};
-
-private:
-    Status hand_down(std::uint32_t k);
 };
 
 void MarkedValues::mark_interval(std::uint32_t k, std::uint32_t f, std::uint32_t within, double radius) {
@@ -71,47 +70,19 @@ void MarkedValues::mark_interval(std::uint32_t k, std::uint32_t f, std::uint32_t
                         [this, radius](std::uint32_t below, std::uint32_t face) { value_[below][face] = -radius; });
 }
 
-Status MarkedValues::finish() {
-    const std::uint32_t dim = static_cast<std::uint32_t>(table_.dim);
-    bool tied;
-    Status status = order_radii(table_, points_, work_, value_, &errors_, &tied);
-    for (std::uint32_t k = 1; k < dim; ++k)
-        work_.arena.each(table_.count[k], 4, [value = value_[k], tied](std::uint64_t i) {
-            if (!tied)
-                value[i] = __builtin_fabs(value[i]);
-            else if (value[i] < 0)
-                value[i] = -infinity;
-        });
-    for (std::uint32_t k = dim; tied && k >= 2 && status == Status::ok; --k) status = hand_down(k);
-    return status;
+void MarkedValues::finish() {
+    for (int k = 1; k < table_.dim; ++k)
+        work_.arena.each(table_.count[k], 2,
+                         [value = value_[k]](std::uint64_t i) { value[i] = __builtin_fabs(value[i]); });
 }
 
-// A marked face holds the negative of the least value met.
-Status MarkedValues::hand_down(std::uint32_t k) {
-    const std::uint32_t count = table_.count[k];
-    const std::uint32_t* facet = table_.facets[k];
-    for (std::uint32_t f = 0; f < count; ++f, facet += k + 1) {
-        const double value = absolute(value_[k][f]);
-        value_[k][f] = value;
-        for (std::uint32_t i = 0; i <= k; ++i) {
-            double& below = value_[k - 1][facet[i]];
-            if (below < -value) below = -value;
-        }
-        if (stop(f, 1)) return Status::cancelled;
-    }
-    if (k == 2)
-        work_.arena.each(table_.count[1], 5, [this](std::uint64_t f) { value_[1][f] = absolute(value_[1][f]); });
-    return Status::ok;
-}
-
-Status MarkedValues::evaluate_exactly(const double* const* point, std::uint32_t k, Circumsphere* out) {
+Status MarkedValues::evaluate_exactly(const double* const* point, std::uint32_t k, bool within, bool radius,
+                                      Circumsphere* out) {
     work_.arena.pass(40 * static_cast<std::uint32_t>(table_.dim));
     const ExactSphere sphere(point, static_cast<int>(k), table_.dim);
     if (!sphere.in_range()) return Status::out_of_range;
-    *out = sphere.evaluate(scratch_);
-    if (!(out->radius < infinity)) return Status::check_failed;
-    errors_.note(out->radius, exact_radius_error(out->radius));
-    return Status::ok;
+    if (within && !sphere.find_within(scratch_, &out->within)) return Status::check_failed;
+    return !radius || sphere.find_radius(scratch_, &out->radius) ? Status::ok : Status::out_of_range;
 }
 
 // D may be any_dimension, and so may the K of faces then.
@@ -123,7 +94,7 @@ public:
                 double* const* value)
         : MarkedValues(FaceTable(faces), points, work, value), dim_(dim), faces_(faces) {}
 
-    Status run(double* error) {
+    Status run() {
         const std::size_t high = work_.arena.high_mark();
         scratch_ = work_.arena.template take_high<std::uint64_t>(ExactSphere::room(static_cast<int>(dim_)));
         if (scratch_ == nullptr) return Status::out_of_memory;
@@ -132,16 +103,16 @@ public:
                 for (const std::uint64_t piece = work_.arena.piece(i, faces_.count[k], 2); i < piece; ++i) {
                     value_[k][i] = 0;
                 }
-        Status status = find_down();
+        const Status status = find_down();
         work_.arena.release_high(high);
-        if (status == Status::ok) status = finish();
-        *error = errors_.inner > errors_.outer ? errors_.inner : errors_.outer;
+        if (status == Status::ok) finish();
         return status;
     }
 
 private:
     // Simplices whose spheres are found at the same time.
-    static constexpr std::uint32_t batch_size = D == any_dimension || circumsphere_is_shared ? 1 : 2;
+    using Lanes = std::conditional_t<D == any_dimension || circumsphere_is_shared, double, DoublePair>;
+    static constexpr std::uint32_t batch_size = lane_count<Lanes>;
     template <int K> struct Batch {
         std::uint32_t count = 0;
         std::uint32_t face[batch_size];
@@ -172,7 +143,7 @@ private:
         prefetch(faces_.facets_of(K - 2, faces_.facets_of(K - 1, soon[0])[0]));
         prefetch(faces_.facets_of(K - 2, faces_.facets_of(K - 1, soon[K])[K - 1]));
     }
-    template <int K> Status find_batch(DimensionOf<K> k, Batch<K>& batch, double* volume);
+    template <int K> Status find_batch(DimensionOf<K> k, Batch<K>& batch);
     // place: where each of them is in the vertex list, which ascends if D is any_dimension.
     template <int K> void points_of(DimensionOf<K> k, std::uint32_t f, const double** point, std::uint32_t* place) {
         if constexpr (D == any_dimension) {
@@ -182,28 +153,27 @@ private:
             points_.template of_face<K>(faces_, f, point, place);
         }
     }
-    // Bit i: that of simplex i is certain.
-    template <int K> std::uint32_t spheres_of(DimensionOf<K> k, Batch<K>& batch, Circumsphere* out) {
-        if constexpr (batch_size == 1) {
-            return circumsphere_fast(k, dim_, batch.point[0], out) ? 1 : 0;
-        } else {
-            if (batch.count == 1)
-                for (std::uint32_t i = 0; i <= k; ++i) batch.point[1][i] = batch.point[0][i];
-            return circumspheres_fast<K, D>(batch.point, out);
+    template <int K> Certainty spheres_of(DimensionOf<K> k, Batch<K>& batch, Circumsphere* out) {
+        const double* const* point[batch_size];
+        for (std::uint32_t i = 0; i < batch_size; ++i) point[i] = batch.point[i < batch.count ? i : 0];
+        if (k != 1) return circumspheres_fast<Lanes, K, D>(k, dim_, point, out);
+        const auto difference = [&](std::uint32_t d) {
+            Lanes from = {}, to = {};
+            for (int i = 0; i < lane_count<Lanes>; ++i) {
+                set_lane(from, i, point[i][0][d]);
+                set_lane(to, i, point[i][1][d]);
+            }
+            return exact_difference(to, from);
+        };
+        double half[batch_size];
+        Certainty certain = {~0u, half_distances_fast<Lanes>(dim_, difference, half)};
+        for (std::uint32_t i = 0; i < batch.count; ++i) {
+            if ((certain.radius >> i & 1u) == 0)
+                half[i] = exact_half_distance(static_cast<int>(std::uint32_t{dim_}), point[i][0], point[i][1]);
+            out[i] = {half[i], 0};
         }
-    }
-    std::uint32_t edge_of(const double* const* point, Circumsphere* out) {
-        Radius edge;
-        if (!edge_radius(edge2(point), dim_, &edge)) return 0;
-        errors_.note(edge.value, edge.error);
-        *out = {edge.value, 0, 1};
-        return 1;
-    }
-    double edge2(const double* const* point) const {
-        if constexpr (D == any_dimension)
-            return distance2(static_cast<int>(dim_), point[0], point[1]);
-        else
-            return distance2<D>(point[0], point[1]);
+        certain.radius = ~0u;
+        return certain;
     }
 
     const DimensionOf<D> dim_;
@@ -214,7 +184,6 @@ private:
 template <int D> template <int K> Status AlphaValues<D>::find_radii(DimensionOf<K> k) {
     const std::uint32_t count = faces_.count[k];
     Batch<K> batch;
-    double volume = 1;
     for (std::uint32_t f = 0; f < count; ++f) {
         if constexpr (K > 3) fetch<K>(f);
         if (!(value_[k][f] < 0)) {
@@ -223,32 +192,24 @@ template <int D> template <int K> Status AlphaValues<D>::find_radii(DimensionOf<
             ++batch.count;
         }
         if (batch.count == batch_size || (f + 1 == count && batch.count > 0)) {
-            const Status status = find_batch(k, batch, &volume);
+            const Status status = find_batch(k, batch);
             if (status != Status::ok) return status;
             batch.count = 0;
         }
         if (stop(f, k)) return Status::cancelled;
     }
-    if (k > 1) errors_.note(1, radius_error(k, dim_, volume));
     return Status::ok;
 }
 
-template <int D>
-template <int K>
-inline Status AlphaValues<D>::find_batch(DimensionOf<K> k, Batch<K>& batch, double* volume) {
+template <int D> template <int K> inline Status AlphaValues<D>::find_batch(DimensionOf<K> k, Batch<K>& batch) {
     Circumsphere sphere[batch_size];
-    std::uint32_t known = 0;
-    if (k == 1)
-        for (std::uint32_t i = 0; i < batch.count; ++i) known |= edge_of(batch.point[i], &sphere[i]) << i;
-    else
-        known = spheres_of(k, batch, sphere);
+    const Certainty certain = spheres_of(k, batch, sphere);
     for (std::uint32_t i = 0; i < batch.count; ++i) {
         const std::uint32_t f = batch.face[i];
-        if ((known >> i & 1u) == 0) {
-            const Status status = evaluate_exactly(batch.point[i], k, &sphere[i]);
+        if ((certain.within & certain.radius & 1u << i) == 0) {
+            const Status status = evaluate_exactly(batch.point[i], k, (certain.within >> i & 1u) == 0,
+                                                   (certain.radius >> i & 1u) == 0, &sphere[i]);
             if (status != Status::ok) return status;
-        } else if (sphere[i].volume < *volume) {
-            *volume = sphere[i].volume;
         }
         const double radius = sphere[i].radius;
         value_[k][f] = radius;
@@ -267,17 +228,16 @@ inline Status AlphaValues<D>::find_batch(DimensionOf<K> k, Batch<K>& batch, doub
 
 template <int D>
 Status alpha_values(const Faces<D>& faces, const double* coordinates, std::ptrdiff_t stride_bytes, const Work& work,
-                    double* const* value, double* error) {
+                    double* const* value) {
     const PointRecords points = {coordinates, stride_bytes};
     if constexpr (shared_dimension<D> == D && !circumsphere_is_shared)
-        return AlphaValues<D>(D, faces, points, work, value).run(error);
+        return AlphaValues<D>(D, faces, points, work, value).run();
     else
-        return AlphaValues<any_dimension>(D, FaceTable(faces), points, work, value).run(error);
+        return AlphaValues<any_dimension>(D, FaceTable(faces), points, work, value).run();
 }
 
 #define NETMESH_INSTANTIATE(D)                                                                                         \
-    template Status alpha_values<D>(const Faces<D>&, const double*, std::ptrdiff_t, const Work&, double* const*,       \
-                                    double*);
+    template Status alpha_values<D>(const Faces<D>&, const double*, std::ptrdiff_t, const Work&, double* const*);
 NETMESH_EACH_INSTANCE(NETMESH_INSTANTIATE)
 #undef NETMESH_INSTANTIATE
 

@@ -27,23 +27,19 @@ template <int D> struct AlphaFiltration {
 // lies inside that (Gabriel; on it does not count), otherwise with the first of its cofacets; points enter at 0.
 // value[k][i] belongs to the i-th k-face; the arrays hold faces.count[k] numbers each, k = 0..D.
 //
-// Exact: whether a sphere is empty is decided exactly, and two values are equal if and only if the true ones are, and
-// otherwise in the same order, whatever the points. So the diagram has a bar of positive length for each that the alpha
-// complex has in exact arithmetic and no other, and the values never decrease from a face to its cofaces.
-// *error: every value is within this of the true one, relative to that; below 2^-30, mostly 2^-36. Infinity when
-// a radius is above the largest double: such radii are that.
+// Exact: whether a sphere is empty is decided exactly, and a value is the true one rounded to the nearest double, ties to
+// even, a function of the simplex whose radius it is. Rounding exchanges no order, so values never decrease from a face
+// to its cofaces, and the diagram is that of exact arithmetic with both ends of each bar rounded.
 //
-// coordinates, stride_bytes: as above; where the lists of faces follow an order, record i is that of 0-face i. Two
-// simplices are compared exactly as long as differences of their coordinates are below 2^(16,700 / (4D+2)) units, the
-// unit being the highest power of two of which all coordinates are multiples: 2^1670 in the plane, 2^1190 in space,
-// 2^640 in R^6. Beyond that the result may be out_of_range.
+// coordinates, stride_bytes: as above; where the lists of faces follow an order, record i is that of 0-face i. Nothing
+// is out_of_range as long as differences of coordinates are below 2^(16,600 / (2D+2)) units, the unit being the highest
+// power of two of which all coordinates are multiples: 2^2766 in the plane, 2^2075 in space, 2^1185 in R^6.
 //
 // Requires all faces (faces.dimension_max == D), fewer than 2^32; last_vertex[D] is not read. One small linear solve a
-// face, see circumsphere.hpp, and what order_radii takes. Scratch at the high end: that of ExactSphere, then of
-// order_radii.
+// face, see circumsphere_fast.hpp, which is nearly always enough. Scratch at the high end: that of ExactSphere.
 // out_of_memory, out_of_range, cancelled; check_failed: a simplex is flat, as those of loaded cells may be.
 template <int D>
 Status alpha_values(const Faces<D>& faces, const double* coordinates, std::ptrdiff_t stride_bytes, const Work& work,
-                    double* const* value, double* error);
+                    double* const* value);
 
 }  // namespace netmesh

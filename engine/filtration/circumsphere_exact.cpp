@@ -1,6 +1,8 @@
 #include "filtration/circumsphere_exact.hpp"
 
 #include "numerics/bits.hpp"
+#include "numerics/lanes.hpp"
+#include "numerics/nearest_double.hpp"
 #include "vocabulary/dimension.hpp"
 
 namespace netmesh {
@@ -42,19 +44,6 @@ std::uint64_t power_of_two_modulo(int e, const ResiduePrime& prime) {
     return r;
 }
 
-// sqrt, in the range of doubles; infinite if that is.
-double root_of(const Floating& square) {
-    if (!(square.mantissa.high < infinity)) return infinity;
-    const bool odd = (square.exponent & 1) != 0;
-    double root = square_root(scaled(square.mantissa, odd ? 2 : 1));
-    int e = (square.exponent - odd) / 2;
-    if (e > 1100) return radius_max;
-    for (; e > 500; e -= 500) root *= 0x1p500;
-    for (; e < -500 && root > 0; e += 500) root *= 0x1p-500;
-    if (root > 0) root *= power_of_two(e < -500 ? 0 : e);
-    return kept_radius(root);
-}
-
 }  // namespace
 
 ExactSphere::ExactSphere(const double* const* point, int k, int dim) : k_(k), dim_(dim), quantum_(1024), power_max_(0) {
@@ -69,7 +58,6 @@ ExactSphere::ExactSphere(const double* const* point, int k, int dim) : k_(k), di
         for (int i = 0; i <= k; ++i) {
             x_[i][c] = scaled_integer(point[i][c], quantum_);
             power_max_ = x_[i][c].power > power_max_ ? x_[i][c].power : power_max_;
-            if (i > 0) edge_[c][i - 1] = two_difference(point[i][c], point[0][c]);
         }
     if (widest < quantum_) widest = quantum_;  // all points are one
     length_bits_ = 2 * (widest + 1 - quantum_) + (dim > 4 ? 3 : dim > 2 ? 2 : 1);
@@ -113,123 +101,71 @@ Floating floating_of(std::uint64_t* residues, int n) {
 
 }  // namespace
 
-#ifdef __OPTIMIZE_SIZE__
-Circumsphere ExactSphere::evaluate(std::uint64_t* scratch) const {
+bool ExactSphere::find_within(std::uint64_t* scratch, std::uint32_t* within) const {
     const int n = primes_for_bits(square_bits());
-    std::uint32_t within = 0;
-    for (int i = 0; i <= k_; ++i) {
-        for (int j = 0; j < n; ++j) {
-            const ResiduePrime prime = residue_prime(j);
-            const Residues r = modulo(prime);
-            scratch[j] = i > 0 ? r.det[i] : sum_of(r.det[0], r.det[0], prime);  // 2 det G beta_i
-            for (int m = 1; i == 0 && m <= k_; ++m) scratch[j] = sum_of(scratch[j], negative(r.det[m], prime), prime);
-        }
-        if (sign_of_residues(scratch, n) <= 0) within |= 1u << i;
-    }
-    return {root_of(radius_squared(scratch)), within, 0};
-}
-#else
-Circumsphere ExactSphere::evaluate(std::uint64_t* scratch) const {
-    const int n = primes_for_bits(square_bits());
-    std::uint64_t* const first = scratch;  // 2 det G beta_0
-    std::uint64_t* const sum = scratch + n;
-    std::uint64_t* const det = scratch + 2 * n;  // k+1 rows
+    std::uint64_t* const det = scratch;  // rows: 2 det G beta_0, then det G_i, then det G
     for (int j = 0; j < n; ++j) {
         const ResiduePrime prime = residue_prime(j);
         const Residues r = modulo(prime);
-        first[j] = sum_of(r.det[0], r.det[0], prime);
-        for (int i = 0; i <= k_; ++i) det[i * n + j] = r.det[i];
-        for (int i = 1; i <= k_; ++i) first[j] = sum_of(first[j], negative(r.det[i], prime), prime);
-        sum[j] = r.sum;
+        std::uint64_t first = sum_of(r.det[0], r.det[0], prime);
+        for (int i = 1; i <= k_; ++i) {
+            det[i * n + j] = r.det[i];
+            first = sum_of(first, negative(r.det[i], prime), prime);
+        }
+        det[j] = first;
+        det[(k_ + 1) * n + j] = r.det[0];
     }
-    std::uint32_t within = sign_of_residues(first, n) <= 0;
-    for (int i = 1; i <= k_; ++i)
-        if (sign_of_residues(det + i * n, n) <= 0) within |= 1u << i;
-    Floating square = quotient(floating_of(sum, n), floating_of(det, n));
-    square.exponent += 2 * quantum_ - 2;
-    return {root_of(square), within, 0};
+    *within = 0;
+    for (int i = 0; i <= k_; ++i)
+        if (sign_of_residues(det + i * n, n) <= 0) *within |= 1u << i;
+    return sign_of_residues(det + (k_ + 1) * n, n) > 0;
 }
-#endif
 
-Floating ExactSphere::radius_squared(std::uint64_t* scratch) const {
+// The sign of the squared radius less that of the midpoint between x and the next double above; -2: out of range. With
+// x = m 2^e the midpoint is (2 m + 1) 2^(e-1), so it is the sign of 4^(quantum - e) sum - (2 m + 1)^2 det G. x is near
+// the radius: neither term has more than 8 bits more than the first.
+int ExactSphere::compare_midpoint(double x, std::uint64_t* scratch) const {
+    const Decoded at = decode(x);
+    const std::uint64_t odd = 2 * at.mantissa + 1;
+    const int shift = 2 * (quantum_ - at.exponent);
+    const int n = primes_for_bits(square_bits() + (shift > 0 ? shift : 0) + 8);
+    if (n > residue_prime_count) return -2;
+    for (int j = 0; j < n; ++j) {
+        const ResiduePrime prime = residue_prime(j);
+        const Residues r = modulo(prime);
+        std::uint64_t sphere = r.sum, midpoint = multiply(multiply(r.det[0], odd, prime), odd, prime);
+        std::uint64_t& finer = shift > 0 ? sphere : midpoint;
+        finer = multiply(finer, power_of_two_modulo(shift > 0 ? shift : -shift, prime), prime);
+        scratch[j] = sum_of(sphere, negative(midpoint, prime), prime);
+    }
+    return sign_of_residues(scratch, n);
+}
+
+bool ExactSphere::find_radius(std::uint64_t* scratch, double* radius) const {
     const int n = primes_for_bits(square_bits());
     for (int j = 0; j < n; ++j) {
         const Residues r = modulo(residue_prime(j));
         scratch[j] = r.det[0];
         scratch[n + j] = r.sum;
     }
-    Floating square = quotient(floating_of(scratch + n, n), floating_of(scratch, n));
-    square.exponent += 2 * quantum_ - 2;
-    return square;
-}
-
-int ExactSphere::product_bits(const ExactSphere& a, const ExactSphere& b) {
-    const int shift = 2 * (a.quantum_ - b.quantum_);
-    const int bits_a = a.square_bits() + b.det_bits() + (shift > 0 ? shift : 0);
-    const int bits_b = b.square_bits() + a.det_bits() + (shift < 0 ? -shift : 0);
-    return bits_a > bits_b ? bits_a : bits_b;
-}
-
-// A difference that overflows is no number, and equal to none.
-bool ExactSphere::congruent(const ExactSphere& a, const ExactSphere& b) {
-    if (a.k_ != b.k_) return false;
-    std::uint32_t used = 0;
-    for (int c = 0; c < a.dim_; ++c) {
-        bool found = false;
-        for (int d = 0; d < a.dim_ && !found; ++d) {
-            if ((used >> d & 1u) != 0) continue;
-            bool same = true, reversed = true;
-            for (int i = 0; i < a.k_; ++i) {
-                const DoubleDouble x = a.edge_[c][i], y = b.edge_[d][i];
-                same = same && x.high == y.high && x.low == y.low;
-                reversed = reversed && x.high == -y.high && x.low == -y.low;
-            }
-            found = same || reversed;
-            if (found) used |= 1u << d;
-        }
-        if (!found) return false;
+    const Floating square = quotient(floating_of(scratch + n, n), floating_of(scratch, n));
+    // The root of a mantissa between 1 and 4, to 2^-87 relative, times 2^e.
+    const int own = exponent_of(square.mantissa.high) & ~1;
+    const DoubleDouble mantissa = scaled(square.mantissa, power_of_two(-own));
+    const int twice = square.exponent + own + 2 * quantum_ - 2, odd = twice & 1, e = (twice - odd) / 2;
+    const DoubleDouble even = scaled(mantissa, odd != 0 ? 2 : 1);
+    const NearestRoot<double> nearest = nearest_root(even.high, even.low, even.high * 0x1p-86);
+    if (nearest.known != 0 && e > -1022 && e < 1022) {
+        *radius = nearest.root * power_of_two(e);
+        return true;
     }
-    return true;
-}
-
-std::uint32_t ExactSphere::hash() const {
-    std::uint64_t sum = 0;
-    for (int c = 0; c < dim_; ++c) {
-        std::uint64_t axis = 0;
-        for (int i = 0; i < k_; ++i) {
-            const std::uint64_t size = bits_of(__builtin_fabs(edge_[c][i].high));
-            axis = (axis ^ size) * 0x9E3779B97F4A7C15u;
-            axis ^= axis >> 29;
-        }
-        sum += axis * axis;
-    }
-    return static_cast<std::uint32_t>(sum >> 32 ^ sum >> 7);
-}
-
-bool ExactSphere::excess(const ExactSphere& a, const ExactSphere& b, std::uint64_t* scratch, double* out) {
-    const int shift = 2 * (a.quantum_ - b.quantum_);
-    const int n = primes_for_bits(product_bits(a, b) + 1);
-    if (n > residue_prime_count) return false;
-    std::uint64_t *const difference = scratch, *const opposite = scratch + n, *const product = scratch + 2 * n;
-    for (int j = 0; j < n; ++j) {
-        const ResiduePrime prime = residue_prime(j);
-        const Residues ra = a.modulo(prime), rb = b.modulo(prime);
-        std::uint64_t left = multiply(ra.sum, rb.det[0], prime), right = multiply(rb.sum, ra.det[0], prime);
-        std::uint64_t& coarser = shift > 0 ? left : right;
-        coarser = multiply(coarser, power_of_two_modulo(shift > 0 ? shift : -shift, prime), prime);
-        difference[j] = sum_of(left, negative(right, prime), prime);
-        opposite[j] = negative(difference[j], prime);
-        product[j] = right;
-    }
-    const int sign = sign_of_residues(difference, n);
-    *out = 0;
-    if (sign == 0) return true;
-    const Floating size = sign > 0 ? floating_of_digits(difference, n) : floating_of(opposite, n);
-    const Floating ratio = quotient(size, floating_of(product, n));
-    // By the size itself: mantissas have exponents of their own.
-    const int own = exponent_of(ratio.mantissa.high), sum = ratio.exponent + own, e = sum > 900 ? 900 : sum;
-    *out = sign * (e < -900 ? 0x1p-1000 : ratio.mantissa.high / power_of_two(own) * power_of_two(e));
-    return true;
+    bool in_range = true;
+    *radius = nearest_double(scaled_by(nearest.root, e), [&](double x) {
+        const int sign = compare_midpoint(x, scratch);
+        in_range = in_range && sign != -2;
+        return sign;
+    });
+    return in_range;
 }
 
 }  // namespace netmesh

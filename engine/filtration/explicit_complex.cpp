@@ -156,14 +156,13 @@ Status alpha_complex(const AlphaFiltration<any_dimension>& filtration, std::uint
                      ListedComplex* out) {
     const std::size_t high = work.arena.high_mark();
     AnyFaces faces;
-    double error;
     Status status =
         take_faces(filtration.complex, filtration.complex.dim, work, &faces, out, [](AnyFaces*) { return Status::ok; });
     if (status == Status::ok)
         status = with_dimension(filtration.complex.dim, [&](auto number) {
             constexpr int D = decltype(number)::value;
             return alpha_values<D>(faces.of_dimension<D>(), filtration.coordinates, filtration.stride_bytes, work,
-                                   out->value, &error);
+                                   out->value);
         });
     work.arena.release_high(high);
     out->dimension = dimension;

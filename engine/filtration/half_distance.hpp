@@ -1,16 +1,18 @@
-// Distances of points as Rips and Cech complexes measure them.
+// Distances of points as Rips, Cech and alpha complexes measure them: half of the true one, rounded to the nearest
+// double, ties to even.
 #pragma once
 #include <cstddef>
 #include <cstdint>
 
-#include "filtration/circumsphere.hpp"
-#include "include/netmesh.h"
+#include "numerics/lanes.hpp"
+#include "numerics/nearest_double.hpp"
+#include "numerics/product_sum.hpp"
 #include "numerics/vector.hpp"
 
 namespace netmesh {
 
-// Half the distance of two points of more coordinates than a circumsphere has, where squares are out of range: what is
-// squared is brought to sizes between 2^-256 and 2^256, and the root back, both by powers of two.
+// In units in the last place a few off, whatever the sizes: what is squared is brought to sizes between 2^-256 and
+// 2^256, and the root back, both by powers of two. At most the largest double.
 [[gnu::noinline, gnu::cold]] inline double scaled_half_distance(int dim, const double* a, const double* b) {
     double most = 0;  // of half differences, which do not overflow
     for (int k = 0; k < dim; ++k) {
@@ -38,37 +40,70 @@ namespace netmesh {
     return half < infinity ? half : 0x1.fffffffffffffp1023;
 }
 
-// Half the distance of two points.
-[[gnu::noinline, gnu::cold]] inline double precise_half_distance(int dim, const double* a, const double* b) {
-    if (dim > NETMESH_DIM_MAX) return scaled_half_distance(dim, a, b);
-    const double* const point[] = {a, b};
-    return circumsphere_precise(point, 1, dim).radius;
+// Any finite points of up to 65,536 coordinates. With u the unit above x the midpoint is x + u / 2, and half of the
+// distance is above it where the squared distance is above (2 x + u)^2.
+[[gnu::noinline, gnu::cold]] inline double exact_half_distance(int dim, const double* a, const double* b) {
+    int apart = 0;
+    double along = 0;
+    for (int k = 0; k < dim; ++k)
+        if (a[k] != b[k]) {
+            ++apart;
+            along = absolute(a[k] - b[k]);
+        }
+    if (apart == 0) return 0;
+    if (apart == 1 && along >= 0x1p-1021 && along < infinity) return along / 2;
+    return nearest_double(scaled_half_distance(dim, a, b), [=](double x) {
+        ProductSum sum;
+        for (int k = 0; k < dim; ++k) {
+            sum.add(a[k], a[k]);
+            sum.add(b[k], b[k]);
+            sum.subtract(a[k], b[k]);
+            sum.subtract(a[k], b[k]);
+        }
+        const double unit = unit_above(x);
+        sum.subtract(unit, unit);
+        for (int i = 0; i < 4; ++i) {
+            sum.subtract(x, x);
+            sum.subtract(x, unit);
+        }
+        return sum.sign();
+    });
 }
+
+// difference(d): b[d] - a[d] of as many pairs of points, as sums of two doubles. Of them half the distance each, in
+// out, and bit i of the result where that is certain. The sum of dim squares is taken less the squares of the low
+// parts: it is off by less than (8 dim + 16) dim u^2 of itself, u = 2^-53, and the root has to tell more.
+template <class Lanes, class Difference>
+inline std::uint32_t half_distances_fast(std::uint32_t dim, Difference difference, double* out) {
+    Lanes high = {}, low = {};
+    for (std::uint32_t d = 0; d < dim; ++d) {
+        const TwoLanes<Lanes> edge = difference(d), square = exact_square(edge.high),
+                              sum = exact_sum(high, square.high);
+        high = sum.high;
+        low += sum.low + (square.low + (edge.high + edge.high) * edge.low);
+    }
+    const TwoLanes<Lanes> sum = exact_sum(high, low);
+    const double terms = dim;
+    const NearestRoot<Lanes> nearest =
+        nearest_root(sum.high, sum.low, sum.high * ((8 * terms + 16) * terms * 0x1p-106 + 0x1p-100));
+    const LaneMask<Lanes> known = nearest.known & below(all_lanes<Lanes>(0x1p-800), sum.high) &
+                                  below(sum.high, all_lanes<Lanes>(0x1p800));
+    std::uint32_t certain = 0;
+    for (int i = 0; i < lane_count<Lanes>; ++i) {
+        out[i] = lane(nearest.root, i) / 2;
+        certain |= static_cast<std::uint32_t>(mask_lane(known, i) & 1) << i;
+    }
+    return certain;
+}
+
+// Half the distance of two points. dim <= 65,536.
 [[gnu::always_inline]] inline double half_distance(int dim, const double* a, const double* b) {
-    const double squared = distance2(dim, a, b);
-    if (squared > 0x1p-900 && squared < 0x1p1000) return square_root(squared) / 2;
-    return precise_half_distance(dim, a, b);
+    double half;
+    const auto difference = [=](std::uint32_t d) { return exact_difference(b[d], a[d]); };
+    if (half_distances_fast<double>(static_cast<std::uint32_t>(dim), difference, &half) != 0) return half;
+    return exact_half_distance(dim, a, b);
 }
 template <int D> double half_distance(const double* a, const double* b) { return half_distance(D, a, b); }
-
-// A bound on the relative error of half distances from `least` to `most`. A squared length has dim + 2 roundings, the
-// root halves them and adds one. Lengths whose squares are out of range are computed in twice the digits: that adds a
-// few 2^-98 and at most two roundings, the last perhaps to a denormal number. The largest double stands for all lengths
-// above it, so there is no bound for it. Of more coordinates than NETMESH_DIM_MAX they are scaled instead, and both
-// bounds add up. least > most: there are no distances.
-inline double half_distance_error(int dim, double least, double most) {
-    double error = 1.01 * unit_roundoff * (dim / 2.0 + 2);
-    const double ends[] = {least, most};
-    for (const double half : ends) {
-        if ((half > 0x1p-450 && half < 0x1p499) || !(least <= most)) continue;
-        const double here = half >= 0x1.fffffffffffffp1023 ? infinity : 0x1p-51 + 0x1p-1073 / half;
-        if (dim > NETMESH_DIM_MAX)
-            error += here;
-        else if (here > error)
-            error = here;
-    }
-    return error;
-}
 
 // Half the least distance within which some point has all others.
 inline double cone_radius(int dim, const double* coordinates, std::uint32_t n) {

@@ -1,6 +1,6 @@
 #include "filtration/point_complexes.hpp"
 
-#include "filtration/circumsphere.hpp"
+#include "filtration/circumsphere_exact.hpp"
 #include "filtration/circumsphere_fast.hpp"
 #include "filtration/half_distance.hpp"
 #include "numerics/real.hpp"
@@ -97,39 +97,51 @@ Status list_cliques(Half half, std::uint32_t n, std::uint32_t dimension, double 
     return status != Status::ok ? status : link_faces(*out, false, work, &fault);
 }
 
-struct KnownSphere {
-    Circumsphere sphere;
-    double error;  // of the radius, and `within` is exact; negative: nothing is proven
-};
-KnownSphere circumsphere_of(int dim, const double* const* point, std::uint32_t k) {
-    const std::uint32_t space = static_cast<std::uint32_t>(dim);
-    Circumsphere sphere;
-    if (circumsphere_fast(k, space, point, &sphere)) return {sphere, radius_error(k, space, sphere.volume)};
-    return {circumsphere_precise(point, static_cast<int>(k), dim), -1};
-}
+// Radii of smallest enclosing balls.
+class EnclosingBalls {
+public:
+    EnclosingBalls(int dim, const double* coordinates, const ListedComplex& complex, std::uint64_t* scratch)
+        : dim_(dim), coordinates_(coordinates), complex_(complex.filtered()), labels_(complex.rows[0]),
+          scratch_(scratch) {}
 
-// Raises *error to that of the value. With exact signs the ball is the simplex's own sphere or that of a facet, which
-// is known to the error so far.
-double enclosing_radius(int dim, const double* coordinates, const FilteredComplex& complex, const std::uint32_t* labels,
-                        std::uint32_t k, std::uint32_t simplex, double* error) {
-    double value = 0;
-    for (std::uint32_t i = 0; i <= k; ++i) {
-        const double facet = complex.of[k - 1].value[complex.of[k].faces[std::size_t{simplex} * (k + 1) + i]];
-        if (facet > value) value = facet;
+    // Of a k-simplex, k >= 2, whose facets have their values. The ball is that of a facet or the simplex's own sphere,
+    // which then has its centre strictly inside. out_of_range.
+    Status radius(std::uint32_t k, std::uint32_t simplex, double* out) const {
+        double value = 0;
+        for (std::uint32_t i = 0; i <= k; ++i) {
+            const std::uint32_t facet = complex_.of[k].faces[std::size_t{simplex} * (k + 1) + i];
+            if (complex_.of[k - 1].value[facet] > value) value = complex_.of[k - 1].value[facet];
+        }
+        *out = value;
+        const std::uint32_t space = static_cast<std::uint32_t>(dim_);
+        if (k > space) return Status::ok;  // no more than dim + 1 points hold a ball
+        std::uint32_t vertices[dimension_most() + 1];
+        const double* point[dimension_most() + 1];
+        vertices_of(complex_, labels_, k, simplex, vertices);
+        for (std::uint32_t i = 0; i <= k; ++i) point[i] = coordinates_ + vertices[i] * std::size_t{space};
+        Circumsphere sphere;
+        const double* const* const one[] = {point};
+        const Certainty certain = circumspheres_fast<double, any_dimension, any_dimension>(k, space, one, &sphere);
+        if (certain.within != 0 && (sphere.within != 0 || certain.radius != 0)) {
+            if (sphere.within == 0) *out = sphere.radius;
+            return Status::ok;
+        }
+        const ExactSphere exact(point, static_cast<int>(k), dim_);
+        if (!exact.in_range()) return Status::out_of_range;
+        if (certain.within == 0 && !exact.find_within(scratch_, &sphere.within)) return Status::ok;  // flat
+        if (sphere.within != 0) return Status::ok;
+        if (certain.radius == 0 && !exact.find_radius(scratch_, &sphere.radius)) return Status::out_of_range;
+        *out = sphere.radius;
+        return Status::ok;
     }
-    if (k > static_cast<std::uint32_t>(dim)) return value;  // no more than dim + 1 points hold a ball
-    std::uint32_t vertices[dimension_most() + 1];
-    const double* point[dimension_most() + 1];
-    vertices_of(complex, labels, k, simplex, vertices);
-    for (std::uint32_t i = 0; i <= k; ++i) point[i] = coordinates + vertices[i] * static_cast<std::size_t>(dim);
-    const KnownSphere known = circumsphere_of(dim, point, k);
-    const bool own = known.sphere.within == 0 && known.sphere.radius > value;
-    if (own) value = known.sphere.radius;
-    double here = known.sphere.within == 0 ? known.error : 0;
-    if (known.error < 0) here = enclosing_error(point, static_cast<int>(k), dim, value);
-    if (here > *error) *error = here;
-    return value;
-}
+
+private:
+    int dim_;
+    const double* coordinates_;
+    const FilteredComplex complex_;
+    const std::uint32_t* labels_;
+    std::uint64_t* scratch_;
+};
 
 // The chains of nested sets that end in one set, from the top down: a chain of length m is a path of m - 1 steps.
 class NestedSets {
@@ -211,23 +223,18 @@ Status distance_complex(const DistanceSource& source, std::uint32_t dimension, d
 }
 
 Status cech_complex(int dim, const double* coordinates, std::uint32_t n, std::uint32_t dimension, const Work& work,
-                    ListedComplex* out, double* error) {
-    const Status status = full_rips_complex(dim, coordinates, n, dimension, work, out);
+                    ListedComplex* out) {
+    Status status = full_rips_complex(dim, coordinates, n, dimension, work, out);
     if (status != Status::ok) return status;
-    double least = infinity, most = 0;
-    for (std::uint32_t i = 0; i < (out->dimension > 0 ? out->count[1] : 0);)
-        for (const std::uint64_t piece = work.arena.piece(i, (out->dimension > 0 ? out->count[1] : 0), 8); i < piece;
-             ++i) {
-            const double half = out->value[1][i];
-            if (half < least) least = half;
-            if (half > most) most = half;
-        }
-    *error = half_distance_error(dim, least, most);
-    const FilteredComplex complex = out->filtered();
+    const HighScope scope(work.arena);
+    std::uint64_t* const scratch = work.arena.take_high<std::uint64_t>(ExactSphere::room(dim));
+    if (scratch == nullptr) return Status::out_of_memory;
+    const EnclosingBalls balls(dim, coordinates, *out, scratch);
     for (std::uint32_t k = 2; k <= out->dimension; ++k) {
         for (std::uint32_t i = 0; i < out->count[k]; ++i) {
             if (work.monitor.advance(i, 2 * k)) return Status::cancelled;
-            out->value[k][i] = enclosing_radius(dim, coordinates, complex, out->rows[0], k, i, error);
+            status = balls.radius(k, i, &out->value[k][i]);
+            if (status != Status::ok) return status;
         }
     }
     return Status::ok;

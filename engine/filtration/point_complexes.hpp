@@ -10,7 +10,7 @@
 namespace netmesh {
 
 // All values are radii: balls of that radius about the vertices meet pairwise (Rips: half the longest edge), or all in
-// one point (Cech: the radius of the smallest enclosing ball). coordinates: [n][dim], distinct points. The complexes
+// one point (Cech: the radius of the smallest enclosing ball), rounded to the nearest double. coordinates: [n][dim], distinct points. The complexes
 // are linked but not in order of value, and lie at the arena's low end. `dimension` <= ListedComplex::dimension_max and
 // < n; a complex of which a dimension would have 2^31 simplices or more is out_of_memory.
 
@@ -29,11 +29,10 @@ Status distance_complex(const DistanceSource& source, std::uint32_t dimension, d
                         ListedComplex* out);
 
 // All simplices of up to dimension + 1 points. The value of a simplex is the radius of its smallest circumsphere if
-// that has its centre inside, otherwise the largest of its facets': the smallest enclosing ball, never decreasing from
-// a face to its cofaces. *error: how far values are at most from the true ones, relative to these; nearly always below
-// 2^-40, infinite where nothing is known.
+// that has its centre inside, otherwise the largest of its facets': the smallest enclosing ball. Scratch: that of
+// ExactSphere. out_of_memory, cancelled; out_of_range, as alpha_values.
 Status cech_complex(int dim, const double* coordinates, std::uint32_t n, std::uint32_t dimension, const Work& work,
-                    ListedComplex* out, double* error);
+                    ListedComplex* out);
 
 // The barycentric decomposition of `complex` (linked) on its simplices of at least k vertices, up to simplices of
 // `dimension`, each a chain of nested sets that enters with its largest set. Homology of degree p needs the sets of k

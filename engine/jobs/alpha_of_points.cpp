@@ -59,7 +59,7 @@ template <int D> Status run(const AlphaOfPoints& request, const Work& work, Alph
     out->distinct = state.vertex_count;
     AlphaFiltration<D> filtration;
     if (!strip<D>(store, &filtration)) return Status::out_of_memory;
-    return persist_alpha<D>(filtration, request.diagram, work, &out->found, &out->value_error);
+    return persist_alpha<D>(filtration, request.diagram, work, &out->found);
 }
 
 }  // namespace

@@ -18,7 +18,6 @@ struct AlphaOfPoints {
 
 struct AlphaDiagram {
     CountedPairs found;
-    double value_error;      // as of alpha_values
     std::uint32_t distinct;  // points, after merging
     InputReport input;
 };

@@ -3,6 +3,7 @@
 #include "jobs/join_shift.hpp"
 #include "jobs/scale_grid.hpp"
 #include "jobs/value_table.hpp"
+#include "numerics/bits.hpp"
 
 namespace netmesh {
 namespace {
@@ -161,12 +162,23 @@ Status bound_in_join(const FilterBounds& filter, const BarList& bars, const Join
 
 namespace {
 
-// By the ratio and the values' own error. Values in any order: phi and psi of the head are x c s, s the slack, and a
-// bar is real when its death is after c^2 s^2 times its birth.
-BarBounds by_ratio(const Pair& bar, double ratio, double slack, bool in_order) {
+double down(double x) { return x > 0 && x < infinity ? double_of_bits(bits_of(x) - 1) : x; }
+double up(double x) { return x < infinity ? double_of_bits(bits_of(x) + 1) : x; }
+
+// Ends that are true ones rounded to nearest: within half a unit in the last place, and different only where the true
+// ones are. A vertex enters at 0; another simplex may be told to, being too small for a double.
+BarBounds by_rounding(const Pair& bar) {
+    const bool vertex = bar.degree == 0 && bar.birth == 0;
+    const double latest = vertex ? 0 : up(bar.birth);
+    return {down(bar.birth), latest, down(bar.death), up(bar.death), latest, bar.death > bar.birth ? 1u : 0u, 0};
+}
+
+// By the ratio and the slack s for rounding: phi and psi of the head are x c s, and a bar is real when its death is
+// after c^2 s^2 times its birth.
+BarBounds by_ratio(const Pair& bar, double ratio, double slack) {
     const bool zero = bar.birth == 0;  // whatever the ratio: 0 times infinity is no number
-    const double most = ratio * slack, least = in_order ? ratio : most * slack;
-    const double real_after = zero ? 0 : bar.birth * ratio * least;
+    const double most = ratio * slack;
+    const double real_after = zero ? 0 : bar.birth * ratio * most * slack;
     return {zero ? 0 : bar.birth / most,
             zero ? 0 : bar.birth * most,
             bar.death < infinity ? bar.death / most : infinity,
@@ -198,14 +210,14 @@ void narrow(const Pair& bar, double e, BarBounds* bounds) {
 
 Status bound_by_ratio(const UniformBound& bound, const BarList& bars, Arena& arena, BarBounds* bounds,
                       ScaleCurve* curve) {
-    // A true value is between x / (1 + error) and x / (1 - error), error < 2^-20 or infinite; and one rounding.
-    const double ratio = bound.ratio, slack = bound.value_error > 0 ? 1 + 1.01 * bound.value_error + 0x1p-51 : 1;
+    const double ratio = bound.ratio, slack = bound.rounded ? 1 + 0x1p-50 : 1;
     const bool is_additive = bound.error >= 0, has_ratio = ratio < infinity || !is_additive;
     double from = 0;
     for (std::uint64_t i = 0; i < bars.count;)
         for (const std::uint64_t piece = arena.piece(i, bars.count, 80); i < piece; ++i) {
-            bounds[i] = has_ratio ? by_ratio(bars[i], ratio, slack, bound.in_order)
-                                  : BarBounds{-infinity, infinity, -infinity, infinity, infinity, 0, 0};
+            bounds[i] = !has_ratio                   ? BarBounds{-infinity, infinity, -infinity, infinity, infinity, 0, 0}
+                        : bound.rounded && ratio == 1 ? by_rounding(bars[i])
+                                                      : by_ratio(bars[i], ratio, slack);
             if (is_additive) narrow(bars[i], bound.error, &bounds[i]);
             if (bars[i].birth < from) from = bars[i].birth;
         }

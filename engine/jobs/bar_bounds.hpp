@@ -84,16 +84,16 @@ class ScaleGrid;
 Status bound_in_join(const FilterBounds& filter, const BarList& bars, const JoinShift& join, Arena& arena,
                      BarBounds* bounds, ScaleGrid* grid);
 
-// What holds at every scale: the ratio; how far values are at most from those that it speaks of, relative to these;
-// whether these are in the same order and equal where the values are: then each bar of positive length stands for one
-// where the ratio is 1; and the additive bound, beside which there may be no ratio: infinite, and values of any sign.
+// What holds at every scale: the ratio; whether values are true ones rounded, to nearest where the ratio is 1 and to a
+// unit in the last place else, or as they are; and the additive bound, beside which there may be no ratio: infinite, and
+// values of any sign.
 struct UniformBound {
-    double ratio, value_error;
+    double ratio;
+    bool rounded = false;
     double error = -1;  // negative: none
-    bool in_order = true;
 };
 
-// The same from one bound. Neither its value_error nor its additive bound is in the curve, which begins at 0 or, for
+// The same from one bound. Neither the rounding nor the additive bound is in the curve, which begins at 0 or, for
 // negative values, the least birth. Deaths at infinity are exact. out_of_memory.
 Status bound_by_ratio(const UniformBound& bound, const BarList& bars, Arena& arena, BarBounds* bounds,
                       ScaleCurve* curve);

@@ -1,7 +1,7 @@
 #include "jobs/persist_alpha.hpp"
 
 #include "delaunay/spatial_order.hpp"
-#include "filtration/radius_order.hpp"
+#include "filtration/point_records.hpp"
 #include "homology/matrix/ball.hpp"
 #include "vocabulary/dimension.hpp"
 
@@ -44,8 +44,7 @@ bool stack_dimensions(int dimension, std::uint32_t** facets, double** value, Are
 
 // Leaves the pairs somewhere above the arena's low mark, with what was taken on the way.
 template <int D>
-Status diagram_of(const AlphaFiltration<D>& filtration, DiagramRequest request, const Work& work, CountedPairs* out,
-                  double* error) {
+Status diagram_of(const AlphaFiltration<D>& filtration, DiagramRequest request, const Work& work, CountedPairs* out) {
     const std::size_t high = work.arena.high_mark();
     Faces<D> faces;
     work.monitor.begin(NETMESH_STAGE_FILTER, 0);
@@ -85,7 +84,7 @@ Status diagram_of(const AlphaFiltration<D>& filtration, DiagramRequest request, 
         total += faces.count[k];
     }
     work.monitor.begin(NETMESH_STAGE_FILTER, 2 * total);
-    status = alpha_values(faces, points.coordinates, points.stride_bytes, work, value, error);
+    status = alpha_values(faces, points.coordinates, points.stride_bytes, work, value);
     if (status != Status::ok) return status;
     work.arena.release_high(high);
 
@@ -105,19 +104,18 @@ Status diagram_of(const AlphaFiltration<D>& filtration, DiagramRequest request, 
 }  // namespace
 
 template <int D>
-Status persist_alpha(const AlphaFiltration<D>& filtration, DiagramRequest request, const Work& work, CountedPairs* out,
-                     double* error) {
+Status persist_alpha(const AlphaFiltration<D>& filtration, DiagramRequest request, const Work& work, CountedPairs* out) {
     const std::size_t low = work.arena.low_mark(), high = work.arena.high_mark();
     if (request.max_degree >= D) request.max_degree = D - 1;
     PairList& found = out->pairs;
-    const Status status = diagram_of(filtration, request, work, out, error);
+    const Status status = diagram_of(filtration, request, work, out);
     work.arena.release_low(low);
     work.arena.release_high(high);
     return status == Status::ok ? move_pairs_down(low, work.arena, &found) : status;
 }
 
 #define NETMESH_INSTANTIATE(D)                                                                                         \
-    template Status persist_alpha<D>(const AlphaFiltration<D>&, DiagramRequest, const Work&, CountedPairs*, double*);
+    template Status persist_alpha<D>(const AlphaFiltration<D>&, DiagramRequest, const Work&, CountedPairs*);
 NETMESH_EACH_INSTANCE(NETMESH_INSTANTIATE)
 #undef NETMESH_INSTANTIATE
 

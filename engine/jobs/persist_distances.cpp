@@ -49,14 +49,6 @@ Status persist_graph(const DistancesRequest& request, const Work& work, Distance
     return reduced;
 }
 
-// Halves are exact but for those that have no digits left to halve.
-void note_halving_error(const Arena& arena, DistancesDiagram* out) {
-    ValueRange range;
-    const PairList& pairs = out->diagram.pairs;
-    arena.each(pairs.count, 1, [&](std::uint64_t i) { range.add(pairs.pairs[i].birth, pairs.pairs[i].death); });
-    out->value_error = range.least < 0x1p-1022 ? 0x1p-1074 / range.least : 0;
-}
-
 }  // namespace
 
 Status persist_distances(const DistancesRequest& request, const Work& work, DistancesDiagram* out) {
@@ -69,7 +61,6 @@ Status persist_distances(const DistancesRequest& request, const Work& work, Dist
                                   : persist_graph(request, work, out);
     if (is_tree) out->input_fingerprint = limits.fingerprint;
     if (status == Status::ok) {
-        note_halving_error(work.arena, out);
         return request.representatives ? status : move_pairs_down(low, work.arena, &out->diagram.pairs);
     }
     work.arena.release_low(low);

@@ -17,7 +17,6 @@ struct DistancesRequest {
 
 struct DistancesDiagram {
     ComplexDiagram diagram;
-    double value_error;  // as of PointsDiagram
     std::uint64_t input_fingerprint;
     DistanceFault fault;    // after invalid_argument; without one there are too many simplices to number
     ListedComplex complex;  // with representatives

@@ -17,7 +17,7 @@ Status persist_filter(const AnyMesh& mesh, const PersistRequest& request, const 
             const Store<D> store = mesh.store.of_dimension<D>();
             return persist_alpha<D>(
                 {store.view(), store.point(0), Store<D>::vertex_stride, count_hull_facets(store.view(), work.arena)},
-                request.diagram, work, &found, &out->value_error);
+                request.diagram, work, &found);
         });
         out->pairs = found.pairs;
         out->simplices = found.simplices;

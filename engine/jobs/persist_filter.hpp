@@ -15,7 +15,6 @@ struct FilterDiagram {
     bool is_short = false;        // pairs are of the short form (BarList)
     std::uint64_t simplices = 0;  // of the filtered complex
     Certificate certificate = {};
-    double value_error = 0;         // alpha: of births and deaths, relative
     const double* value = nullptr;  // [vertices] of a filter on meshes; null: alpha
     double clip_radius = 0;         // of the ball that cells were clipped to; 0: they are whole
     std::uint32_t culprit = 0;      // as of Evaluation

@@ -18,12 +18,11 @@ std::uint32_t skeleton_dimension(const PointsFilter& filter, std::uint64_t n) {
     return static_cast<std::uint32_t>(wanted < n ? wanted : n - 1);
 }
 
-Status make_complex(const PointSet& points, const PointsFilter& filter, const Work& work, ListedComplex* out,
-                    double* error) {
+Status make_complex(const PointSet& points, const PointsFilter& filter, const Work& work, ListedComplex* out) {
     const std::uint32_t dimension = skeleton_dimension(filter, points.count), top = filter.max_degree + 1;
-    if (!is_barycentric(filter.filter)) return list_sets(points, filter.filter, dimension, work, out, error);
+    if (!is_barycentric(filter.filter)) return list_sets(points, filter.filter, dimension, work, out);
     ListedComplex sets;
-    Status status = list_sets(points, filter.filter, dimension, work, &sets, error);
+    Status status = list_sets(points, filter.filter, dimension, work, &sets);
     if (status == Status::ok) status = barycentric_complex(sets, filter.k, top, top, work, out);
     for (std::uint32_t m = 0; status == Status::ok && m <= out->dimension; ++m) {
         for (std::uint32_t i = 0; i < out->count[m];)
@@ -37,20 +36,11 @@ Status make_complex(const PointSet& points, const PointsFilter& filter, const Wo
 Status persist_listed(const PointsRequest& request, const PointSet& set, const Work& work, PointsDiagram* out) {
     const PointsFilter& filter = request.filter;
     ListedComplex& complex = out->complex;
-    const Status status = make_complex(set, filter, work, &complex, &out->value_error);
+    const Status status = make_complex(set, filter, work, &complex);
     if (status != Status::ok) return status;
     ComplexRequest counted = {{filter.max_degree, request.keep_zero}, request.representatives};
     if (is_rips(filter.filter)) counted.counted = filter.max_degree > 1 ? filter.max_degree : 1;
     return persist_complex(complex, counted, work, &out->diagram);
-}
-
-void note_edge_error(const PointsRequest& request, const Arena& arena, PointsDiagram* out) {
-    ValueRange range;
-    for (std::uint64_t i = 0; i < out->diagram.pairs.count;)
-        for (const std::uint64_t piece = arena.piece(i, out->diagram.pairs.count, 15); i < piece; ++i) {
-            range.add(out->diagram.pairs.pairs[i].birth, out->diagram.pairs.pairs[i].death);
-        }
-    out->value_error = edge_error(range, factor_of(request.filter), request.dim);
 }
 
 Status graph_in_any_dimension(const DistanceSource& source, const Work& work, RipsGraph* graph) {
@@ -105,7 +95,6 @@ Status persist_set(const PointsRequest& request, const Work& work, PointsDiagram
     if (is_rips(request.filter.filter) && !request.representatives)
         status = persist_edges(request, set, work, out, &done);
     if (!done) status = persist_listed(request, set, work, out);
-    if (status == Status::ok && has_edges(request.filter.filter)) note_edge_error(request, work.arena, out);
     return status;
 }
 

@@ -1,10 +1,8 @@
 #include "jobs/point_set.hpp"
 
 #include "filtration/filters.hpp"
-#include "filtration/half_distance.hpp"
 #include "filtration/point_complexes.hpp"
 #include "numerics/fingerprint.hpp"
-#include "numerics/real.hpp"
 #include "numerics/sort.hpp"
 
 namespace netmesh {
@@ -80,24 +78,12 @@ double ratio_of(const PointsFilter& filter) {
 }
 
 Status list_sets(const PointSet& set, netmesh_filter filter, std::uint32_t dimension, const Work& work,
-                 ListedComplex* out, double* error) {
+                 ListedComplex* out) {
     const int dim = static_cast<int>(set.dim);
     const double* const x = set.coordinates;
-    if (!has_edges(filter)) return cech_complex(dim, x, set.count, dimension, work, out, error);
+    if (!has_edges(filter)) return cech_complex(dim, x, set.count, dimension, work, out);
     return is_barycentric(filter) ? full_rips_complex(dim, x, set.count, dimension, work, out)
                                   : rips_complex(dim, x, set.count, dimension, work, out);
-}
-
-void ValueRange::add(double birth, double death) {
-    if (birth > 0 && birth < least) least = birth;
-    if (birth > most) most = birth;
-    if (death < least && death > 0) least = death;
-    if (death < infinity && death > most) most = death;
-}
-
-double edge_error(const ValueRange& range, double factor, std::uint32_t dim) {
-    const double error = half_distance_error(static_cast<int>(dim), range.least / factor, range.most / factor);
-    return factor > 1 ? error + 1.01 * unit_roundoff : error;
 }
 
 }  // namespace netmesh

@@ -1,5 +1,4 @@
-// What jobs on points themselves share: the points without their copies, the sets of them that a filter begins with,
-// and how far rounding moves values.
+// What jobs on points themselves share: the points without their copies, and the sets of them that a filter begins with.
 #pragma once
 #include <cstdint>
 
@@ -46,18 +45,8 @@ bool has_edges(netmesh_filter filter);  // a set enters with its longest edge, n
 double factor_of(const PointsFilter& filter);
 double ratio_of(const PointsFilter& filter);
 
-// All sets of up to `dimension` + 1 points, with the filter's own values. CECH ones raise *error, which is relative.
+// All sets of up to `dimension` + 1 points, with the filter's own values.
 Status list_sets(const PointSet& set, netmesh_filter filter, std::uint32_t dimension, const Work& work,
-                 ListedComplex* out, double* error);
-
-// The least and the largest value of finite pairs but 0. The least value of all is a birth or a death of degree 0, so a
-// value outside of the range of the pairs is above all of them.
-struct ValueRange {
-    double least = __builtin_inf(), most = 0;
-    void add(double birth, double death);
-};
-
-// Of values that are half distances, and of the factor on them; relative.
-double edge_error(const ValueRange& range, double factor, std::uint32_t dim);
+                 ListedComplex* out);
 
 }  // namespace netmesh

@@ -21,13 +21,12 @@ public:
     Levels(const PointsVineyardRequest& request, const Work& work)
         : filter_(request.filter), k_last_(request.k_last), work_(work) {}
 
-    // Lists the chains at the arena's low end. *error: as list_sets.
-    Status open(const PointSet& set, double* error);
+    // Lists the chains at the arena's low end.
+    Status open(const PointSet& set);
     // The diagrams and the images of the maps, at the low end.
     Status reduce();
     // Leaves the vines above them.
     Status follow(VineList* out);
-    ValueRange range() const;
 
 private:
     Status list_sizes(const ListedComplex& sets);
@@ -47,10 +46,10 @@ private:
     PairList diagram_[steps_max], image_[steps_max];  // image_[i]: of the map from step i + 1 to step i
 };
 
-Status Levels::open(const PointSet& set, double* error) {
+Status Levels::open(const PointSet& set) {
     const std::uint32_t top = k_last_ + filter_.max_degree, degree = filter_.max_degree;
     ListedComplex sets;
-    Status status = list_sets(set, filter_.filter, top < set.count ? top : set.count - 1, work_, &sets, error);
+    Status status = list_sets(set, filter_.filter, top < set.count ? top : set.count - 1, work_, &sets);
     if (status == Status::ok) status = barycentric_complex(sets, filter_.k, degree + 1, degree + 1, work_, &complex_);
     if (status == Status::ok) status = order_by_value(complex_, work_.arena);
     if (status != Status::ok) return status;
@@ -164,16 +163,6 @@ Status Levels::follow(VineList* out) {
     return status;
 }
 
-ValueRange Levels::range() const {
-    ValueRange range;
-    for (std::uint32_t step = 0; step < steps(); ++step)
-        for (std::uint64_t i = 0; i < diagram_[step].count;)
-            for (const std::uint64_t piece = work_.arena.piece(i, diagram_[step].count, 12); i < piece; ++i) {
-                range.add(diagram_[step].pairs[i].birth, diagram_[step].pairs[i].death);
-            }
-    return range;
-}
-
 }  // namespace
 
 Status points_vineyard(const PointsVineyardRequest& request, const Work& work, PointsVineyard* out) {
@@ -187,12 +176,11 @@ Status points_vineyard(const PointsVineyardRequest& request, const Work& work, P
     if (status != Status::ok) return status;
     if (request.k_last > set.count) return Status::invalid_argument;
     Levels levels(request, work);
-    status = levels.open(set, &out->value_error);
+    status = levels.open(set);
     if (status == Status::ok) status = levels.reduce();
     if (status == Status::ok) status = levels.follow(&out->vines);
     if (status != Status::ok) return status;
     for (std::uint32_t i = 0; i < count; ++i) room.ratios()[i] = ratio_of(filter);
-    if (has_edges(filter.filter)) out->value_error = edge_error(levels.range(), factor_of(filter), set.dim);
     out->distinct = set.count;
     out->input_fingerprint = set.fingerprint;
     return room.keep(&out->vines);

@@ -6,7 +6,7 @@
 
 namespace netmesh {
 
-// A number in units of 2^-2148, the least product that is not 0: up to 2^16 products below 2^2048 in magnitude. Digits
+// A number in units of 2^-2148, the least product that is not 0: up to 2^20 products below 2^2048 in magnitude. Digits
 // keep their signs and carries; sign() adds them up.
 class ProductSum {
 public:
@@ -27,7 +27,7 @@ public:
     }
 
 private:
-    static constexpr int least = -2148, digits = 134;  // 2 * 1024 + 2148 + 16 bits
+    static constexpr int least = -2148, digits = 134;  // 2 * 1024 + 2148 + 20 bits, and more
 
     void add(const Decoded& x, const Decoded& y, bool negate) {
         const bool negative = (x.negative != y.negative) != negate;

@@ -32,8 +32,6 @@ double distance(const PointCloud& cloud, std::uint32_t i, std::uint32_t j) {
     return std::ldexp(std::sqrt(sum), exponent);
 }
 
-double distance_error(std::uint32_t dim) { return (dim + 8) * 0x1p-53; }
-
 double evaluate(void* user, std::uint32_t i, std::uint32_t j) {
     return distance(*static_cast<const PointCloud*>(user), i, j);
 }
@@ -165,7 +163,6 @@ Outcome persist_rips(const Options& options, RipsInput& input, bool cycles, Sess
     report->input.dim = input.cloud.dim;
     report->input.points = input.rows;
     report->input.duplicates = input.rows - input.count();
-    report->diagram.value_error += distance_error(input.cloud.dim);
     return {};
 }
 

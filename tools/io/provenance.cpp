@@ -119,9 +119,6 @@ Head option_head(const Options& options) {
     return head.take();
 }
 
-// Whose values are radii that were computed, not chosen.
-bool has_value_error(netmesh_filter filter) { return filter == NETMESH_FILTER_ALPHA || is_on_points(filter); }
-
 Head head_of(const Options& options, const netmesh_report& report) {
     const netmesh_input_report& input = report.input;
     HeadWriter head;
@@ -145,7 +142,6 @@ Head head_of(const Options& options, const netmesh_report& report) {
     if (report.diagram.certified_from > 0) head.add("certified-from", report.diagram.certified_from);
     if (report.diagram.filter == NETMESH_FILTER_FUNCTION) head.add("certified-error", report.diagram.certified_error);
     if (fits_error(options)) head.add("fitted-error", report.diagram.fitted_error);
-    if (has_value_error(report.diagram.filter)) head.add("value-error", report.diagram.value_error);
     head.add("reference", reference_name(report));
     lines = head.take();
     all.insert(all.end(), lines.begin(), lines.end());
@@ -252,7 +248,6 @@ Outcome HeadReader::check_names() {
     due.push_back({found_.options.values_at.empty() ? "input" : "mesh", ""});
     if (filter_of(found_.options) == NETMESH_FILTER_FUNCTION) due.push_back({"certified-error", ""});
     if (fits_error(found_.options)) due.push_back({"fitted-error", ""});
-    if (has_value_error(filter_of(found_.options))) due.push_back({"value-error", ""});
     for (const HeadLine& line : found_.lines) {
         if (find_line(found_.lines, line.name) != &line)
             return fault(line, "the head says that twice; leave one of the two lines out");

@@ -139,6 +139,10 @@ std::string decision_lines(const netmesh_decision_report& decision) {
            rounded_text(decision.decided_from, 5) + " have a bar that surely is real\n";
 }
 
+bool is_exact(const netmesh_diagram_report& diagram) {
+    return (diagram.filter == NETMESH_FILTER_ALPHA || is_on_points(diagram.filter)) && diagram.certified_ratio == 1;
+}
+
 std::string diagram_lines(const netmesh_report& engine) {
     const netmesh_diagram_report& diagram = engine.diagram;
     std::string text = "diagram  " + by_degree(diagram.pairs, diagram.max_degree, true);
@@ -152,12 +156,7 @@ std::string diagram_lines(const netmesh_report& engine) {
         text += "certified error " + rounded_text(diagram.certified_error, 6) +
                 ": births and deaths are off by at most that\n";
     }
-    if (std::isinf(diagram.value_error)) {
-        text += "rounding radii above the largest double are that, so bars between them are missing\n";
-    } else if (diagram.value_error > 0) {
-        text += diagram.filter == NETMESH_FILTER_ALPHA ? "exact    no bar is dropped or made; " : "rounding ";
-        text += "births and deaths to " + rounded_text(1.005 * diagram.value_error, 3) + " of themselves\n";
-    }
+    if (is_exact(diagram)) text += "exact    every birth and death is the exact one, rounded to the nearest double\n";
     if (engine.bounds.present != 0)
         text += "real     " + by_degree(engine.bounds.certain, engine.bounds.max_degree, true) + " bars surely real\n";
     if (engine.decision.present != 0) text += decision_lines(engine.decision);

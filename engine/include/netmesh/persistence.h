@@ -130,15 +130,14 @@ void netmesh_persist_request_init(netmesh_persist_request* request, size_t reque
  * it finite. certified_error is finite, at most lipschitz times the domain's radius; infinite where what is said of the
  * function cannot be: at a vertex it is less than cut and lipschitz allow so far from the domain's sphere.
  * INVALID_ARGUMENT (K: more than the number of different points), NOT_FINITE (index_a: the vertex at which the function
- * is not finite), OUT_OF_RANGE (ALPHA: differences of coordinates above 2^1670 units in the plane, 2^1190 in space,
- * 2^640 in R^6, of which all coordinates are multiples), CHECK_FAILED (ALPHA: what was loaded is
+ * is not finite), OUT_OF_RANGE (ALPHA: differences of coordinates above 2^2766 units in the plane, 2^2075 in space,
+ * 2^1185 in R^6, of which all coordinates are multiples), CHECK_FAILED (ALPHA: what was loaded is
  * no triangulation of the convex hull of its vertices, exactly: a cell is flat, cells overlap, are apart or meet at a
  * vertex only, the hull has a dent; whether it is Delaunay is left to netmesh_check. Others: no triangulated ball was
  * loaded, as far as the job depends on it),
- * NO_RESULT, OUT_OF_MEMORY, CANCELLED. The mesh stays whole on failure. ALPHA: a bar of positive length for each that
- * there is in exact arithmetic, and no other. Births and deaths have exactly the order of the true ones: where many
- * different ones share one double, each is the next double to the one before, within value_error of the report. Radii
- * above the largest double are that; then value_error is infinite, and bars between two of them are missing. */
+ * NO_RESULT, OUT_OF_MEMORY, CANCELLED. The mesh stays whole on failure.
+ * ALPHA: every birth and death is the exact one, rounded to the nearest double, ties to even; beyond the largest double
+ * it is infinite. A bar is there where the exact bar's ends are different doubles, and no other. */
 netmesh_status netmesh_persist(netmesh_context* context, const netmesh_persist_request* request);
 
 /* The diagram of the offsets of points by whichever filter costs less. */
@@ -198,7 +197,7 @@ void netmesh_bounds_request_init(netmesh_bounds_request* request, size_t request
 /* For each bar where the true one surely is, from the bounds of every cell instead of one ratio; whether the bar surely
  * stands for a class of the true diagram; and the ratio as a function of scale. Where a filter's bounds_by_scale is
  * 1: by scale, and by covers within and around the sublevel sets, at the cost of up to eight more diagrams; of FUNCTION
- * with the request's function alone. Else by the certified ratio, certified_error and value_error;
+ * with the request's function alone. Else by the certified ratio and certified_error, and half a unit in the last place;
  * of SCALES by scale where its request asked for that. The numbers stay
  * with the diagram, and are not made again: 48 bytes a bar. Scratch: about 110 bytes a vertex, 120 a bar, and what a
  * diagram takes; netmesh_plan_mesh does not count it. The diagram stays whole on failure. NO_RESULT (no diagram),

@@ -98,13 +98,10 @@ typedef struct netmesh_diagram_report {
     uint64_t essential[NETMESH_DEGREE_MAX + 1]; /* per degree: the Betti numbers of the whole complex */
     uint64_t simplices; /* of the filtered complex; RIPS: of dimension up to max(1, max_degree) */
     /* c >= 1: log-bottleneck distance to the diagram of the offsets (of the sublevel sets of the function of KNN,
-     * KDISTANCE and FUNCTION) is at most ln c; of ALPHA and filters on points but for value_error. */
+     * KDISTANCE and FUNCTION) is at most ln c. 1: each birth and death is the exact one, rounded to nearest. */
     double certified_ratio;
     double certified_ratio_best; /* the best ratio that any filter values on this mesh can certify (certified values) */
     double certified_from;       /* scale from which the ratio holds: 0, or r_P for the basic filter */
-    double value_error;          /* ALPHA, RIPS, CECH and BARYCENTRIC ones: births and deaths differ from those that
-                                    certified_ratio speaks of by at most this times the latter; infinite where nothing
-                                    is known. ALPHA: and are in the same order and equal where those are. Others: 0 */
     double certified_focus;      /* of netmesh_fit with scales of interest: the largest sqrt(hi / lo), lo and hi the
                                     bounds of a Steiner vertex's cell that matters to them; else 0 */
     double certified_error;      /* FUNCTION: each pair moves by at most this, finite whatever the function: the
@@ -161,8 +158,7 @@ typedef struct netmesh_vineyard_report {
     uint64_t vines, points, transpositions;
     uint64_t simplices;     /* of the filtered complex */
     double certified_ratio; /* the largest of all k */
-    double value_error;     /* of netmesh_points_vineyard: as that of a diagram; others: 0 */
-    uint64_t reserved[1];
+    uint64_t reserved[2];
 } netmesh_vineyard_report;
 
 /* Of netmesh_homology, netmesh_value_vineyard, netmesh_persist_points and netmesh_points_vineyard. */

@@ -125,11 +125,6 @@ class Diagram:
         return self._facts["certified_error"]
 
     @property
-    def value_error(self) -> float:
-        """The share of themselves by which births and deaths are rounded, of filters on points and alpha."""
-        return self._facts["value_error"]
-
-    @property
     def reference(self) -> str:
         """The function that the certificate is about."""
         return self._facts["reference"]
@@ -184,7 +179,7 @@ def read(session, options=None, representatives=False, dim=0):
     reference = FILTERS[name].reference if name else "filtered complex"
     facts = {
         "filter": name, "certified_ratio": part.certified_ratio, "certified_from": part.certified_from,
-        "certified_error": part.certified_error, "value_error": part.value_error,
+        "certified_error": part.certified_error,
         "reference": reference.replace("{k}", str(part.k)).replace("{D}", str(report.input.dim)),
         "fingerprint": "%016x" % report.fingerprint,
     }

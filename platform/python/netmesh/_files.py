@@ -27,8 +27,6 @@ def head_of(diagram):
     lines.append(("certified-ratio", number_text(part.certified_ratio)))
     if part.certified_from > 0:
         lines.append(("certified-from", number_text(part.certified_from)))
-    if options.filter.source in (c.NETMESH_SOURCE_POINTS, c.NETMESH_SOURCE_DELAUNAY):
-        lines.append(("value-error", number_text(part.value_error)))
     lines.append(("reference", diagram.reference))
     return lines
 

@@ -45,7 +45,6 @@ class Vineyard:
         #: float64 [ks]: the certified ratio of each k's diagram, from the first k on.
         self.ratios: np.ndarray = np.array(ratios)
         self._filter = FILTER_NAMES.get(part.filter, "")
-        self._value_error = part.value_error
         self._dim = report.input.dim
         self._report = report
 
@@ -69,7 +68,7 @@ class Vineyard:
         row = FILTERS.get(self._filter)
         reference = row.reference if row else "filtered complex"
         facts = {"filter": self._filter, "certified_ratio": float(self.ratios[k - self.k[0]]), "certified_from": 0.0,
-                 "certified_error": 0.0, "value_error": self._value_error, "fingerprint": "",
+                 "certified_error": 0.0, "fingerprint": "",
                  "reference": reference.replace("{k}", str(k)).replace("{D}", str(self._dim))}
         return Diagram(np.ascontiguousarray(intervals[order]), starts, facts)
 

@@ -505,13 +505,12 @@ EXPORT(filter_taken) int filter_taken() { return report.diagram.filter; }
 EXPORT(gave_up) int gave_up() { return report.diagram.why == NETMESH_WHY_MEMORY ? 1 : 0; }
 EXPORT(why) const char* why() { return netmesh_why_text(report.diagram.why); }
 EXPORT(certified_error) double certified_error() { return report.diagram.certified_error; }
-EXPORT(value_error) double value_error() { return report.diagram.value_error; }
 EXPORT(steps) double steps() { return static_cast<double>(report.bounds.steps); }
 EXPORT(vines) double vines() { return static_cast<double>(report.vineyard.vines); }
 EXPORT(vine_points) double vine_points() { return static_cast<double>(report.vineyard.points); }
 EXPORT(vine_fact) double vine_fact(int which) {
     const double facts[] = {static_cast<double>(report.vineyard.k_first), static_cast<double>(report.vineyard.k_last),
-                            static_cast<double>(report.vineyard.max_degree), report.vineyard.value_error};
+                            static_cast<double>(report.vineyard.max_degree)};
     return facts[which];
 }
 EXPORT(vine_ratio) double vine_ratio(std::uint32_t at) {

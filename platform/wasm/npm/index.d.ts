@@ -104,7 +104,6 @@ export interface BarBounds {
 export class Diagram implements Iterable<Bar> {
     readonly filter: string;
     readonly certifiedRatio: number;
-    readonly valueError: number;
     /** Of the filter "function": births and deaths are off by at most this. */
     readonly certifiedError: number;
     /** Why this filter: what "auto" has found, or "it was asked for". */
@@ -156,7 +155,6 @@ export class Vineyard {
     readonly intervals: Float64Array;
     /** The certified ratio of each k's diagram. */
     readonly ratios: Float64Array;
-    readonly valueError: number;
     readonly fingerprint: string;
     readonly peakBytes: number;
     readonly length: number;

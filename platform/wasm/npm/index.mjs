@@ -259,7 +259,7 @@ function diagramOf(job, filter, options) {
     for (let k = 0; k < job.exports.degrees(); ++k) starts.push(starts[k] + job.exports.pairs(k));
     const count = starts.at(-1);
     const [intervals] = job.read('read_pairs', [count], [Float64Array, 2 * count]);
-    const fields = { filter, certifiedRatio: job.exports.certified_ratio(), valueError: job.exports.value_error(),
+    const fields = { filter, certifiedRatio: job.exports.certified_ratio(),
         certifiedError: job.exports.certified_error(), fingerprint: job.fingerprint(),
         peakBytes: job.exports.peak_bytes(),
         why: job.text(job.exports.why()), bounds: null, representatives: null };
@@ -294,7 +294,7 @@ export class Vineyard {
         for (let degree = 0; degree <= this.maxDegree; ++degree)
             starts.push(starts[degree] + at.filter(i => this.degrees[i] === degree).length);
         return new Diagram({ filter: this.filter, certifiedRatio: this.ratios[k - this.k[0]],
-            valueError: this.valueError, certifiedError: 0, fingerprint: '', peakBytes: this.peakBytes, why: '',
+            certifiedError: 0, fingerprint: '', peakBytes: this.peakBytes, why: '',
             bounds: null, representatives: null },
         Float64Array.from(at.flatMap(i => [x[2 * i], x[2 * i + 1]])), starts);
     }
@@ -316,7 +316,7 @@ function vineyardOf(job, filter) {
     const k = [fact(0), fact(1)];
     return new Vineyard({ filter, k, count: job.exports.vines(), maxDegree: fact(2), vines, degrees, ks, intervals,
         ratios: Float64Array.from({ length: k[1] - k[0] + 1 }, (_, i) => job.exports.vine_ratio(k[0] + i)),
-        valueError: fact(3), fingerprint: job.fingerprint(), peakBytes: job.exports.peak_bytes() });
+        fingerprint: job.fingerprint(), peakBytes: job.exports.peak_bytes() });
 }
 
 const rangeOf = k => {

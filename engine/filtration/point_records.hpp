@@ -1,16 +1,14 @@
-// Radii of simplices as doubles that have exactly the order of the true radii.
+// The points of listed faces.
 #pragma once
 #include <cstddef>
 #include <cstdint>
 
 #include "complex/faces.hpp"
-#include "filtration/circumsphere_exact.hpp"
-#include "memory/work.hpp"
+#include "memory/arena.hpp"
+#include "memory/prefetch.hpp"
 #include "numerics/bits.hpp"
 #include "numerics/sort.hpp"
-#include "numerics/vector.hpp"
 #include "vocabulary/dimension.hpp"
-#include "vocabulary/status.hpp"
 
 namespace netmesh {
 
@@ -144,44 +142,5 @@ private:
 
     const bool last_vertex_known_;
 };
-
-// A radius and a bound on how far it is from the true one, relative to that.
-struct Radius {
-    double value, error;
-};
-// Half the length of an edge, of its squared length. That has dim + 2 roundings, the root halves them and adds one.
-// False: squares are out of the range of doubles.
-inline bool edge_radius(double squared, std::uint32_t dim, Radius* out) {
-    *out = {square_root(squared) / 2, 1.01 * unit_roundoff * (dim / 2.0 + 2)};
-    return squared > 0x1p-900 && squared < 0x1p1000;
-}
-
-// Bounds on the relative errors of radii. Those of very small ones, up to 2, and of those above the largest double are
-// kept apart: an order that took them for all radii would take all for close.
-struct RadiusErrors {
-    double inner, outer;
-    void note(double radius, double error) {
-        double& most = radius >= radius_min && radius < radius_max ? inner : outer;
-        if (error > most) most = error;
-    }
-};
-
-// value[k][i], k >= 1: the radius of the i-th k-face, to *errors, or negative: that of one of its cofaces, which has it
-// in its interval (alpha.cpp). Afterwards two of those not negative are equal if and only if the true ones are, and
-// otherwise in the same order. Nearly all stay as they are, and where one does not, the negative ones of its faces go
-// with it. Where many different radii are within one unit in the last place, each is the next double to the one before;
-// *errors become what then holds. *tied: two radii are equal, or were; negative ones are not right then. Where size
-// counts they never are.
-//
-// Those that may have another close by are found by their leading digits (close_values.hpp) and sorted: few of random
-// points, all of a grid. Where intervals of neighbours meet, the float stage's own error bounds of
-// these simplices are looked at; if this does not part them, their squared radii are computed exactly
-// (circumsphere_exact.hpp) and sorted by their first 87 bits or more, and compared exactly where these agree. So an
-// exact tie costs one comparison, a microsecond or less for coordinates of few digits and some ten for any other.
-// Memory: 2 to 4 bytes a radius, 12 for each that is sorted, what ExactSphere takes; where so many radii share a double
-// that they would pass by one that was not sorted, all are. out_of_memory; out_of_range: a comparison needs more
-// digits than there are; cancelled.
-Status order_radii(const FaceTable& faces, const PointRecords& points, const Work& work, double* const* value,
-                   RadiusErrors* errors, bool* tied);
 
 }  // namespace netmesh
