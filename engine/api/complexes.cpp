@@ -7,9 +7,15 @@
 #include "filtration/filters.hpp"
 #include "jobs/persist_points.hpp"
 #include "jobs/persist_simplices.hpp"
+#include "numerics/real.hpp"
 
 namespace netmesh {
 namespace {
+
+// Rips complexes need nothing but distances.
+std::uint32_t dim_max_of(const netmesh_points_request& request) {
+    return in_range(request.filter, NETMESH_FILTER_RIPS, NETMESH_FILTER_RIPS) ? NETMESH_RIPS_DIM_MAX : NETMESH_DIM_MAX;
+}
 
 Complaint complaint_about_complex(const netmesh_points_request& request) {
     const Filter* const filter = find_filter(request.filter);
@@ -23,14 +29,12 @@ Complaint complaint_about_complex(const netmesh_points_request& request) {
     if (with_k && request.k > points_degree_max) return {NETMESH_FIELD_K, "k is above 30"};
     if (with_k && request.k + request.max_degree > points_degree_max)
         return {NETMESH_FIELD_MAX_DEGREE, "k + max_degree is above 30"};
+    if (!(request.threshold >= 0)) return {NETMESH_FIELD_THRESHOLD, "threshold is negative or NaN"};
+    if (request.threshold < infinity && dim_max_of(request) == NETMESH_DIM_MAX)
+        return {NETMESH_FIELD_THRESHOLD, "threshold is for the filter RIPS"};
     if (request.representatives != 0 && !filter->has(filter_trait::has_cycles))
         return {NETMESH_FIELD_REPRESENTATIVES, "there are no representatives of barycentric filtrations"};
     return {};
-}
-
-// Rips complexes need nothing but distances.
-std::uint32_t dim_max_of(const netmesh_points_request& request) {
-    return in_range(request.filter, NETMESH_FILTER_RIPS, NETMESH_FILTER_RIPS) ? NETMESH_RIPS_DIM_MAX : NETMESH_DIM_MAX;
 }
 
 PointsFilter points_filter_of(const netmesh_points_request& request) {
@@ -58,6 +62,7 @@ netmesh_status netmesh_persist_points(netmesh_context* context, const netmesh_po
                                   rows_of(request),
                                   static_cast<std::uint32_t>(request.point_count),
                                   request.dim,
+                                  request.threshold,
                                   request.keep_zero_pairs != 0,
                                   request.representatives != 0};
     PointsDiagram made;

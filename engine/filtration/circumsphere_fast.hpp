@@ -37,23 +37,28 @@ namespace netmesh {
 //  5. Radius. For any x and weights b_i
 //         |x|^2 + sum of b_i e_i . (e_i - 2 x) = R^2 + |x - z|^2 - 2 (x - z) . sum of (b_i - beta_i) e_i,
 //     as e_i . e_i = 2 e_i . z and the sum of beta_i e_i is z. What differs from R^2 is of second order: with 3 and 4 at
-//     most 3 a^2 P^2 L^2. The left side is computed in twice the digits: x as it is, e_i as sums of two doubles, the
-//     products e_i . (e_i - 2 x) exactly but for terms of third order, so that each is off by 32 D u^2 l_i 2 R at most
-//     (|e_i - 2 x| <= 2 R up to a factor of 1.01); times b_i, |b_i| l_i <= 1.01 Z, and summed, that is below
-//     65 D K u^2 L^2 < 2^-94 L^2. The products themselves are at most 2 l_i |x - z|: rounding them, and their sum, costs
-//     (K + 2) K u 2 Z a P L < a^2 P^2 L^2, as a > 2 K (K + 2) u. All together: (4 a^2 P^2 + 2^-94) L^2, and 5 for 4.
+//     most 3 a^2 P^2 L^2. The products e_i . (e_i - 2 x) themselves are at most 2 l_i |x - z|: rounding them, and their
+//     sum, costs (K + 2) K u 2 Z a P L < a^2 P^2 L^2, as a > 2 K (K + 2) u. Both: 4 a^2 P^2 L^2, and 5 for 4.
+//  6. Its digits. Let m be the sum of |2 x_d|, which is between 2 R and 2 sqrt(D) R up to a factor of 1.01. Coordinates of
+//     e_i and of 2 x are cut by adding 1.05 2^27 m, and taking it away: at multiples of a q between 1.04 2^-26 m and
+//     1.05 2^-25 m, of which another one may be twice as large. |e_i| and |e_i - 2 x| are at most 2 R, less than
+//     2^26 q, so by Cauchy products of upper parts, and sums of them, are below 2^53 q^2: exact. The rest of a product,
+//     upper part times lower and lower times whole, is at most q sqrt(D) (|e_i| + |e_i - 2 x| / 2 + q) < 1.6 sqrt(D) q m
+//     and takes D + 5 <= 2 D + 3 roundings: it is off by (2 D + 3) 1.7 sqrt(D) u 2^-25 m^2 at most, times |b_i|; and
+//     |2 x|^2, with the sum of all, by no more.
 // Sizes within 2^+-200 and P <= 2^12 keep what underflows below 2^-300 of all this.
 struct CircumsphereBounds {
-    double centre_error, beta_error;  // a and beta_error of the head
+    double centre_error, beta_error, digit_error;  // a, beta_error and the last factor of m^2 of the head
     static constexpr double volume_min = 0x1p-24;
 
-    constexpr CircumsphereBounds(int k, int dim) : centre_error(0), beta_error(0) {
+    constexpr CircumsphereBounds(int k, int dim) : centre_error(0), beta_error(0), digit_error(0) {
         constexpr double root_ek[7] = {0, 1.65, 2.34, 2.86, 3.30, 3.69, 4.04};  // sqrt(e K), rounded up
         constexpr double root_k[7] = {0, 1, 1.42, 1.74, 2, 2.24, 2.45};
         const double angles = (k - 1.0) * (2 * dim + 2 * k + 4) * (1 << k) / 4;  // (K-1) w / u P
         const double centre = root_ek[k] * (dim + 2 + 6 * k);
         centre_error = 1.05 * unit_roundoff * (angles + centre + (dim + 2) * root_k[k] + 2 * k * k * k);
         beta_error = 1.65 * centre_error;
+        digit_error = (2 * dim + 3) * 1.7 * root_k[dim] * unit_roundoff * 0x1p-25;
     }
 };
 
@@ -144,30 +149,36 @@ inline Certainty circumspheres_fast(DimensionOf<K> k, DimensionOf<D> dim, const 
     const Lanes error = bounds.beta_error * spread, slack = error * error * largest;
     const Mask signs = sure & below(slack, smallest) & below(slack * (k * k), first * first * whole_min);
 
-    Lanes high = {}, low = {};
+    // From here on with 2 x, cut at multiples of q as edges are.
+    Lanes upper[dim_max], size = {};
     for (std::uint32_t d = 0; d < dim; ++d) {
-        const TwoLanes<Lanes> square = exact_square(centre[d]), sum = exact_sum(high, square.high);
-        high = sum.high;
-        low += sum.low + square.low;
-    }
-    Lanes base[dim_max];
-    for (std::uint32_t d = 0; d < dim; ++d) {
-        base[d] = coordinate(0, d);
         centre[d] = centre[d] + centre[d];
+        size += lanes_absolute(centre[d]);
     }
+    const Lanes cut = size * (1.05 * 0x1p27);
+    Lanes high = {}, low = {}, weights = all_lanes<Lanes>(1);
+    for (std::uint32_t d = 0; d < dim; ++d) {
+        upper[d] = (centre[d] + cut) - cut;
+        high += upper[d] * upper[d];
+        low += (centre[d] - upper[d]) * (centre[d] + upper[d]);
+    }
+    high = high / 4;
+    low = low / 4;
     for (std::uint32_t i = 0; i < k; ++i) {
         Lanes top = {}, rest = {};
         for (std::uint32_t d = 0; d < dim; ++d) {
-            const TwoLanes<Lanes> edge = exact_difference(coordinate(i + 1, d), base[d]),
-                                  away = exact_difference(edge.high, centre[d]),
-                                  term = exact_product(edge.high, away.high), sum = exact_sum(top, term.high);
-            top = sum.high;
-            rest += sum.low + (term.low + (edge.high * (away.low + edge.low) + edge.low * away.high));
+            const TwoLanes<Lanes> edge = exact_difference(coordinate(i + 1, d), coordinate(0, d));
+            const Lanes above = (edge.high + cut) - cut, below_it = (edge.high - above) + edge.low;
+            const Lanes away = above - upper[d], away_below = below_it - (centre[d] - upper[d]);
+            top += above * away;
+            rest += above * away_below + below_it * (away + away_below);
         }
         low += weight[i] * (top + rest);
+        weights += lanes_absolute(weight[i]);
     }
     const TwoLanes<Lanes> square = exact_sum(high, low);
-    const Lanes doubt = largest * (5 * bounds.centre_error * bounds.centre_error * spread + 0x1p-94);
+    const Lanes doubt = largest * (5 * bounds.centre_error * bounds.centre_error * spread) +
+                        size * size * weights * bounds.digit_error;
     const NearestRoot<Lanes> nearest = nearest_root(square.high, square.low, doubt);
     Certainty certain = {0, 0};
     for (int i = 0; i < lane_count<Lanes>; ++i) {

@@ -206,9 +206,10 @@ struct HalfDistances {
 
 }  // namespace
 
-Status rips_complex(int dim, const double* coordinates, std::uint32_t n, std::uint32_t dimension, const Work& work,
-                    ListedComplex* out) {
-    return list_cliques(HalfDistances{dim, coordinates}, n, dimension, cone_radius(dim, coordinates, n), work, out);
+Status rips_complex(int dim, const double* coordinates, std::uint32_t n, std::uint32_t dimension, double threshold,
+                    const Work& work, ListedComplex* out) {
+    const double cone = cone_radius(dim, coordinates, n);
+    return list_cliques(HalfDistances{dim, coordinates}, n, dimension, threshold < cone ? threshold : cone, work, out);
 }
 
 Status full_rips_complex(int dim, const double* coordinates, std::uint32_t n, std::uint32_t dimension, const Work& work,

@@ -14,10 +14,10 @@ namespace netmesh {
 // are linked but not in order of value, and lie at the arena's low end. `dimension` <= ListedComplex::dimension_max and
 // < n; a complex of which a dimension would have 2^31 simplices or more is out_of_memory.
 
-// The skeleton up to `dimension` of the Vietoris-Rips complex, as far as the radius from which on one point is joined
-// to everything: the complex is a cone then and nothing is born any more. out_of_memory, cancelled.
-Status rips_complex(int dim, const double* coordinates, std::uint32_t n, std::uint32_t dimension, const Work& work,
-                    ListedComplex* out);
+// The skeleton up to `dimension` of the Vietoris-Rips complex, as far as the threshold, or the radius from which on
+// one point is joined to everything: the complex is a cone then and nothing is born any more. out_of_memory, cancelled.
+Status rips_complex(int dim, const double* coordinates, std::uint32_t n, std::uint32_t dimension, double threshold,
+                    const Work& work, ListedComplex* out);
 
 // The same without an end: all simplices of up to dimension + 1 points.
 Status full_rips_complex(int dim, const double* coordinates, std::uint32_t n, std::uint32_t dimension, const Work& work,

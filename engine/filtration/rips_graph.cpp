@@ -22,11 +22,12 @@ bool each_edge(const double* coordinates, std::uint32_t n, double limit, Monitor
 
 }  // namespace
 
-template <int D> Status rips_graph(const double* coordinates, std::uint32_t n, const Work& work, RipsGraph* out) {
+template <int D>
+Status rips_graph(const double* coordinates, std::uint32_t n, double threshold, const Work& work, RipsGraph* out) {
     *out = {};
     if (n > RipsGraph::vertices_max) return Status::invalid_argument;
     work.monitor.begin(NETMESH_STAGE_FILTER, 0);
-    const double limit = cone_radius(D, coordinates, n);
+    const double cone = cone_radius(D, coordinates, n), limit = threshold < cone ? threshold : cone;
     std::uint32_t count = 0;  // below 2^31, as n is
     if (!each_edge<D>(coordinates, n, limit, work.monitor, [&](std::uint32_t, std::uint32_t, double) { ++count; }))
         return Status::cancelled;
@@ -54,7 +55,8 @@ double rips_bytes(std::uint64_t n, std::uint32_t max_degree, double edges) {
     return bytes + 4 * points * points + 12 * points * (max_degree + 2) + 72 * columns;
 }
 
-#define NETMESH_INSTANTIATE(D) template Status rips_graph<D>(const double*, std::uint32_t, const Work&, RipsGraph*);
+#define NETMESH_INSTANTIATE(D)                                                                                  \
+    template Status rips_graph<D>(const double*, std::uint32_t, double, const Work&, RipsGraph*);
 NETMESH_EACH_DIMENSION(NETMESH_INSTANTIATE)
 #undef NETMESH_INSTANTIATE
 

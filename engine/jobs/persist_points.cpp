@@ -18,8 +18,12 @@ std::uint32_t skeleton_dimension(const PointsFilter& filter, std::uint64_t n) {
     return static_cast<std::uint32_t>(wanted < n ? wanted : n - 1);
 }
 
-Status make_complex(const PointSet& points, const PointsFilter& filter, const Work& work, ListedComplex* out) {
+Status make_complex(const PointSet& points, const PointsFilter& filter, double threshold, const Work& work,
+                    ListedComplex* out) {
     const std::uint32_t dimension = skeleton_dimension(filter, points.count), top = filter.max_degree + 1;
+    if (is_rips(filter.filter))
+        return rips_complex(static_cast<int>(points.dim), points.coordinates, points.count, dimension, threshold, work,
+                            out);
     if (!is_barycentric(filter.filter)) return list_sets(points, filter.filter, dimension, work, out);
     ListedComplex sets;
     Status status = list_sets(points, filter.filter, dimension, work, &sets);
@@ -36,18 +40,18 @@ Status make_complex(const PointSet& points, const PointsFilter& filter, const Wo
 Status persist_listed(const PointsRequest& request, const PointSet& set, const Work& work, PointsDiagram* out) {
     const PointsFilter& filter = request.filter;
     ListedComplex& complex = out->complex;
-    const Status status = make_complex(set, filter, work, &complex);
+    const Status status = make_complex(set, filter, request.threshold, work, &complex);
     if (status != Status::ok) return status;
     ComplexRequest counted = {{filter.max_degree, request.keep_zero}, request.representatives};
     if (is_rips(filter.filter)) counted.counted = filter.max_degree > 1 ? filter.max_degree : 1;
     return persist_complex(complex, counted, work, &out->diagram);
 }
 
-Status graph_in_any_dimension(const DistanceSource& source, const Work& work, RipsGraph* graph) {
+Status graph_in_any_dimension(const DistanceSource& source, double threshold, const Work& work, RipsGraph* graph) {
     DistanceLimits limits;
     DistanceFault fault;
     if (source.count > RipsGraph::vertices_max) return Status::invalid_argument;
-    return distance_graph(source, infinity, work, graph, &limits, &fault);
+    return distance_graph(source, threshold, work, graph, &limits, &fault);
 }
 
 // The diagram of a Rips complex from its edges alone, as far as there are numbers for its simplices.
@@ -59,16 +63,16 @@ Status persist_edges(const PointsRequest& request, const PointSet& set, const Wo
     DistanceFault fault;
     if (max_degree == 0) {
         *done = true;
-        return persist_tree(source, infinity, request.keep_zero, work, &out->diagram, &limits, &fault);
+        return persist_tree(source, request.threshold, request.keep_zero, work, &out->diagram, &limits, &fault);
     }
     *done = false;
     RipsGraph graph;
     const std::size_t low = work.arena.low_mark();
     const Status status =
         set.dim > NETMESH_DIM_MAX
-            ? graph_in_any_dimension(source, work, &graph)
+            ? graph_in_any_dimension(source, request.threshold, work, &graph)
             : with_dimension(request.dim, [&](auto dimension) {
-                  return rips_graph<decltype(dimension)::value>(set.coordinates, set.count, work, &graph);
+                  return rips_graph<decltype(dimension)::value>(set.coordinates, set.count, request.threshold, work, &graph);
               });
     if (status == Status::invalid_argument || (status == Status::ok && !rips_has_numbers(graph, max_degree))) {
         work.arena.release_low(low);

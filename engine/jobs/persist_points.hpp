@@ -12,6 +12,7 @@ struct PointsRequest {
     PointsFilter filter;
     InputRows points;
     std::uint32_t count, dim;
+    double threshold;  // of Rips filters: larger values are left out
     bool keep_zero, representatives;  // representatives: of filters that have cycles
 };
 

@@ -82,8 +82,7 @@ Status list_sets(const PointSet& set, netmesh_filter filter, std::uint32_t dimen
     const int dim = static_cast<int>(set.dim);
     const double* const x = set.coordinates;
     if (!has_edges(filter)) return cech_complex(dim, x, set.count, dimension, work, out);
-    return is_barycentric(filter) ? full_rips_complex(dim, x, set.count, dimension, work, out)
-                                  : rips_complex(dim, x, set.count, dimension, work, out);
+    return full_rips_complex(dim, x, set.count, dimension, work, out);
 }
 
 }  // namespace netmesh

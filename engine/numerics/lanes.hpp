@@ -73,14 +73,6 @@ template <class Lanes> inline TwoLanes<Lanes> exact_sum(Lanes a, Lanes b) {
 }
 template <class Lanes> inline TwoLanes<Lanes> exact_difference(Lanes a, Lanes b) { return exact_sum(a, -b); }
 
-// Where the processor has a fused product it gives the same two numbers, as both ways are exact. It is asked for by
-// name here and nowhere else: what compilers contract by themselves is switched off.
-#if defined(__FP_FAST_FMA) || defined(__aarch64__)
-inline TwoLanes<double> exact_product(double a, double b) {
-    const double p = a * b;
-    return {p, __builtin_fma(a, b, -p)};
-}
-#endif
 template <class Lanes> inline TwoLanes<Lanes> split_in_halves(Lanes a) {
     const Lanes s = 134217729.0 * a, high = s - (s - a);
     return {high, a - high};

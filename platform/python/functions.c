@@ -109,6 +109,5 @@ const netmesh_python_entry netmesh_python_functions[] = {
     {"netmesh_array_vines", (void (*)(void))netmesh_array_vines},
     {"netmesh_python_poll", (void (*)(void))netmesh_python_poll},
     {"netmesh_python_size", (void (*)(void))netmesh_python_size},
-    {"netmesh_python_distance", (void (*)(void))netmesh_python_distance},
     {0, 0},
 };

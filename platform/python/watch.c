@@ -1,7 +1,6 @@
 #define _POSIX_C_SOURCE 199309L
 #include "watch.h"
 
-#include <math.h>
 #include <time.h>
 
 static int64_t now(void) {
@@ -37,15 +36,4 @@ int netmesh_python_poll(void* user, const netmesh_progress* progress) {
 double netmesh_python_size(void* user, const double* x) {
     const netmesh_python_sizes* const sizes = user;
     return netmesh_size_for_error(sizes->function, sizes->error, x);
-}
-
-double netmesh_python_distance(void* user, uint32_t i, uint32_t j) {
-    const netmesh_python_points* const of = user;
-    const double* const points = of->points;
-    double squared = 0;
-    for (uint64_t k = 0; k < of->dim; ++k) {
-        const double d = points[i * of->dim + k] - points[j * of->dim + k];
-        squared += d * d;
-    }
-    return sqrt(squared);
 }

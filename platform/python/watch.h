@@ -37,14 +37,6 @@ typedef struct netmesh_python_sizes {
 /* A netmesh_size: that of netmesh_size_for_error; user is a netmesh_python_sizes. */
 double netmesh_python_size(void* user, const double* x);
 
-typedef struct netmesh_python_points {
-    void* points; /* const double*, [..][dim] */
-    uint64_t dim;
-} netmesh_python_points;
-
-/* A netmesh_distance_function: the Euclidean distance; user is a netmesh_python_points. */
-double netmesh_python_distance(void* user, uint32_t i, uint32_t j);
-
 #ifdef __cplusplus
 }
 #endif

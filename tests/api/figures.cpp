@@ -85,14 +85,6 @@ TEST_CASE("figures of a report apply where their results are") {
     CHECK(of_triangulation.applies("mesh.cells"));
     CHECK(!of_triangulation.applies("mesh.tau"));
     CHECK(!of_triangulation.applies("mesh.method"));
-    CHECK(!figures.applies("diagram.value_error"));
-    REQUIRE(s.alpha(inputs::uniform(2, 30)) == NETMESH_OK);
-    const netmesh_report e = s.report();
-    const Figures exact(e);
-    CHECK(exact.applies("diagram.value_error"));
-    CHECK(exact.real("diagram.value_error") == e.diagram.value_error);
-    CHECK(e.diagram.value_error > 0);
-    CHECK(e.diagram.value_error < 0x1p-28);
 }
 
 TEST_CASE("figures of an analysis, and what its fingerprint is made of") {

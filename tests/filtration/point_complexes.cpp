@@ -167,9 +167,8 @@ template <int D> void check_cech_values(const inputs::Points& points, std::uint3
     Block block(std::size_t(1) << 24);
     netmesh::Monitor monitor;
     netmesh::ListedComplex c;
-    double error = 0;
     const std::uint32_t n = static_cast<std::uint32_t>(points.size() / D);
-    REQUIRE(netmesh::cech_complex(D, points.data(), n, dimension, {block.arena, monitor}, &c, &error) ==
+    REQUIRE(netmesh::cech_complex(D, points.data(), n, dimension, {block.arena, monitor}, &c) ==
             netmesh::Status::ok);
     const netmesh::FilteredComplex f = c.filtered();
     double total = 0;
@@ -180,14 +179,13 @@ template <int D> void check_cech_values(const inputs::Points& points, std::uint3
             netmesh::vertices_of(f, c.rows[0], k, i, s.data());
             CHECK(std::is_sorted(s.begin(), s.end()));
             const double exact = enclosing_radius(points, D, s);
-            CHECK(std::fabs(c.value[k][i] - exact) <= (error + 1e-14) * exact);
+            CHECK(std::fabs(c.value[k][i] - exact) <= 1e-14 * exact);
             for (std::uint32_t v = 0; v <= k && k > 0; ++v) {
                 CHECK(c.value[k - 1][c.rows[k][std::size_t{i} * (k + 1) + v]] <= c.value[k][i]);
             }
         }
     }
     CHECK(total == netmesh::skeleton_count(n, dimension));
-    CHECK(error < 1e-9);
 }
 
 // Steps along each axis and back: many of the smallest balls have more points on their spheres than they need.
@@ -310,7 +308,7 @@ template <int D> void check_graph() {
     const inputs::Points points = inputs::uniform(D, 2000);
     const auto graph = [&](std::uint32_t n, std::size_t bytes, netmesh::Monitor monitor, netmesh::RipsGraph* out) {
         Block block(bytes);
-        const netmesh::Status status = netmesh::rips_graph<D>(points.data(), n, {block.arena, monitor}, out);
+        const netmesh::Status status = netmesh::rips_graph<D>(points.data(), n, infinity, {block.arena, monitor}, out);
         for (std::uint32_t e = 0; status == netmesh::Status::ok && e < out->edge_count; ++e) CHECK(out->value[e] > 0);
         return status;
     };
@@ -345,14 +343,14 @@ template <int D> void check_cone(const inputs::Points& points, std::uint32_t dim
     for (std::uint32_t i = 0; i < n; ++i) {
         double most = 0;
         for (std::uint32_t j = 0; j < n; ++j)
-            most = std::max(most, netmesh::distance<D>(&points[std::size_t{i} * D], &points[std::size_t{j} * D]) / 2);
+            most = std::max(most, netmesh::half_distance<D>(&points[std::size_t{i} * D], &points[std::size_t{j} * D]));
         cone = std::min(cone, most);
     }
     CHECK(netmesh::cone_radius(D, points.data(), n) == cone);
     Block block(std::size_t{1} << 22);
     netmesh::Monitor monitor;
     netmesh::ListedComplex complex, all;
-    REQUIRE(netmesh::rips_complex(D, points.data(), n, dimension, {block.arena, monitor}, &complex) ==
+    REQUIRE(netmesh::rips_complex(D, points.data(), n, dimension, infinity, {block.arena, monitor}, &complex) ==
             netmesh::Status::ok);
     REQUIRE(netmesh::full_rips_complex(D, points.data(), n, dimension, {block.arena, monitor}, &all) ==
             netmesh::Status::ok);
@@ -382,8 +380,7 @@ TEST_CASE("barycentric complexes of more than there is") {
     netmesh::Monitor monitor;
     netmesh::ListedComplex complex, out;
     const double three[] = {0, 0, 1, 0, 0, 1};
-    double error;
-    REQUIRE(netmesh::cech_complex(2, three, 3, 2, {block.arena, monitor}, &complex, &error) == netmesh::Status::ok);
+    REQUIRE(netmesh::cech_complex(2, three, 3, 2, {block.arena, monitor}, &complex) == netmesh::Status::ok);
     CHECK(netmesh::barycentric_complex(complex, 4, 2, 1, {block.arena, monitor}, &out) ==
           netmesh::Status::invalid_argument);
     CHECK(netmesh::barycentric_complex(complex, 3, 2, 1, {block.arena, monitor}, &out) == netmesh::Status::ok);
@@ -443,6 +440,12 @@ TEST_CASE("the report names filter, k and ratio; arguments are checked") {
     CHECK(session.pairs().size() == 1);
     CHECK(call(NETMESH_FILTER_BARYCENTRIC_CECH, 30, 1) == NETMESH_INVALID_ARGUMENT);
     CHECK(call(NETMESH_FILTER_RIPS, 0, 31) == NETMESH_INVALID_ARGUMENT);
+    for (const double threshold : {-1.0, std::nan(""), 1.0}) {
+        netmesh_points_request request = session.points_request(points, NETMESH_FILTER_CECH);
+        request.threshold = threshold;
+        CHECK(session.points(request) == NETMESH_INVALID_ARGUMENT);
+        CHECK(session.detail().field == NETMESH_FIELD_THRESHOLD);
+    }
     CHECK(call(NETMESH_FILTER_ALPHA, 0, 1) == NETMESH_INVALID_ARGUMENT);
     CHECK(call(NETMESH_FILTER_CECH, 0, 1) == NETMESH_OK);
     CHECK(session.persist(NETMESH_FILTER_ALPHA) == NETMESH_NO_RESULT);

@@ -255,30 +255,34 @@ TEST_CASE("bounds by one ratio") {
     CHECK(bounds.certain_after == 4.5);
 }
 
-TEST_CASE("bounds by values that are off by little and in the true order") {
+TEST_CASE("bounds of true ends that are rounded to nearest") {
     Block block(std::size_t{1} << 16);
     ScaleCurve curve;
-    const Pair pairs[] = {{0, 2, 0, 0}, {2, 2 + 0x1p-40, 1, 0}, {2, 2, 1, 0}, {3, infinity, 0, 0}};
-    BarBounds bounds[4];
-    const double error = 0x1p-36;
-    REQUIRE(bound_by_ratio({1, error}, {pairs, 4}, block.arena, bounds, &curve) == Status::ok);
+    const double next = std::nextafter(2.0, 3.0), least = 0x1p-1074, most = std::numeric_limits<double>::max();
+    const Pair pairs[] = {{0, 2, 0, 0}, {2, next, 1, 0}, {2, 2, 1, 0}, {0, least, 1, 0}, {3, infinity, 0, 0},
+                          {3, most, 1, 0}};
+    BarBounds bounds[6];
+    REQUIRE(bound_by_ratio({1, true}, {pairs, 6}, block.arena, bounds, &curve) == Status::ok);
     CHECK(curve.count == 0);
-    for (int i = 0; i < 4; ++i) {
+    for (int i = 0; i < 6; ++i) {
         CAPTURE(i);
-        const auto around = [&](double x, double low, double high) {
-            if (x == 0 || x == infinity) return low == x && high == x;
-            return low * (1 + error) <= x && high * (1 - error) >= x && high - low < 2.1 * error * x;
-        };
-        CHECK(around(pairs[i].birth, bounds[i].birth_low, bounds[i].birth_high));
-        CHECK(around(pairs[i].death, bounds[i].death_low, bounds[i].death_high));
+        const bool vertex = i == 0;
+        CHECK(bounds[i].birth_low == std::max(0.0, std::nextafter(pairs[i].birth, 0.0)));
+        CHECK(bounds[i].birth_high == (vertex ? 0 : std::nextafter(pairs[i].birth, infinity)));
+        CHECK(bounds[i].death_low == (pairs[i].death < infinity ? std::nextafter(pairs[i].death, 0.0) : infinity));
+        CHECK(bounds[i].death_high == std::nextafter(pairs[i].death, infinity));
         CHECK(bounds[i].certain == (pairs[i].birth < pairs[i].death));
         CHECK(bounds[i].certain_after >= bounds[i].birth_high);
     }
-    // In any order: a bar is real when its ends are farther apart than both errors.
-    const Pair loose[] = {{2, 2 * (1 + 1.9 * error), 1, 0}, {2, 2 * (1 + 2.2 * error), 1, 0}};
-    REQUIRE(bound_by_ratio({1, error, -1, false}, {loose, 2}, block.arena, bounds, &curve) == Status::ok);
+    // With a ratio: the factor twice, and a unit in the last place each time.
+    const Pair scaled[] = {{2, 2.4, 1, 0}, {2, 2.5, 1, 0}};
+    REQUIRE(bound_by_ratio({1.1, true}, {scaled, 2}, block.arena, bounds, &curve) == Status::ok);
     CHECK(bounds[0].certain == 0);
     CHECK(bounds[1].certain == 1);
+    CHECK(bounds[1].birth_low < 2 / 1.1);
+    CHECK(bounds[1].birth_low > 2 / 1.1 * (1 - 1e-14));
+    CHECK(bounds[1].death_high > 2.5 * 1.1);
+    CHECK(bounds[1].death_high < 2.5 * 1.1 * (1 + 1e-14));
 }
 
 TEST_CASE("bounds by an additive error, with values of any sign") {
@@ -286,7 +290,7 @@ TEST_CASE("bounds by an additive error, with values of any sign") {
     ScaleCurve curve;
     const Pair pairs[] = {{-3, -1.75, 0, 0}, {-3, infinity, 0, 0}, {-2, -1.25, 1, 0}, {0, 1, 1, 0}, {0, 0.9, 1, 0}};
     BarBounds bounds[5];
-    REQUIRE(bound_by_ratio({infinity, 0, 0.5}, {pairs, 5}, block.arena, bounds, &curve) == Status::ok);
+    REQUIRE(bound_by_ratio({infinity, false, 0.5}, {pairs, 5}, block.arena, bounds, &curve) == Status::ok);
     const auto around = [](double x, double low, double high) {
         return low <= x - 0.5 && high >= x + 0.5 && high - low < 1 + 1e-9;
     };

@@ -13,8 +13,6 @@ namespace netmesh::tool {
 
 namespace {
 
-constexpr double coordinate_max = 0x1p1000;
-
 // The Euclidean distance, off by less than (D + 8) / 2 units in the last place: differences are scaled by a power of
 // two, so that no square that counts is rounded by underflow.
 double distance(const PointCloud& cloud, std::uint32_t i, std::uint32_t j) {
@@ -30,10 +28,6 @@ double distance(const PointCloud& cloud, std::uint32_t i, std::uint32_t j) {
         sum += x * x;
     }
     return std::ldexp(std::sqrt(sum), exponent);
-}
-
-double evaluate(void* user, std::uint32_t i, std::uint32_t j) {
-    return distance(*static_cast<const PointCloud*>(user), i, j);
 }
 
 // A triangle of distances that is forgotten while the engine reads it, row by row, into its own edges.
@@ -72,16 +66,10 @@ void merge(PointCloud* cloud) {
 
 requests::Distances request_of(const Options& options, const RipsInput& input) {
     requests::Distances request;
-    if (input.of_points()) {
-        request.layout = NETMESH_DISTANCES_FUNCTION;
-        request.evaluate = evaluate;
-        request.user = const_cast<PointCloud*>(&input.cloud);  // only read
-    } else {
-        request.layout = input.file.layout;
-        request.numbers = input.file.numbers.data();
-        request.entries = input.file.entries.data();
-        request.entry_count = input.file.entries.size();
-    }
+    request.layout = input.file.layout;
+    request.numbers = input.file.numbers.data();
+    request.entries = input.file.entries.data();
+    request.entry_count = input.file.entries.size();
     request.point_count = input.count();
     request.threshold = options.threshold.value_or(HUGE_VAL);
     request.max_degree = options.max_degree.value_or(1);
@@ -123,28 +111,51 @@ Outcome read_rips_input(const Options& options, const std::string& path, RipsInp
     }
     Outcome outcome = read_cloud(options, path, &input->cloud);
     if (!outcome.good()) return outcome;
-    const PointCloud& cloud = input->cloud;
-    for (std::size_t i = 0; i < cloud.coordinates.size(); i++)
-        if (std::fabs(cloud.coordinates[i]) > coordinate_max)
-            return cloud.fault(i / cloud.dim, "with --threshold coordinates go to 2^1000 (1.07e301)");
-    input->rows = cloud.rows();
+    input->rows = input->cloud.rows();
     merge(&input->cloud);
     return {};
 }
 
+namespace {
+
+Outcome persist_points_within(const Options& options, const RipsInput& input, bool cycles, Session& session,
+                              netmesh_report* report) {
+    const PointCloud& cloud = input.cloud;
+    std::vector<double> plane;  // points on a line, of which the engine wants another coordinate
+    for (std::size_t i = 0; cloud.dim == 1 && i < cloud.rows(); i++) plane.insert(plane.end(), {cloud.coordinates[i], 0});
+    requests::Points request(std::max(cloud.dim, 2u), NETMESH_FILTER_RIPS);
+    request.points = cloud.dim == 1 ? plane.data() : cloud.coordinates.data();
+    request.point_count = cloud.rows();
+    request.threshold = options.threshold.value_or(HUGE_VAL);
+    request.max_degree = options.max_degree.value_or(1);
+    request.keep_zero_pairs = options.all ? 1 : 0;
+    request.representatives = cycles ? 1 : 0;
+    const Outcome outcome = session.run(plan(request), cloud, [&](Session& s) {
+        return s.call(NETMESH_STAGE_REDUCE, [&] { return s.engine().persist_points(s.watched(request)); });
+    });
+    if (!outcome.good()) return outcome;
+    *report = session.engine().report();
+    report->input.dim = cloud.dim;
+    report->input.points = input.rows;
+    report->input.duplicates = input.rows - input.count();
+    return {};
+}
+
+}  // namespace
+
 Outcome persist_rips(const Options& options, RipsInput& input, bool cycles, Session& session, netmesh_report* report) {
+    if (input.of_points()) return persist_points_within(options, input, cycles, session, report);
     requests::Distances request = request_of(options, input);
     request.representatives = cycles ? 1 : 0;
-    const PointCloud& place = input.of_points() ? input.cloud : input.file.place;
     ReleasedTriangle triangle = {&input.file.numbers};
     const std::uint64_t points = input.count();
-    if (input.read_once && !cycles && !input.of_points() && request.layout == NETMESH_DISTANCES_LOWER &&
+    if (input.read_once && !cycles && request.layout == NETMESH_DISTANCES_LOWER &&
         request.max_degree > 0 && input.path != "-") {
         request.layout = NETMESH_DISTANCES_FUNCTION;
         request.evaluate = ReleasedTriangle::evaluate;
         request.user = &triangle;
     }
-    const Outcome outcome = session.run(plan(request), place, [&](Session& s) {
+    const Outcome outcome = session.run(plan(request), input.file.place, [&](Session& s) {
         if (triangle.released > 0) {  // by the run in a smaller block
             if (!read_distances(input.path, false, &input.file).good() || input.count() != points)
                 return NETMESH_OUT_OF_MEMORY;
@@ -159,10 +170,6 @@ Outcome persist_rips(const Options& options, RipsInput& input, bool cycles, Sess
         return input.file.fault(detail.index_a, detail.index_b, detail.message);
     if (!outcome.good()) return outcome;
     *report = engine.report();
-    if (!input.of_points()) return {};
-    report->input.dim = input.cloud.dim;
-    report->input.points = input.rows;
-    report->input.duplicates = input.rows - input.count();
     return {};
 }
 

@@ -412,7 +412,7 @@ class netmesh_points_request(Structure):
     _fields_ = [("struct_bytes", c_uint32), ("dim", c_uint32), ("monitor", netmesh_monitor), ("points", c_void_p),
                 ("point_count", c_size_t), ("filter", c_int), ("values", c_int), ("k", c_uint32),
                 ("max_degree", c_uint32), ("keep_zero_pairs", c_uint32), ("representatives", c_uint32),
-                ("point_format", c_int), ("point_stride_bytes", c_size_t)]
+                ("point_format", c_int), ("point_stride_bytes", c_size_t), ("threshold", c_double)]
 
 
 class netmesh_points_vineyard_request(Structure):
@@ -503,9 +503,8 @@ class netmesh_diagram_report(Structure):
                 ("k", c_uint32), ("representatives", c_uint32), ("pairs", c_uint64 * (NETMESH_DEGREE_MAX + 1)),
                 ("essential", c_uint64 * (NETMESH_DEGREE_MAX + 1)), ("simplices", c_uint64),
                 ("certified_ratio", c_double), ("certified_ratio_best", c_double), ("certified_from", c_double),
-                ("value_error", c_double), ("certified_focus", c_double), ("certified_error", c_double),
-                ("fitted_error", c_double), ("why", c_int), ("reserved_word", c_uint32), ("tried_points", c_uint64),
-                ("tried_cells", c_uint64)]
+                ("certified_focus", c_double), ("certified_error", c_double), ("fitted_error", c_double),
+                ("why", c_int), ("reserved_word", c_uint32), ("tried_points", c_uint64), ("tried_cells", c_uint64)]
 
 
 class netmesh_bounds_report(Structure):
@@ -528,7 +527,7 @@ class netmesh_vineyard_report(Structure):
     _fields_ = [("present", c_uint32), ("filter", c_int), ("values", c_int), ("max_degree", c_uint32),
                 ("k_first", c_uint32), ("k_last", c_uint32), ("vines", c_uint64), ("points", c_uint64),
                 ("transpositions", c_uint64), ("simplices", c_uint64), ("certified_ratio", c_double),
-                ("value_error", c_double), ("reserved", c_uint64 * (1))]
+                ("reserved", c_uint64 * (2))]
 
 
 class netmesh_complex_report(Structure):
@@ -571,10 +570,6 @@ class netmesh_python_sizes(Structure):
     _fields_ = [("function", c_void_p), ("error", c_double)]
 
 
-class netmesh_python_points(Structure):
-    _fields_ = [("points", c_void_p), ("dim", c_uint64)]
-
-
 netmesh_poll = CFUNCTYPE(c_int, c_void_p, c_void_p)
 netmesh_task = CFUNCTYPE(c_int, c_void_p)
 netmesh_size = CFUNCTYPE(c_double, c_void_p, c_void_p)
@@ -594,8 +589,7 @@ STRUCTS = [netmesh_detail, netmesh_progress, netmesh_monitor, netmesh_delaunay_r
            netmesh_input_report, netmesh_sizes_report, netmesh_hierarchy_report, netmesh_audit_report,
            netmesh_mesh_report, netmesh_diagram_report, netmesh_bounds_report, netmesh_decision_report,
            netmesh_scales_report, netmesh_vineyard_report, netmesh_complex_report, netmesh_memory_report,
-           netmesh_predicates_report, netmesh_report, netmesh_figure, netmesh_python_watch, netmesh_python_sizes,
-           netmesh_python_points]
+           netmesh_predicates_report, netmesh_report, netmesh_figure, netmesh_python_watch, netmesh_python_sizes]
 
 # Result, arguments.
 FUNCTIONS = {
@@ -702,5 +696,4 @@ FUNCTIONS = {
     "netmesh_array_vines": (c_int, [c_void_p, c_uint64, c_void_p, c_void_p, c_void_p, c_void_p]),
     "netmesh_python_poll": (c_int, [c_void_p, c_void_p]),
     "netmesh_python_size": (c_double, [c_void_p, c_void_p]),
-    "netmesh_python_distance": (c_double, [c_void_p, c_uint32, c_uint32]),
 }

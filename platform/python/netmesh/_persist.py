@@ -104,11 +104,11 @@ def _chosen(read, given, progress):
     return diagram
 
 
-def _run(read, options, progress):
+def _run(read, options, progress, threshold=math.inf):
     session = Session(options.memory, progress)
     source = options.filter.source
     if source == c.NETMESH_SOURCE_POINTS:
-        plan, work = _on_points(session, options, read)
+        plan, work = _on_points(session, options, read, threshold)
     elif source == c.NETMESH_SOURCE_SCALES:
         plan, work = _by_scales(session, options, read)
     elif source == c.NETMESH_SOURCE_DELAUNAY:
@@ -162,12 +162,13 @@ def _represented_alpha(session, options, read):
     return lib.netmesh_plan_delaunay(at), work
 
 
-def _on_points(session, options, read):
+def _on_points(session, options, read, threshold):
     request = requested(c.netmesh_points_request, read[2], options.filter.filter)
     options.put_diagram(request)
     if options.filter.needs_k:
         request.k = options.k
     request.representatives = options.representatives
+    request.threshold = threshold
     at = _prepared(session, request, read, options)
 
     def work():
@@ -247,23 +248,21 @@ def rips(points=None, threshold: float = math.inf, max_degree: int = 1, *, dista
     if (points is None) == (distances is None):
         raise InvalidArgument("points: give points or distances", "points")
     threshold = number(threshold, "threshold")
-    if points is not None and threshold == math.inf:
+    if points is not None:
         read = points_of(points)
         if read[2] == 1:  # the library's points have two coordinates at least
             read = points_of(np.column_stack((read[0], np.zeros(read[1]))))
         given = dict(max_degree=max_degree, keep_zero_pairs=keep_zero_pairs, representatives=representatives,
                      memory=memory)
-        return _run(read, Options(read[2], "rips", given), progress)
-    session = Session(memory, progress, rows="points" if distances is None else "distances")
+        return _run(read, Options(read[2], "rips", given), progress, threshold)
+    session = Session(memory, progress, rows="distances")
     request = requested(c.netmesh_distances_request)
     request.monitor = session.monitor
     request.threshold = threshold
     request.max_degree = whole(max_degree, "max_degree", 0, 30)
     request.keep_zero_pairs = bool(keep_zero_pairs)
     request.representatives = bool(representatives)
-    if distances is None:
-        kept = _put_euclidean(request, points)
-    elif hasattr(distances, "tocoo"):
+    if hasattr(distances, "tocoo"):
         kept = _put_sparse(request, distances)
     else:
         kept = _put_matrix(request, distances)
@@ -276,20 +275,6 @@ def rips(points=None, threshold: float = math.inf, max_degree: int = 1, *, dista
         session.end()
     del kept
     return diagram
-
-
-def _put_euclidean(request, points):
-    array = doubles(points, "points", 2)
-    wrong = np.flatnonzero(~np.isfinite(array).all(axis=1))
-    if len(wrong):
-        from .errors import NotFinite
-        raise NotFinite("points, row %d: a coordinate is not finite" % wrong[0], "points", int(wrong[0]))
-    user = c.netmesh_python_points(array.ctypes.data, array.shape[1])
-    request.layout = c.NETMESH_DISTANCES_FUNCTION
-    request.evaluate = lib.addresses["netmesh_python_distance"]
-    request.user = ctypes.addressof(user)
-    request.point_count = array.shape[0]
-    return array, user
 
 
 def _put_matrix(request, distances):

@@ -234,6 +234,7 @@ netmesh::requests::Points points_request() {
     place(diagram(request));
     request.k = number(k);
     request.representatives = number(representatives);
+    request.threshold = options[threshold];
     return request;
 }
 

@@ -319,6 +319,10 @@ function vineyardOf(job, filter) {
         fingerprint: job.fingerprint(), peakBytes: job.exports.peak_bytes() });
 }
 
+// With a second coordinate, as the engine's points have two at least.
+const planar = read => read.dim > 1 ? read
+    : { ...read, dim: 2, array: Float64Array.from({ length: 2 * read.count }, (_, i) => i % 2 ? 0 : read.array[i / 2]) };
+
 const rangeOf = k => {
     if (!Array.isArray(k) || k.length !== 2) refuse('k', '[first, last]');
     return { k: whole(k[0], 'k', 1, 2 ** 28), kLast: whole(k[1], 'k', k[0], 2 ** 28) };
@@ -522,7 +526,7 @@ export class Netmesh {
         job.set({ filter: filter.number, values, k: whole(options.k ?? 1, 'k', 0, 2 ** 28),
             maxDegree: whole(options.maxDegree ?? (onPoints ? 1 : read.dim - 1), 'maxDegree', 0, 30),
             keepZeroPairs: options.keepZeroPairs ?? 0, bounds: options.bounds ?? 0,
-            representatives: options.representatives ?? 0, ...given });
+            representatives: options.representatives ?? 0, threshold: options.threshold ?? Infinity, ...given });
         if (filter.needsFunction) setFunction(job, read.dim, options);
         const fits = onMesh || byScales ? this.#settle(job, filter, options, given, values, read.dim) : false;
         if (fits) {
@@ -660,29 +664,13 @@ export class Netmesh {
         const common = { maxDegree: whole(options.maxDegree ?? 1, 'maxDegree', 0, 30),
             keepZeroPairs: options.keepZeroPairs ?? 0, representatives: options.representatives ?? 0 };
         const read = distances === undefined ? pointsOf(points, options.dim) : null;
-        if (read && threshold === Infinity && read.dim > 1) return this.#persist(read, options, 'rips');
-        const { array, count } = read ? this.#euclidean(read) : this.#square(distances);
+        if (read) return this.#persist(planar(read), options, 'rips');
+        const { array, count } = this.#square(distances);
         const job = new Job(this.#module, options.progress);
         job.put(array);
-        job.set({ points: count, layout: distances === undefined ? 1 : 0, threshold, ...common });
+        job.set({ points: count, layout: 0, threshold, ...common });
         job.run('distances', job.exports.plan_distances(), options.memory);
         return diagramOf(job, 'rips', options);
-    }
-    // The lower triangle.
-    #euclidean({ array, count, dim }) {
-        const lower = new Float64Array(count * (count - 1) / 2);
-        let at = 0;
-        for (let i = 0; i < count; ++i)
-            for (let j = 0; j < i; ++j) {
-                let squared = 0;
-                for (let k = 0; k < dim; ++k) squared += (array[i * dim + k] - array[j * dim + k]) ** 2;
-                if (!Number.isFinite(squared)) {
-                    const row = array.subarray(i * dim, (i + 1) * dim).every(Number.isFinite) ? j : i;
-                    throw new NetmeshError('not-finite', `points, row ${row}: not finite`, 'points', row);
-                }
-                lower[at++] = Math.sqrt(squared);
-            }
-        return { array: lower, count };
     }
     #square(distances) {
         const array = distances instanceof Float64Array ? distances
