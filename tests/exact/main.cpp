@@ -39,16 +39,39 @@ std::vector<int> served_dimensions() {
     return dims;
 }
 
+// Nested sets of k_first to k_last + max_degree + 1 of n points, as many as a simplex of dimension max_degree + 1 has
+// vertices at most: simplices of the engine's complex.
+std::size_t nested_sets(std::size_t n, std::size_t k_first, std::size_t k_last, std::size_t max_degree) {
+    const auto choose = [](std::size_t m, std::size_t k) {
+        std::size_t c = 1;
+        for (std::size_t i = 1; i <= k; ++i) c = c * (m - i + 1) / i;
+        return c;
+    };
+    const std::size_t top = std::min(n, k_last + max_degree + 1);
+    std::vector<std::size_t> ending(top + 1, 0);  // in a set of so many points
+    std::size_t sum = 0;
+    for (std::size_t s = k_first; s <= top; ++s) sum += ending[s] = choose(n, s);
+    for (std::size_t length = 2; length <= max_degree + 2; ++length) {
+        std::vector<std::size_t> longer(top + 1, 0);
+        for (std::size_t s = k_first; s <= top; ++s)
+            for (std::size_t t = k_first; t < s; ++t)
+                if (s - t <= max_degree + 1) longer[s] += ending[t] * choose(n - t, s - t);
+        ending.swap(longer);
+        for (const std::size_t count : ending) sum += count;
+    }
+    return sum;
+}
+
 Plan make_plan(families::Random& random, int dim, std::size_t n) {
     Plan plan;
     plan.permutation = random.bits();
     plan.rips_degree = static_cast<std::uint32_t>(random.whole(1, 3));
     plan.k = random.whole(1, 3) + random.one_in(4);
-    const std::size_t room = random.one_in(20) ? 8000 : 1000;  // simplices of a nerve
+    const std::size_t more = random.one_in(25) ? 10 : 1;
     const auto fits = [&](std::uint32_t degree) {
         for (int k = 1; k <= plan.k && static_cast<std::size_t>(k) <= n; ++k)
-            if (nerve_size(n, k, degree) > room) return false;
-        return true;
+            if (nerve_size(n, k, degree) > 1000 * more) return false;
+        return nested_sets(n, 1, std::min(n, static_cast<std::size_t>(plan.k)), degree) <= 3000 * more;
     };
     plan.nested_degree = static_cast<std::uint32_t>(dim - 1);
     while (plan.nested_degree > 0 && !fits(plan.nested_degree)) --plan.nested_degree;
