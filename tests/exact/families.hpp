@@ -474,8 +474,8 @@ inline Points huge(Random& random, int dim, std::size_t n) {
     x = near_one(random, dim, n);
     double widest = 0;
     for (const double c : x) widest = std::max(widest, std::fabs(c));
-    if (widest > 0) scale_all(top / 2 / widest, &x), scale_all(random.one_in(2) ? 2 : 1, &x);
-    for (double& c : x) c = std::min(std::max(c, -top), top);
+    const double size = random.one_in(2) ? top : top / 2;
+    for (double& c : x) c = widest > 0 ? c / widest * size : c;
     return x;
 }
 // Points of another family, some of them repeated.

@@ -228,6 +228,47 @@ struct Plan {
     std::uint64_t permutation = 0;
 };
 
+inline bool is_served(int dim) {
+    netmesh_delaunay_request request;
+    netmesh_delaunay_request_init(&request, sizeof request, static_cast<std::uint32_t>(dim));
+    request.point_count = 1;
+    return netmesh_plan_delaunay(&request) != 0;
+}
+
+// Nested sets of k_first to k_last + max_degree + 1 of n points, as many as a simplex of dimension max_degree + 1 has
+// vertices at most: simplices of the engine's complex.
+inline std::size_t nested_sets(std::size_t n, std::size_t k_first, std::size_t k_last, std::size_t max_degree) {
+    const auto choose = [](std::size_t m, std::size_t k) {
+        std::size_t c = 1;
+        for (std::size_t i = 1; i <= k; ++i) c = c * (m - i + 1) / i;
+        return c;
+    };
+    const std::size_t top = std::min(n, k_last + max_degree + 1);
+    std::vector<std::size_t> ending(top + 1, 0);  // in a set of so many points
+    std::size_t sum = 0;
+    for (std::size_t s = k_first; s <= top; ++s) sum += ending[s] = choose(n, s);
+    for (std::size_t length = 2; length <= max_degree + 2; ++length) {
+        std::vector<std::size_t> longer(top + 1, 0);
+        for (std::size_t s = k_first; s <= top; ++s)
+            for (std::size_t t = k_first; t < s; ++t)
+                if (s - t <= max_degree + 1) longer[s] += ending[t] * choose(n - t, s - t);
+        ending.swap(longer);
+        for (const std::size_t count : ending) sum += count;
+    }
+    return sum;
+}
+
+// The highest degree up to D - 1 for which the nerves have at most 1000 `more` simplices and the nested sets 3000.
+inline void set_nested_degree(int dim, std::size_t n, std::size_t more, Plan* plan) {
+    const auto fits = [&](std::uint32_t degree) {
+        for (int k = 1; k <= plan->k && static_cast<std::size_t>(k) <= n; ++k)
+            if (nerve_size(n, k, degree) > 1000 * more) return false;
+        return nested_sets(n, 1, std::min(n, static_cast<std::size_t>(plan->k)), degree) <= 3000 * more;
+    };
+    plan->nested_degree = static_cast<std::uint32_t>(dim - 1);
+    while (plan->nested_degree > 0 && !fits(plan->nested_degree)) --plan->nested_degree;
+}
+
 enum Job { alpha, delaunay, cech, rips, nested_cech, nested_rips, vineyard, jobs };
 inline const char* name_of(int job) {
     static const char* const names[] = {"alpha", "delaunay", "Cech", "Rips", "k-th nearest", "nested Rips", "vineyard"};

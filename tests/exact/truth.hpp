@@ -106,7 +106,10 @@ struct Cloud {
         for (std::size_t i = 0; i < x.size(); i += columns) {
             std::vector<double> row(x.begin() + static_cast<std::ptrdiff_t>(i),
                                     x.begin() + static_cast<std::ptrdiff_t>(i + columns));
-            for (double& c : row) c += 0.0;  // -0 is 0
+            for (double& c : row) {
+                if (!std::isfinite(c)) throw std::invalid_argument("a coordinate is not finite");
+                c += 0.0;  // -0 is 0
+            }
             if (std::find(rows.begin(), rows.end(), row) == rows.end()) rows.push_back(row);
         }
         if (rows.empty() || rows.size() > points_max) throw std::invalid_argument("1 to 12 different points");
