@@ -6,6 +6,7 @@
 //     families::Random random(seed);
 //     std::vector<double> x = families::all()[i].make(random, dim, n);    // [n][dim], about n rows
 //     families::move_units(random, 3, &x);                                // each coordinate moved by -3 to 3 units
+//     families::moved(inputs::grid(3, 5), 3)                              // the same of any points
 #pragma once
 #include <algorithm>
 #include <cmath>
@@ -49,6 +50,12 @@ inline void move_units(Random& random, int units, Points* x) {
         if (c != 0) c = moved(c, random.whole(-units, units));
 }
 
+inline Points moved(Points x, int units, std::uint64_t seed = 1) {
+    Random random(seed);
+    move_units(random, units, &x);
+    return x;
+}
+
 // A unit vector in k dimensions, as well as doubles can.
 inline Row direction(Random& random, int k) {
     for (;;) {
@@ -58,7 +65,7 @@ inline Row direction(Random& random, int k) {
             c = random.uniform(-1, 1);
             square += c * c;
         }
-        if (square > 1 || square < 0.01) continue;
+        if ((k <= 6 && square > 1) || square < 0.01) continue;  // in a ball, but where balls fill little of a cube
         for (double& c : v) c /= std::sqrt(square);
         return v;
     }
@@ -490,6 +497,18 @@ inline Points duplicates(Random& random, int dim, std::size_t n) {
         x.insert(x.begin() + static_cast<std::ptrdiff_t>(to), row.begin(), row.end());
     }
     return x;
+}
+
+// For Rips complexes, of 7 coordinates and more.
+inline Points many_coordinates(Random& random, int dim, std::size_t n) {
+    switch (random.whole(0, 5)) {
+    case 0: return tenths(random, dim, n);
+    case 1: return sphere(random, dim, n);
+    case 2: return last_digits(random, dim, n);
+    case 3: return lattice(random, dim, n);
+    case 4: return flat(random, dim, n);
+    default: return uniform(random, dim, n);
+    }
 }
 
 struct Family {

@@ -284,7 +284,7 @@ struct Count {
     std::size_t bars = 0, hidden = 0, close = 0, refused = 0;
 };
 
-// All jobs on one cloud in the plane or above, as it is and permuted.
+// All jobs on one cloud, as it is and permuted; above R^6 there are Rips complexes alone.
 inline std::vector<Finding> judge(const Block& block, int dim, const std::vector<double>& x, const Plan& plan,
                                   Count (&counts)[jobs]) {
     std::vector<Finding> found;
@@ -296,7 +296,7 @@ inline std::vector<Finding> judge(const Block& block, int dim, const std::vector
     const std::vector<double> y = permuted(dim, x, plan.permutation);
     const auto begin = [&](Job job) { counts[job].begun = counts[job].asked + 1; };
     const auto note = [&](Job job, const Answer& answer, const Truth& truth, const std::string& fault,
-                          const char* how = "") {
+                          const std::string& how = "") {
         Count& count = counts[job];
         count.begun = ++count.asked;
         if (answer.status == NETMESH_OK) {
@@ -309,9 +309,18 @@ inline std::vector<Finding> judge(const Block& block, int dim, const std::vector
         if (!fault.empty()) found.push_back({job, how + fault});
     };
 
+    const Truth rips_truth = nerve_diagram(points, balls.rips, plan.rips_degree);
+    begin(rips);
+    Answer answer = ask_points(block, dim, x, NETMESH_FILTER_RIPS, 1, plan.rips_degree, &balls.rips);
+    note(rips, answer, rips_truth, fault_of(answer, rips_truth.bars), "with representatives: ");
+    begin(rips);
+    answer = ask_points(block, dim, y, NETMESH_FILTER_RIPS, 1, plan.rips_degree);
+    note(rips, answer, rips_truth, fault_of(answer, rips_truth.bars), "permuted: ");
+    if (dim > Balls::dim_max) return found;
+
     const Truth balls_truth = nerve_diagram(points, balls.cech, top);
     begin(alpha);
-    Answer answer = ask_alpha(block, dim, x);
+    answer = ask_alpha(block, dim, x);
     note(alpha, answer, balls_truth, fault_of_alpha(answer, balls_truth.bars, cloud, balls));
     begin(alpha);
     answer = ask_alpha(block, dim, y);
@@ -327,14 +336,6 @@ inline std::vector<Finding> judge(const Block& block, int dim, const std::vector
     answer = ask_points(block, dim, y, NETMESH_FILTER_CECH, 1, top);
     note(cech, answer, balls_truth, fault_of(answer, balls_truth.bars), "permuted: ");
 
-    const Truth rips_truth = nerve_diagram(points, balls.rips, plan.rips_degree);
-    begin(rips);
-    answer = ask_points(block, dim, x, NETMESH_FILTER_RIPS, 1, plan.rips_degree, &balls.rips);
-    note(rips, answer, rips_truth, fault_of(answer, rips_truth.bars), "with representatives: ");
-    begin(rips);
-    answer = ask_points(block, dim, y, NETMESH_FILTER_RIPS, 1, plan.rips_degree);
-    note(rips, answer, rips_truth, fault_of(answer, rips_truth.bars), "permuted: ");
-
     const int k_last = std::min<int>(plan.k, static_cast<int>(n));
     const std::uint32_t degree = plan.nested_degree;
     begin(vineyard);
@@ -345,13 +346,13 @@ inline std::vector<Finding> judge(const Block& block, int dim, const std::vector
         const Truth nested = nerve_diagram(sets, balls.cech, degree);
         begin(nested_cech);
         answer = ask_points(block, dim, x, NETMESH_FILTER_BARYCENTRIC_CECH, k, degree);
-        note(nested_cech, answer, nested, fault_of(answer, nested.bars), how.c_str());
+        note(nested_cech, answer, nested, fault_of(answer, nested.bars), how);
         const Answer& vine = vines[static_cast<std::size_t>(k) - 1];
-        note(vineyard, vine, nested, fault_of(vine, nested.bars), how.c_str());
+        note(vineyard, vine, nested, fault_of(vine, nested.bars), how);
         const Truth edges = nerve_diagram(sets, balls.rips, degree);
         begin(nested_rips);
         answer = ask_points(block, dim, x, NETMESH_FILTER_BARYCENTRIC_RIPS, k, degree);
-        note(nested_rips, answer, edges, fault_of(answer, edges.bars), how.c_str());
+        note(nested_rips, answer, edges, fault_of(answer, edges.bars), how);
     }
     return found;
 }

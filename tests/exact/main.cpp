@@ -206,12 +206,14 @@ int main(int argc, char** argv) {
     const std::vector<families::Family>& all = families::all();
     const std::vector<families::Named>& named = families::named();
     std::vector<std::string> names = {"named"};
-    std::vector<std::size_t> chosen;  // families
+    std::vector<std::size_t> chosen;  // families; after them one of many coordinates
     for (std::size_t i = 0; i < all.size(); ++i) {
         names.push_back(all[i].name);
         names.push_back(std::string(all[i].name) + ", moved");
         if (only.empty() || only == all[i].name) chosen.push_back(i);
     }
+    names.push_back("many coordinates");
+    if (only.empty() || only == names.back()) chosen.push_back(all.size());
     if (chosen.empty()) {
         std::fprintf(stderr, "no family '%s'\n", only.c_str());
         return 2;
@@ -225,6 +227,14 @@ int main(int argc, char** argv) {
             return Trial{named[i].name, 0, named[i].dim, named[i].points, make_plan(random, named[i].dim, count)};
         }
         const std::size_t family = chosen[(i - first) % chosen.size()];
+        if (family == all.size()) {
+            const int dim = random.whole(7, random.one_in(3) ? 300 : 20);
+            const std::size_t n = static_cast<std::size_t>(random.whole(2, 8));
+            Plan plan;
+            plan.rips_degree = static_cast<std::uint32_t>(random.whole(1, 3));
+            plan.permutation = random.bits();
+            return Trial{names.back(), names.size() - 1, dim, families::many_coordinates(random, dim, n), plan};
+        }
         const int dim = dims[static_cast<std::size_t>(random.whole(1, static_cast<int>(dims.size()))) - 1];
         families::Points x = all[family].make(random, dim, count_for(random, dim));
         const bool move = random.one_in(3);

@@ -195,7 +195,7 @@ struct Circumball {
     Square squared;
 };
 
-// Everything about the smallest enclosing balls of the sets of a cloud.
+// The smallest enclosing balls of the sets of a cloud, and their longest edges.
 class Balls {
 public:
     explicit Balls(const Cloud& cloud) : cloud_(cloud), n_(cloud.count()) {
@@ -204,6 +204,8 @@ public:
             for (std::size_t b = 0; b < a; ++b)
                 squares_[a * n_ + b] = squares_[b * n_ + a] = cloud.distance_squared(a, b);
         const Set all = (Set(1) << n_) - 1;
+        spread_edges(all);
+        if (cloud.dim > dim_max) return;
         for (Set set = 1; set <= all; ++set) {
             if (size_of(set) > cloud.dim + 1) continue;
             Circumball ball;
@@ -213,13 +215,13 @@ public:
             }
         }
         enclose(all);
-        spread_edges(all);
     }
 
-    std::vector<Circumball> balls;  // of the affinely independent sets
-    int rank = 0;                   // dimension of the affine hull
-    Levels cech;                    // the smallest enclosing ball of each set
-    Levels rips;                    // half of its longest edge
+    static constexpr int dim_max = 6;  // in more dimensions there are edges alone
+    std::vector<Circumball> balls;     // of the affinely independent sets
+    int rank = 0;                      // dimension of the affine hull
+    Levels cech;                       // the smallest enclosing ball of each set
+    Levels rips;                       // half of its longest edge
 
     // The smallest ball that has the points of `set` on its boundary and none of the cloud inside: how a simplex
     // enters an alpha complex. False where there is none.
@@ -244,7 +246,7 @@ private:
         for (std::size_t i = 0; i < n_; ++i)
             if ((set >> i & 1) != 0) v.push_back(i);
         const std::size_t p = v[0], k = v.size() - 1;
-        mpz_class a[8][9], last = 1, t;
+        mpz_class a[dim_max][dim_max + 1], last = 1, t;
         for (std::size_t i = 0; i < k; ++i) {
             for (std::size_t j = 0; j < k; ++j)
                 a[i][j] = square(p, v[i + 1]) + square(p, v[j + 1]) - square(v[i + 1], v[j + 1]);
