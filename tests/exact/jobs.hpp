@@ -139,6 +139,22 @@ inline Answer ask_points(const Block& block, int dim, const std::vector<double>&
     return answer;
 }
 
+// Distances as numbers[n (n - 1) / 2], a row of the lower triangle after the other.
+inline Answer ask_distances(const Block& block, std::size_t n, const std::vector<double>& numbers,
+                            std::uint32_t max_degree) {
+    netmesh_context* const context = block.fresh();
+    netmesh_distances_request request;
+    netmesh_distances_request_init(&request, sizeof request);
+    request.layout = NETMESH_DISTANCES_LOWER;
+    request.numbers = numbers.data();
+    request.point_count = n;
+    request.max_degree = max_degree;
+    Answer answer;
+    answer.status = netmesh_persist_distances(context, &request);
+    if (answer.status == NETMESH_OK) answer.bars = read_bars(context);
+    return answer;
+}
+
 // The diagrams of k = 1..k_last from one vineyard: [k - 1].
 inline std::vector<Answer> ask_vineyard(const Block& block, int dim, const std::vector<double>& x,
                                         netmesh_filter filter, int k_last, std::uint32_t max_degree) {
@@ -269,9 +285,10 @@ inline void set_nested_degree(int dim, std::size_t n, std::size_t more, Plan* pl
     while (plan->nested_degree > 0 && !fits(plan->nested_degree)) --plan->nested_degree;
 }
 
-enum Job { alpha, delaunay, cech, rips, nested_cech, nested_rips, vineyard, jobs };
+enum Job { alpha, delaunay, cech, rips, distances, nested_cech, nested_rips, vineyard, jobs };
 inline const char* name_of(int job) {
-    static const char* const names[] = {"alpha", "delaunay", "Cech", "Rips", "k-th nearest", "nested Rips", "vineyard"};
+    static const char* const names[] = {"alpha",     "delaunay",     "Cech",        "Rips",
+                                        "distances", "k-th nearest", "nested Rips", "vineyard"};
     return names[job];
 }
 
@@ -316,6 +333,23 @@ inline std::vector<Finding> judge(const Block& block, int dim, const std::vector
     begin(rips);
     answer = ask_points(block, dim, y, NETMESH_FILTER_RIPS, 1, plan.rips_degree);
     note(rips, answer, rips_truth, fault_of(answer, rips_truth.bars), "permuted: ");
+
+    // Lengths rounded to doubles are distances of their own, of which halves are exact but for subnormal numbers.
+    std::vector<double> numbers;
+    for (std::size_t a = 0; a < n; ++a)
+        for (std::size_t b = 0; b < a; ++b) numbers.push_back(nearest_root({balls.square(a, b), 1}, cloud.unit));
+    const bool finite = std::all_of(numbers.begin(), numbers.end(), [](double d) { return std::isfinite(d); });
+    if (finite) {  // an infinite one means something else
+        const long unit = common_unit(numbers);
+        std::vector<mpz_class> squares(n * n);
+        for (std::size_t a = 0, i = 0; a < n; ++a)
+            for (std::size_t b = 0; b < a; ++b, ++i)
+                squares[a * n + b] = whole(numbers[i], unit) * whole(numbers[i], unit);
+        const Truth truth = nerve_diagram(points, edge_levels(n, squares, unit), plan.rips_degree);
+        begin(distances);
+        answer = ask_distances(block, n, numbers, plan.rips_degree);
+        note(distances, answer, truth, fault_of(answer, truth.bars));
+    }
     if (dim > Balls::dim_max) return found;
 
     const Truth balls_truth = nerve_diagram(points, balls.cech, top);

@@ -94,6 +94,31 @@ inline double nearest_root(const Square& square, long unit) {
     }
 }
 
+// c = m 2^e with an odd m: e. Of c != 0.
+inline long unit_of(double c) {
+    int e;
+    std::int64_t m = static_cast<std::int64_t>(std::ldexp(std::frexp(c, &e), 53));
+    e -= 53;
+    while (m % 2 == 0) m /= 2, ++e;
+    return e;
+}
+// The largest unit that all are multiples of; 0 of zeros.
+inline long common_unit(const std::vector<double>& numbers) {
+    long unit = std::numeric_limits<long>::max();
+    for (const double c : numbers)
+        if (c != 0) unit = std::min(unit, unit_of(c));
+    return unit == std::numeric_limits<long>::max() ? 0 : unit;
+}
+// c / 2^unit.
+inline mpz_class whole(double c, long unit) {
+    if (c == 0) return 0;
+    int e;
+    const mpz_class m(std::ldexp(std::frexp(c, &e), 53));
+    const long shift = e - 53 - unit;
+    if (shift >= 0) return m << static_cast<unsigned long>(shift);
+    return m >> static_cast<unsigned long>(-shift);  // what is cut are zeros
+}
+
 // Coordinates as integers: x = whole * 2^unit, the largest unit that all are multiples of.
 struct Cloud {
     int dim;
@@ -113,14 +138,10 @@ struct Cloud {
             if (std::find(rows.begin(), rows.end(), row) == rows.end()) rows.push_back(row);
         }
         if (rows.empty() || rows.size() > points_max) throw std::invalid_argument("1 to 12 different points");
-        unit = std::numeric_limits<long>::max();
-        for (const auto& row : rows)
-            for (const double c : row)
-                if (c != 0) unit = std::min(unit, unit_of(c));
-        if (unit == std::numeric_limits<long>::max()) unit = 0;
+        unit = common_unit(x);
         for (const auto& row : rows) {
             std::vector<mpz_class> point;
-            for (const double c : row) point.push_back(whole(c));
+            for (const double c : row) point.push_back(whole(c, unit));
             points.push_back(point);
         }
     }
@@ -141,25 +162,6 @@ struct Cloud {
                 for (std::size_t c = 0; c < points[a].size(); ++c)
                     widest = std::max(widest, mpz_class(abs(points[a][c] - points[b][c])));
         return mpz_sizeinbase(widest.get_mpz_t(), 2);
-    }
-
-private:
-    // c = m 2^e with an odd m: e.
-    static long unit_of(double c) {
-        int e;
-        std::int64_t m = static_cast<std::int64_t>(std::ldexp(std::frexp(c, &e), 53));
-        e -= 53;
-        while (m % 2 == 0) m /= 2, ++e;
-        return e;
-    }
-    mpz_class whole(double c) const {
-        if (c == 0) return 0;
-        int e;
-        const double fraction = std::ldexp(std::frexp(c, &e), 53);
-        const long shift = e - 53 - unit;
-        mpz_class m(fraction);
-        if (shift >= 0) return m << static_cast<unsigned long>(shift);
-        return m >> static_cast<unsigned long>(-shift);  // what is cut are zeros
     }
 };
 
@@ -187,6 +189,29 @@ struct Levels {
     double value(Set set) const { return rounded[of_set[set]]; }
 };
 
+// Half of the longest edge of each set, of n points with squares[n][n] of distances.
+inline Levels edge_levels(std::size_t n, const std::vector<mpz_class>& squares, long unit) {
+    Levels levels;
+    levels.squares.push_back({0, 4});
+    std::vector<std::uint32_t> edge(n * n, 0);
+    for (std::size_t a = 0; a < n; ++a)
+        for (std::size_t b = 0; b < a; ++b) {
+            edge[a * n + b] = static_cast<std::uint32_t>(levels.squares.size());
+            levels.squares.push_back({squares[a * n + b], 4});
+        }
+    for (Set set = 0; set < Set(1) << n; ++set) {
+        std::uint32_t longest = 0;
+        for (std::size_t a = 0; a < n; ++a)
+            for (std::size_t b = 0; b < a; ++b)
+                if ((set >> a & 1) != 0 && (set >> b & 1) != 0 &&
+                    levels.squares[longest].over < levels.squares[edge[a * n + b]].over)
+                    longest = edge[a * n + b];
+        levels.of_set.push_back(longest);
+    }
+    levels.arrange(unit);
+    return levels;
+}
+
 // The ball that has an affinely independent set of points on its boundary and its centre in their hull's plane.
 struct Circumball {
     Set on = 0;
@@ -204,7 +229,7 @@ public:
             for (std::size_t b = 0; b < a; ++b)
                 squares_[a * n_ + b] = squares_[b * n_ + a] = cloud.distance_squared(a, b);
         const Set all = (Set(1) << n_) - 1;
-        spread_edges(all);
+        rips = edge_levels(n_, squares_, cloud.unit);
         if (cloud.dim > dim_max) return;
         for (Set set = 1; set <= all; ++set) {
             if (size_of(set) > cloud.dim + 1) continue;
@@ -223,6 +248,8 @@ public:
     Levels cech;                       // the smallest enclosing ball of each set
     Levels rips;                       // half of its longest edge
 
+    const mpz_class& square(std::size_t a, std::size_t b) const { return squares_[a * n_ + b]; }
+
     // The smallest ball that has the points of `set` on its boundary and none of the cloud inside: how a simplex
     // enters an alpha complex. False where there is none.
     bool alpha(Set set, double* value) const {
@@ -236,8 +263,6 @@ public:
     }
 
 private:
-    const mpz_class& square(std::size_t a, std::size_t b) const { return squares_[a * n_ + b]; }
-
     // With p the first point, v_i the vectors from it to the others and c - p = sum x_i v_i, c is as far from all when
     // sum_j (2 v_i v_j) x_j = v_i v_i. Gauss and Jordan in integers (Bareiss); the diagonal ends as the determinant,
     // the last column as the determinant times x. False when the points are affinely dependent.
@@ -309,27 +334,6 @@ private:
         for (const std::uint32_t of : cech.of_set)
             if (of == none) throw std::logic_error("no smallest enclosing ball");
         cech.arrange(cloud_.unit);
-    }
-
-    void spread_edges(Set all) {
-        rips.of_set.assign(all + 1, 0);
-        rips.squares.push_back({0, 4});
-        std::vector<std::uint32_t> edge(n_ * n_, 0);
-        for (std::size_t a = 0; a < n_; ++a)
-            for (std::size_t b = 0; b < a; ++b) {
-                edge[a * n_ + b] = static_cast<std::uint32_t>(rips.squares.size());
-                rips.squares.push_back({square(a, b), 4});
-            }
-        for (Set set = 1; set <= all; ++set) {
-            std::uint32_t longest = 0;
-            for (std::size_t a = 0; a < n_; ++a)
-                for (std::size_t b = 0; b < a; ++b)
-                    if ((set >> a & 1) != 0 && (set >> b & 1) != 0 &&
-                        rips.squares[longest].over < rips.squares[edge[a * n_ + b]].over)
-                        longest = edge[a * n_ + b];
-            rips.of_set[set] = longest;
-        }
-        rips.arrange(cloud_.unit);
     }
 
     const Cloud& cloud_;
