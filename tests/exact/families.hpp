@@ -443,9 +443,10 @@ inline Points any_size(Random& random, int dim, std::size_t n) {
 inline Points mixed_sizes(Random& random, int dim, std::size_t n) {
     Points x = near_one(random, dim, n);
     const int reach = random.one_in(8) ? 300 : 40;
-    for (std::size_t i = 0; i < n; ++i) {
-        const double by = std::ldexp(1, random.whole(-reach, reach));
-        for (std::size_t c = 0; c < static_cast<std::size_t>(dim); ++c) x[i * static_cast<std::size_t>(dim) + c] *= by;
+    double by = 1;
+    for (std::size_t i = 0; i < x.size(); ++i) {
+        if (i % static_cast<std::size_t>(dim) == 0) by = std::ldexp(1, random.whole(-reach, reach));
+        x[i] *= by;
     }
     return x;
 }
@@ -513,7 +514,7 @@ inline Points many_coordinates(Random& random, int dim, std::size_t n) {
 
 struct Family {
     const char* name;
-    Points (*make)(Random& random, int dim, std::size_t n);  // n >= 1; duplicates makes up to 3 rows more
+    Points (*make)(Random& random, int dim, std::size_t n);  // n >= 1; fewer rows, or up to 3 more
 };
 
 inline const std::vector<Family>& all() {
