@@ -11,6 +11,7 @@
 
 #include "common/dimensions.hpp"
 #include "common/session.hpp"
+#include "exact/families.hpp"
 #include "truth.hpp"
 
 namespace {
@@ -169,6 +170,7 @@ int main(int argc, char** argv) {
             kind.make(engine, dim, point);
             if (distinct.insert(point).second) x.insert(x.end(), point.begin(), point.end());
         }
+        if (round % 4 == 3) x = families::moved(x, 3, set);
         const Outcome outcome = compare(dim, x);
         bars += outcome.bars;
         shortest += outcome.shortest;

@@ -12,6 +12,7 @@
 #include "api/context.hpp"
 #include "common/dimensions.hpp"
 #include "common/session.hpp"
+#include "exact/families.hpp"
 
 namespace {
 
@@ -67,6 +68,10 @@ TEST_CASE("the diagram is that of a triangulation that is kept") {
         expect_same(dim, inputs::repeated(dim, inputs::uniform(dim, n / 2), 2), NETMESH_DIM_MAX, false);
         expect_same(dim, inputs::clusters(dim, n), NETMESH_DIM_MAX, false);
         expect_same(dim, inputs::uniform(dim, static_cast<std::size_t>(dim) + 1), NETMESH_DIM_MAX, true);
+        const inputs::Points grid = inputs::grid(dim, dim < 4 ? 4 : 2), sphere = inputs::shell(dim, n / 2, 1, 1, 9);
+        expect_same(dim, families::moved(grid, 3), NETMESH_DIM_MAX, false);
+        expect_same(dim, families::moved(grid, 3), NETMESH_DIM_MAX, true);
+        expect_same(dim, families::moved(sphere, 2), NETMESH_DIM_MAX, false);
     }
 }
 

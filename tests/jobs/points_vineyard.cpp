@@ -12,6 +12,7 @@
 #include "common/block.hpp"
 #include "common/dimensions.hpp"
 #include "common/inputs.hpp"
+#include "exact/families.hpp"
 #include "filtration/point_complexes.hpp"
 #include "homology/map_ranks.hpp"
 #include "jobs/persist_points.hpp"
@@ -346,6 +347,8 @@ TEST_CASE("one run for all k has the diagrams of separate runs, bit for bit") {
                 equals_separate_runs(3, inputs::uniform(3, 9, seed), kind, values, 2, 5, 0);
             }
             equals_separate_runs(2, inputs::grid(2, 3), kind, values, 1, 4, 1);
+            equals_separate_runs(2, families::moved(inputs::grid(2, 3), 3), kind, values, 1, 4, 1);
+            equals_separate_runs(3, families::moved(inputs::shell(3, 7, 1, 1, 9), 2), kind, values, 1, 3, 2);
             equals_separate_runs(2, square(), kind, values, 1, 4, 2);
             equals_separate_runs(2, polygon(6, true), kind, values, 1, 7, 1);
             equals_separate_runs(2, inputs::uniform(2, 8), kind, values, 3, 3, 1);

@@ -8,6 +8,7 @@
 #include "common/dimensions.hpp"
 #include "common/kinds.hpp"
 #include "common/session.hpp"
+#include "exact/families.hpp"
 #include "sweep/harness.hpp"
 
 std::uint64_t figures_of_run = 0;
@@ -42,6 +43,9 @@ inputs::Points narrow_pairs(const Job& job) {
 inputs::Points far_pairs(const Job& job) { return inputs::close_pairs(job.dim, job.points / 2, 1e-3, 2); }
 inputs::Points close_pairs(const Job& job) { return inputs::close_pairs(job.dim, job.points / 2, 0.02, 2); }
 
+// On a sphere but for some units in the last place: radii of cells are nearly equal.
+inputs::Points moved_sphere(const Job& job) { return families::moved(inputs::shell(job.dim, job.points, 1, 1, 9), 2); }
+
 netmesh_status delaunay(Run& run) { return run.delaunay_in_block(run.points()); }
 netmesh_status repeated(Run& run) { return run.delaunay_in_block(made<repeated_points>(run.job)); }
 
@@ -69,6 +73,10 @@ netmesh_status mesh_of_floats(Run& run) {
 
 netmesh_status alpha(Run& run) {
     const netmesh_status status = delaunay(run);
+    return status == NETMESH_OK ? run.persist(NETMESH_FILTER_ALPHA) : status;
+}
+netmesh_status alpha_of_moved(Run& run) {
+    const netmesh_status status = run.delaunay_in_block(made<moved_sphere>(run.job));
     return status == NETMESH_OK ? run.persist(NETMESH_FILTER_ALPHA) : status;
 }
 netmesh_status alpha_low(Run& run) {
@@ -233,6 +241,8 @@ const Job low_dimensions[] = {
     {"alpha", 3, 12, alpha},
     {"alpha", 4, 8, alpha},
     Job{"alpha", 3, 40, alpha}.large(),
+    {"alpha-moved", 2, 12, alpha_of_moved},
+    {"alpha-moved", 3, 9, alpha_of_moved},
     {"alpha-low", 2, 12, alpha_low},
     {"alpha-low", 3, 9, alpha_low},
     {"alpha-low", 4, 7, alpha_low},
