@@ -298,6 +298,28 @@ inline Points lattice(Random& random, int dim, std::size_t n) {
     move_units(random, random.whole(0, 3), &x);
     return x;
 }
+// A lattice bent by a paraboloid's last digits: cospherical but for these.
+inline Points bent_lattice(Random& random, int dim, std::size_t n) {
+    Points x;
+    for (std::size_t i = 0; i < n; ++i) {
+        double bend = 0;
+        const std::size_t first = x.size();
+        for (int c = 0; c < dim; ++c) {
+            const double along = random.whole(0, 2);
+            x.push_back(along);
+            bend += along * along;
+        }
+        x[first] += 0x1p-45 * bend;
+    }
+    return x;
+}
+// Few places, some 2^-40 wide.
+inline Points clusters(Random& random, int dim, std::size_t n) {
+    Points x;
+    for (std::size_t i = 0; i < n * static_cast<std::size_t>(dim); ++i)
+        x.push_back(0.25 + 0.5 * random.whole(0, 1) + 0x1p-40 * random.uniform());
+    return x;
+}
 // Copies of one simplex, of the size of a triangle up to that of a cell, each turned and shifted by itself.
 inline Points copies(Random& random, int dim, std::size_t n) {
     Points x;
@@ -532,6 +554,8 @@ inline const std::vector<Family>& all() {
         {"regular polygon", regular_polygon},
         {"regular polytope", regular_polytope},
         {"lattice", lattice},
+        {"bent lattice", bent_lattice},
+        {"clusters", clusters},
         {"copies of a simplex", copies},
         {"last digits", last_digits},
         {"right angles", right_angles},
