@@ -189,6 +189,92 @@ inline const char* fault_of_bounds(const TransportSum& truth, std::uint32_t orde
     return fault_of_width(lower, value, relative_error);
 }
 
+// ---- the proof that comes with a Wasserstein distance
+
+struct Proof {
+    std::vector<std::uint32_t> mates;
+    std::vector<double> f, g;
+};
+struct Proven {
+    double lower, value;
+    int exponent;
+};
+
+inline Ratio move_of(const netmesh_pair& p, const netmesh_pair& q) {
+    const Ratio births = Ratio(p.birth) - Ratio(q.birth);
+    if (is_essential(p)) return abs(births);
+    const Ratio deaths = Ratio(p.death) - Ratio(q.death);
+    return std::max(Ratio(abs(births)), Ratio(abs(deaths)));
+}
+inline Ratio way_of(const netmesh_pair& p) { return (Ratio(p.death) - Ratio(p.birth)) / 2; }
+
+// Is e^p c surely above f + g, in long doubles?
+inline bool is_surely_below(double f, double g, const netmesh_pair& p, const netmesh_pair& q, std::uint32_t order,
+                            int exponent) {
+    using Real = long double;
+    const Real births = std::fabs(Real{p.birth} - q.birth), deaths = std::fabs(Real{p.death} - q.death);
+    const Real move = std::ldexp(std::max(births, deaths), exponent);
+    Real cost = move;
+    for (std::uint32_t k = 1; k < order; ++k) cost *= move;
+    return std::isfinite(cost) && Real{f} + g < cost - 1e-15L * (std::fabs(Real{f}) + std::fabs(Real{g}) + cost);
+}
+
+// What is wrong with the mates and the potentials of a finite distance in one degree; null: nothing.
+inline const char* fault_of_proof(const Bars& a, const Bars& b, std::uint32_t order, std::uint32_t degree,
+                                  const Proven& found, const Proof& proof) {
+    const long lift = static_cast<long>(order) * found.exponent;
+    const auto is_point = [degree](const netmesh_pair& p) {
+        return p.degree == degree && !is_essential(p) && p.birth != p.death;
+    };
+    const auto is_high = [&](double f, const netmesh_pair& p) {
+        return Ratio(f) > scaled(power(way_of(p), order), lift);
+    };
+    Ratio paid = 0, proven = 0;  // in the diagrams' unit
+    std::vector<bool> taken(b.size(), false);
+    for (std::size_t i = 0; i < a.size(); ++i) {
+        const std::uint32_t mate = proof.mates[i];
+        if (mate != NETMESH_NONE) {
+            if (mate >= b.size() || taken[mate]) return "no matching";
+            if (a[i].degree != degree || b[mate].degree != degree) return "a mate in another degree";
+            if (is_essential(a[i]) != is_essential(b[mate])) return "a mate of another kind";
+            if (!is_essential(a[i]) && (!is_point(a[i]) || !is_point(b[mate]))) return "a mate on the diagonal";
+            taken[mate] = true;
+            const Ratio cost = power(move_of(a[i], b[mate]), order);
+            paid += cost;
+            if (is_essential(a[i])) proven += cost;
+        }
+        if (!is_point(a[i])) {
+            if (proof.f[i] != 0) return "a potential of what has none";
+            continue;
+        }
+        if (mate == NETMESH_NONE) paid += power(way_of(a[i]), order);
+        if (is_high(proof.f[i], a[i])) return "a potential above the diagonal";
+        proven += scaled(Ratio(proof.f[i]), -lift);
+        for (std::size_t j = 0; j < b.size(); ++j) {
+            if (!is_point(b[j]) || is_surely_below(proof.f[i], proof.g[j], a[i], b[j], order, found.exponent)) continue;
+            if (Ratio(proof.f[i]) + Ratio(proof.g[j]) > scaled(power(move_of(a[i], b[j]), order), lift))
+                return "two potentials above the cost";
+        }
+    }
+    for (std::size_t j = 0; j < b.size(); ++j) {
+        if (b[j].degree == degree && is_essential(b[j]) && !taken[j]) return "an essential bar without a mate";
+        if (!is_point(b[j])) {
+            if (proof.g[j] != 0) return "a potential of what has none";
+            continue;
+        }
+        if (!taken[j]) paid += power(way_of(b[j]), order);
+        if (is_high(proof.g[j], b[j])) return "a potential above the diagonal";
+        proven += scaled(Ratio(proof.g[j]), -lift);
+    }
+    if (std::isfinite(found.value)) {
+        if (power(Ratio(found.value), order) < paid) return "the upper bound is below what the matching costs";
+        if (found.value > 0x1p-1021 && power(Ratio(found.value) * (1 - scaled(Ratio(1), -40)), order) > paid)
+            return "the upper bound is not what the matching costs";
+    }
+    if (power(Ratio(found.lower), order) > proven) return "potentials do not prove the lower bound";
+    return nullptr;
+}
+
 // ---- bottleneck distances
 
 // The least limit among the costs within which all rows have columns of their own.

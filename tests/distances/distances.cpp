@@ -2,8 +2,8 @@
 //
 //   distances                   a slice of all that follows
 //   distances small [COUNT]     pairs of up to nine bars, each in orders 1, 2 and 3 and in both scales: 20,000
-//   distances large [COUNT [BARS]]  pairs of a thousand bars, each in one order: 500. The matching and the potentials
-//   that
+//   distances large [COUNT [BARS]]
+//                               pairs of a thousand bars, each in one order: 500. The matching and the potentials that
 //                               come with a distance are its proof, which is looked at without rounding.
 //   distances planted           answers that are wrong, each of which must be refused
 #include <chrono>
@@ -22,7 +22,6 @@ namespace {
 
 using exact::Bars;
 using exact::Ratio;
-using exact::scaled;
 using Random = std::mt19937_64;
 
 constexpr double forever = std::numeric_limits<double>::infinity();
@@ -217,63 +216,9 @@ void compare_small(long count) {
                 sizes[1]);
 }
 
-// ---- the proof that comes with a distance
+// ---- large diagrams
 
-struct Proof {
-    std::vector<std::uint32_t> mates;
-    std::vector<double> f, g;
-};
-
-// What is wrong with the proof of the distance of two diagrams of degree 0 without essential pairs; null: nothing. Its
-// own bounds are exact.
-const char* fault_of_proof(const Bars& a, const Bars& b, std::uint32_t order, const Transport& found,
-                           const Proof& proof) {
-    const long lift = static_cast<long>(order) * found.exponent;
-    const auto move = [](const netmesh_pair& p, const netmesh_pair& q) -> Ratio {
-        return std::max(Ratio(abs(Ratio(p.birth) - Ratio(q.birth))), Ratio(abs(Ratio(p.death) - Ratio(q.death))));
-    };
-    const auto way = [](const netmesh_pair& p) -> Ratio { return (Ratio(p.death) - Ratio(p.birth)) / 2; };
-    Ratio paid = 0, proven = 0;
-    std::vector<bool> taken(b.size(), false);
-    const long double e = std::ldexp(1.0L, found.exponent);
-    for (std::size_t i = 0; i < a.size(); ++i) {
-        proven += Ratio(proof.f[i]);
-        if (Ratio(proof.f[i]) > scaled(exact::power(way(a[i]), order), lift)) return "a potential above the diagonal";
-        for (std::size_t j = 0; j < b.size(); ++j) {
-            const long double births = std::fabs(static_cast<long double>(a[i].birth) - b[j].birth),
-                              deaths = std::fabs(static_cast<long double>(a[i].death) - b[j].death);
-            const long double near = e * std::max(births, deaths),
-                              sum = static_cast<long double>(proof.f[i]) + proof.g[j];
-            long double cost = near;
-            for (std::uint32_t k = 1; k < order; ++k) cost *= near;
-            // Where that does not decide, without rounding.
-            const long double slack = 1e-15L * (std::fabs(static_cast<long double>(proof.f[i])) +
-                                                std::fabs(static_cast<long double>(proof.g[j])) + cost);
-            if (sum < cost - slack) continue;
-            if (Ratio(proof.f[i]) + Ratio(proof.g[j]) > scaled(exact::power(move(a[i], b[j]), order), lift))
-                return "two potentials above the cost";
-        }
-        const std::uint32_t mate = proof.mates[i];
-        if (mate == NETMESH_NONE) {
-            paid += exact::power(way(a[i]), order);
-            continue;
-        }
-        if (mate >= b.size() || taken[mate]) return "no matching";
-        taken[mate] = true;
-        paid += exact::power(move(a[i], b[mate]), order);
-    }
-    for (std::size_t j = 0; j < b.size(); ++j) {
-        proven += Ratio(proof.g[j]);
-        if (Ratio(proof.g[j]) > scaled(exact::power(way(b[j]), order), lift)) return "a potential above the diagonal";
-        if (!taken[j]) paid += exact::power(way(b[j]), order);
-    }
-    if (exact::power(Ratio(found.value), order) < paid) return "the upper bound is below what the matching costs";
-    if (exact::power(Ratio(found.value) * (1 - scaled(Ratio(1), -40)), order) > paid)
-        return "the upper bound is not what the matching costs";
-    if (scaled(exact::power(Ratio(found.lower), order), lift) > proven)
-        return "potentials do not prove the lower bound";
-    return nullptr;
-}
+using exact::Proof;
 
 Transport with_proof(const Bars& a, const Bars& b, std::uint32_t order, double error, Proof* proof) {
     proof->mates.resize(a.size());
@@ -309,7 +254,8 @@ void compare_large(long count, std::size_t bars) {
         }
         const char* fault = found.status != NETMESH_OK ? netmesh_status_text(found.status) : nullptr;
         if (fault == nullptr) fault = exact::fault_of_width(found.lower, found.value, error);
-        if (fault == nullptr) fault = fault_of_proof(a, b, order, found, proof);
+        if (fault == nullptr)
+            fault = exact::fault_of_proof(a, b, order, 0, {found.lower, found.value, found.exponent}, proof);
         if (fault != nullptr)
             fail(std::string(families[family]) + ", large pair " + std::to_string(trial) + ", order " +
                      std::to_string(order) + ", error " + std::to_string(error),
@@ -346,7 +292,8 @@ void plant() {
     Proof good;
     const Bars one = {bar(0, 0, 4), bar(0, 0, 2)};
     const Transport found = with_proof(one, b, 2, 0.001, &good);
-    if (fault_of_proof(one, b, 2, found, good) != nullptr) ++accepted, std::printf("the proof is refused\n");
+    if (exact::fault_of_proof(one, b, 2, 0, {found.lower, found.value, found.exponent}, good) != nullptr)
+        ++accepted, std::printf("the proof is refused\n");
     for (int k = 0; k < 5; ++k) {
         Proof bad = good;
         Transport said = found;
@@ -360,7 +307,7 @@ void plant() {
         case 3: bad.g[0] -= 0.1, what = "a potential that proves less"; break;
         default: said.value = std::nextafter(1.4, 0), what = "less than the matching costs"; break;
         }
-        refused(fault_of_proof(one, b, 2, said, bad), what);
+        refused(exact::fault_of_proof(one, b, 2, 0, {said.lower, said.value, said.exponent}, bad), what);
     }
 
     const auto third = exact::least_bottleneck({bar(0, 3, 7)}, {}, true, 0);  // the root of 7 / 3
