@@ -84,8 +84,8 @@ class Total {
 public:
     explicit Total(Power power) : power_(power) {}
 
-    // What is added is 0 or has a length of at least 1 in it, and so has the total. What gets lost below the doubles
-    // when units are changed is less than their rounding, then.
+    // What is added is 0 or at least 2^-60. What gets lost below the doubles when units are changed is less than its
+    // rounding, then.
     void add(const Bounds& part) {
         if (part.upper == 0) return;
         if (is_zero_ || part.exponent < exponent_) {
@@ -172,14 +172,13 @@ public:
             auction(step);
             if (monitor_.has_stopped()) return Status::cancelled;
             cut_potentials();
-            *found = {cost_.exponent(), lower_bound(step == 1), upper_};
             const double paid = paid_for([](const Market& m) { return m.mate; });
             const bool is_better = paid < upper_;
-            if (is_better) found->upper = paid;
+            const double upper = is_better ? paid : upper_;
+            *found = {cost_.exponent(), lower_bound(upper, step == 1), upper};
             if (monitor_.has_stopped()) return Status::cancelled;
-            const bool is_done = are_near(*found);
             if (is_better) keep_matching();
-            if (is_done) return Status::ok;
+            if (are_near(*found)) return Status::ok;
             if (is_better) {
                 const int before = cost_.grid() + static_cast<int>(cost_.power().order()) * cost_.exponent();
                 if (!take_unit()) {
@@ -271,8 +270,9 @@ private:
         }
         return longest;
     }
-    // No less than a matching costs. What is paid is within (1 + u)^(2p) of its true cost, u = 2^-53, but where it is
-    // below the doubles; all that is lost there is less than u of the longest move's. The sum is within 4 u of itself.
+    // No less than a matching costs. What is paid is within (1 + u)^(2p) of its true cost, u = 2^-53, and the sum
+    // within 4 u of itself. What is lost below the doubles is less than u of a sum that is 2^-60 or more, which the
+    // best matching's is in its unit, and any that is near a lower bound above 0.
     template <class Mates> double paid_for(Mates mates_of) const {
         const Market &a = work_.side[0], &b = work_.side[1];
         const std::uint32_t *const mate_a = mates_of(a), *const mate_b = mates_of(b);
@@ -319,8 +319,9 @@ private:
     // They are whole, and so is their sum S, which no matching's cost in whole numbers is below. That is at most
     // 2^grid (1 + u)^(2p) of its true cost: the true one is at least (1 - 2p u) S / 2^grid. As doubles, see lowered(),
     // potentials sum up to (1 - (2p + 8) u) S - 11 u N at least, N the sum of the sizes of negative ones. That counts,
-    // so that they prove what is said; in the last round, when it keeps the bounds apart, N does not.
-    double lower_bound(bool is_last) {
+    // so that they prove what is said. In the last round N does not where it keeps the bounds apart; that takes more
+    // than 2^16 points, as N is below 2^61 for each and a sum that counts is 2^58 or more.
+    double lower_bound(double upper, bool is_last) {
         Market &a = work_.side[0], &b = work_.side[1];
         WholeSum sum;
         double negative = 0;
@@ -340,7 +341,7 @@ private:
         const double unit = power_of_two(-cost_.grid());
         const double whole = cost_.off_grid(sum.value()) * (1 - (2 * cost_.power().order() + 12) * unit_roundoff);
         const double proven = whole - 13 * unit_roundoff * negative * unit;
-        if (is_last && !are_near({cost_.exponent(), proven, upper_})) return whole;
+        if (is_last && !are_near({cost_.exponent(), proven, upper})) return whole;
         return proven > 0 ? proven : 0;
     }
     // A part's share of the error: Total has the rest for its roundings. Of 2^-30, the least, the rest is 2^-42.
