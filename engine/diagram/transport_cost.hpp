@@ -98,15 +98,14 @@ public:
     // Within 2^-53 of x 2^-grid.
     double off_grid(std::int64_t x) const { return static_cast<double>(x) * power_of_two(-grid_); }
 
-    // x 2^-exponent; what may have been rounded goes down, or up. No more than the largest double; infinite above it.
+    // x 2^-exponent; what was rounded goes down, or up. No more than the largest double; infinite above it.
     double lowered_from_unit(double x) const {
         const double y = from_unit(x);
-        if (y == infinity) return double_of_bits(bits_of(infinity) - 1);
-        return y > 0 && y <= rounded_below ? double_of_bits(bits_of(y) - 1) : y;
+        return in_unit(y) > x ? double_of_bits(bits_of(y) - 1) : y;
     }
     double raised_from_unit(double x) const {
         const double y = from_unit(x);
-        return y <= rounded_below ? next_up(y) : y;
+        return in_unit(y) < x ? next_up(y) : y;
     }
 
     double paid_between(const double* x, const double* y) const { return power_.of(distance(x, y)); }
@@ -141,11 +140,12 @@ public:
 
 private:
     static constexpr int unit_min = -1022;
-    static constexpr double rounded_below = 0x1p-1022;
     double from_unit(double x) const {
         const int k = -exponent_;
         return x * power_of_two(k / 2) * power_of_two(k - k / 2);
     }
+    // Exact for what came from the unit, infinity too.
+    double in_unit(double y) const { return y * half_[0] * half_[1]; }
     std::int64_t whole(double paid) const {
         const double x = paid * scale_;
         return x < top_ ? static_cast<std::int64_t>(x) : ceiling_;

@@ -175,7 +175,7 @@ inline const char* fault_of_width(double lower, double value, double relative_er
     Ratio widest = (1 + Ratio(relative_error)) * Ratio(lower);
     if (std::isinf(value))
         return widest > Ratio(std::numeric_limits<double>::max()) ? nullptr : "infinite far above the lower bound";
-    if (value < 0x1p-1021) widest += 4 * Ratio(std::numeric_limits<double>::denorm_min());
+    if (value < 0x1p-1021) widest += (2 + Ratio(relative_error)) * Ratio(std::numeric_limits<double>::denorm_min());
     return Ratio(value) <= widest ? nullptr : "the bounds are farther apart than the error";
 }
 inline const char* fault_of_bounds(const TransportSum& truth, std::uint32_t order, double lower, double value,

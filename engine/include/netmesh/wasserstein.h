@@ -57,11 +57,11 @@ typedef struct netmesh_wasserstein_distance {
  * by birth; where their numbers differ both bounds are infinite. Births are finite, death >= birth.
  *
  * With OK the distance is from `lower` to `value`, all roundings included, and value <= (1 + relative_error) lower,
- * with two exceptions of the doubles. Where a bound is below 2^-1021 it is the next multiple of 2^-1074 or the one
- * after it. A distance is finite where the numbers of essential pairs agree: beyond the largest double `lower` is that
- * double and `value` infinite. Both are 0 only for a distance of 0. Every admitted diagram and relative_error has an
- * OK, but for memory and cancelling. INTERNAL: the bounds stayed farther apart than relative_error, a defect; *distance
- * is left. The result is a function of the pairs, their order and the request, to the last bit.
+ * with two exceptions of the doubles. A bound below 2^-1022 is the next multiple of 2^-1074. A distance is finite where
+ * the numbers of essential pairs agree: beyond the largest double `lower` is that double and `value` infinite. Both are
+ * 0 only for a distance of 0. Every admitted diagram and relative_error has an OK, but for memory and cancelling.
+ * INTERNAL: the bounds stayed farther apart than relative_error, a defect; *distance is left. The result is a function
+ * of the pairs, their order and the request, to the last bit.
  *
  * No context is needed; detail, which may be null, gets what a context would keep. Expected cost about O(n^1.5 log n),
  * more the smaller the error. INVALID_ARGUMENT, OUT_OF_MEMORY, CANCELLED, INTERNAL. */
