@@ -1,91 +1,92 @@
-// Diagrams to their bottleneck distance, in both scales, and their Wasserstein distance against the definition: all
-// ways to match small diagrams. The scratch memory is allocated at the size that was asked for.
+// Diagrams to their bottleneck distance, in both scales, and to their Wasserstein distance with its matching and its
+// potentials, against exact ones. The scratch memory is allocated at the size that was asked for.
 #include <algorithm>
 #include <cmath>
 #include <limits>
 #include <vector>
 
+#include "common/exact_distance.hpp"
 #include "common/wasserstein.hpp"
 #include "fuzz/decoder.hpp"
 
 namespace {
 
+using exact::Bars;
 using fuzz::require;
-using Diagram = std::vector<netmesh_pair>;
-using Real = long double;  // ratios of any two doubles have to fit
 
-constexpr Real infinity = std::numeric_limits<Real>::infinity();
-
-// Distances in PLAIN scale, ratios in LOG scale.
-struct Scale {
-    bool log;
-
-    Real least() const { return log ? 1 : 0; }
-    Real between(double x, double y) const {
-        if (x == y) return least();
-        if (!log) return std::fabs(x - y);
-        const double small = std::min(x, y);
-        return small == 0 ? infinity : static_cast<Real>(std::max(x, y)) / small;
+// Differences of them overflow, or are a few of the least double.
+double extreme(std::uint8_t byte) {
+    const double least = std::numeric_limits<double>::denorm_min(), most = std::numeric_limits<double>::max();
+    switch (byte >> 6) {
+    case 0: return least * (byte & 63);
+    case 1: return -least * (byte & 63);
+    case 2: return most / (1 + (byte & 63));
+    default: return -most / (1 + (byte & 63));
     }
-    Real to_diagonal(const netmesh_pair& p) const {
-        if (p.birth == p.death) return least();
-        if (log) return p.birth == 0 ? infinity : std::sqrt(static_cast<Real>(p.death) / p.birth);
-        const double length = p.death - p.birth;
-        return std::isfinite(length) ? length / 2 : p.death / 2 - p.birth / 2;
-    }
-    Real cost(const netmesh_pair& p, const netmesh_pair& q) const {
-        return std::max(between(p.birth, q.birth), between(p.death, q.death));
-    }
-};
-
-// Bars of `a` and of the diagonal to bars of `b` and of the diagonal, in every way: the least of all that `add` makes
-// of a matching's costs, from the scale's least on.
-template <class Add>
-Real least_over_matchings(const Diagram& a, const Diagram& b, Scale scale, bool with_diagonal, Add add) {
-    if (!with_diagonal && a.size() != b.size()) return infinity;
-    std::vector<std::size_t> order(with_diagonal ? a.size() + b.size() : a.size());
-    for (std::size_t i = 0; i < order.size(); ++i) order[i] = i;
-    Real best = infinity;
-    do {
-        Real worst = scale.least();
-        for (std::size_t i = 0; i < order.size(); ++i) {
-            const bool left = i < a.size(), right = order[i] < b.size();
-            if (left && right) add(&worst, scale.cost(a[i], b[order[i]]));
-            if (left && !right) add(&worst, scale.to_diagonal(a[i]));
-            if (!left && right) add(&worst, scale.to_diagonal(b[order[i]]));
-        }
-        best = std::min(best, worst);
-    } while (std::next_permutation(order.begin(), order.end()));
-    return best;
 }
 
-void widen(Real* worst, Real cost) { *worst = std::max(*worst, cost); }
-
-Diagram part(const Diagram& all, std::uint32_t degree, bool essential) {
-    Diagram result;
-    for (const netmesh_pair& p : all)
-        if (p.degree == degree && std::isinf(p.death) == essential) result.push_back(p);
-    return result;
-}
-
-Diagram decode_diagram(fuzz::Tape& tape, bool log) {
-    Diagram result;
-    const std::uint32_t count = tape.below(4);
+Bars decode_diagram(fuzz::Tape& tape, bool log, const Bars& other) {
+    Bars result;
+    const std::uint32_t how_many = tape.byte(), count = how_many % 8;
+    if ((how_many & 64) != 0) result = other;  // and what follows
+    if ((how_many & 128) != 0 && !result.empty()) result.erase(result.begin() + (how_many >> 3) % 8 % result.size());
     for (std::uint32_t i = 0; i < count; ++i) {
         const std::uint8_t how = tape.byte();
         netmesh_pair p = bar(how & 1u, 0, 0);
-        p.birth = fuzz::coordinate(tape.byte());
-        p.death = fuzz::coordinate(tape.byte());
-        if (how % 8 == 7) {  // neighbours in the last place, of few values
+        switch (how % 8) {
+        case 7:  // neighbours in the last place, of few values
             p.birth = 1 + std::ldexp(how >> 4, -52);
             p.death = p.birth * (1 + (how & 16));
+            break;
+        case 6:  // born together
+            p.birth = 1;
+            p.death = 1 + (1 + tape.byte()) * 0.01;
+            break;
+        case 5:
+            p.birth = extreme(tape.byte());
+            p.death = extreme(tape.byte());
+            break;
+        case 4:  // a bar once more, a little longer or not
+            if (!other.empty() && tape.left() > 0) p = other[tape.byte() % other.size()];
+            if (!std::isinf(p.death)) p.death += std::fabs(p.death) * std::ldexp(how >> 4, -20);
+            if (std::isinf(p.death)) p.death = p.birth;
+            break;
+        default:
+            p.birth = fuzz::coordinate(tape.byte());
+            p.death = fuzz::coordinate(tape.byte());
+            break;
         }
         if (log) p.birth = std::fabs(p.birth), p.death = std::fabs(p.death);
         if (p.death < p.birth) std::swap(p.birth, p.death);
         if (how >> 5 == 7) p.death = std::numeric_limits<double>::infinity();
         result.push_back(p);
     }
-    return Diagram(result);
+    return Bars(result);
+}
+
+void check_bottleneck(const Bars& a, const Bars& b, bool log, std::uint32_t degree) {
+    const netmesh_scale scale = log ? NETMESH_SCALE_LOG : NETMESH_SCALE_PLAIN;
+    const Distance found = bottleneck(a, b, scale, degree), turned = bottleneck(b, a, scale, degree);
+    require(found.status == NETMESH_OK && turned.status == NETMESH_OK);
+    require(found.value == turned.value && found.exponent == turned.exponent);
+    require(exact::is_bottleneck(exact::least_bottleneck(a, b, log, degree), log, found.value, found.exponent));
+}
+
+void check_wasserstein(const Bars& a, const Bars& b, std::uint32_t degree, std::uint32_t order, double error) {
+    const exact::TransportSum truth = exact::least_transport(a, b, order, degree);
+    netmesh_wasserstein_request request = wasserstein_request(a, b, order, error, degree);
+    exact::Proof proof = {std::vector<std::uint32_t>(a.size()), std::vector<double>(a.size()),
+                          std::vector<double>(b.size())};
+    if (degree != NETMESH_ALL_DEGREES) {
+        request.mates_a = proof.mates.data();
+        request.potentials_a = proof.f.data();
+        request.potentials_b = proof.g.data();
+    }
+    const Transport found = wasserstein(request);
+    require(found.status == NETMESH_OK);
+    require(exact::fault_of_bounds(truth, order, found.lower, found.value, error) == nullptr);
+    if (degree == NETMESH_ALL_DEGREES || std::isinf(found.lower)) return;
+    require(exact::fault_of_proof(a, b, order, degree, {found.lower, found.value, found.exponent}, proof) == nullptr);
 }
 
 }  // namespace
@@ -94,45 +95,12 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
     fuzz::Tape tape(data, size);
     const bool log = (tape.byte() & 1) != 0;
     const std::uint32_t choice = tape.below(4), degree = choice < 2 ? choice : NETMESH_ALL_DEGREES;
-    Diagram a = decode_diagram(tape, log);
-    const Diagram b = decode_diagram(tape, log);
-
-    const netmesh_scale scaling = log ? NETMESH_SCALE_LOG : NETMESH_SCALE_PLAIN;
-    const Distance found = bottleneck(a, b, scaling, degree), turned = bottleneck(b, a, scaling, degree);
-    require(found.status == NETMESH_OK && turned.status == NETMESH_OK);
-    require(found.value == turned.value && found.exponent == turned.exponent);
-    const Scale scale = {log};
-    Real expected = scale.least();
-    for (std::uint32_t k = 0; k < 2; ++k) {
-        if (degree != NETMESH_ALL_DEGREES && degree != k) continue;
-        expected = std::max(expected, least_over_matchings(part(a, k, false), part(b, k, false), scale, true, widen));
-        expected = std::max(expected, least_over_matchings(part(a, k, true), part(b, k, true), scale, false, widen));
-    }
-    if (!log || std::isinf(expected)) {
-        require(found.value == expected && found.exponent == 0);
-    } else {  // the library's is rounded from the exact ratio, ours from one of 64 bits
-        require(found.value >= 1 && found.value < 2);
-        require(std::fabs(std::ldexp(static_cast<Real>(found.value), found.exponent) - expected) <=
-                expected * 0x1p-52L);
-    }
-
-    if (!log) {
-        const auto order = 1 + tape.below(3);
-        const Transport bounds = wasserstein(wasserstein_request(a, b, order, 0.01, degree));
-        require(bounds.status == NETMESH_OK && bounds.lower <= bounds.value);
-        Real sum = 0;
-        for (std::uint32_t k = 0; k < 2; ++k) {
-            if (degree != NETMESH_ALL_DEGREES && degree != k) continue;
-            const auto add = [order](Real* all, Real cost) { *all += std::pow(cost, static_cast<Real>(order)); };
-            sum += least_over_matchings(part(a, k, false), part(b, k, false), scale, true, add);
-            sum += least_over_matchings(part(a, k, true), part(b, k, true), scale, false, add);
-        }
-        const Real exact = std::pow(sum, 1 / static_cast<Real>(order)), slack = exact * 0x1p-50L + 0x1p-1073L;
-        require(std::isinf(bounds.value) ? std::isinf(exact) || exact > 0x1p1023L : bounds.value >= exact - slack);
-        require(std::isinf(exact) ? std::isinf(bounds.lower) : bounds.lower <= exact + slack);
-        const bool is_large = bounds.value > 0x1p-1000;
-        require(!std::isfinite(bounds.value) || !is_large || bounds.value <= bounds.lower * 1.01 * (1 + 0x1p-50));
-    }
+    Bars a = decode_diagram(tape, log, {});
+    const Bars b = decode_diagram(tape, log, a);
+    const std::uint32_t which = tape.byte(), order = 1 + (which < 224 ? which % 3 : which % NETMESH_ORDER_MAX);
+    const double errors[] = {0.01, 0.5, 1e-6, 0x1p-30, 100};
+    check_bottleneck(a, b, log, degree);
+    check_wasserstein(a, b, degree, order, errors[tape.below(5)]);
 
     // What is no diagram is refused.
     if (!a.empty()) {
@@ -143,7 +111,8 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
         case 2: p.birth = std::numeric_limits<double>::infinity(); break;
         default: p.death = std::nextafter(p.birth, -std::numeric_limits<double>::infinity()); break;
         }
-        require(bottleneck(a, b, scaling).status == NETMESH_INVALID_ARGUMENT);
+        require(bottleneck(a, b, log ? NETMESH_SCALE_LOG : NETMESH_SCALE_PLAIN).status == NETMESH_INVALID_ARGUMENT);
+        require(wasserstein(wasserstein_request(a, b, order, 0.5)).status == NETMESH_INVALID_ARGUMENT);
     }
     return 0;
 }

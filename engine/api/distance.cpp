@@ -74,6 +74,10 @@ netmesh_status compare(const Request* from, Result* result, netmesh_detail* deta
         Monitor monitor = monitor_of(request.monitor);
         status = measure_distance(request, a, b, monitor, &found);
         if (status == Status::invalid_argument) complaint = complaint_about_pairs(a, b, is_log(request));
+        if (status == Status::internal)
+            complaint = {
+                NETMESH_FIELD_RELATIVE_ERROR,
+                "the bounds of the distance stay farther apart than relative_error: a defect, please report it"};
     }
     if (status == Status::ok) give_result(found, result);
     netmesh_detail said = detail_of(status, complaint.text);

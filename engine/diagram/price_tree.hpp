@@ -1,6 +1,7 @@
 // Points of a diagram with a potential each, as an implicit k-d tree: the root of a stretch is its middle. A stretch is
 // split where it is wider, and every node has the box of its stretch and the largest potential in it, so that a search
-// for the least cost minus potential leaves out what is too far or too dear.
+// for the least cost minus potential leaves out what is too far or too dear. Costs and potentials are whole numbers of
+// size up to 2^62 (TransportCost), so that nothing is rounded here.
 #pragma once
 #include <cstdint>
 
@@ -18,7 +19,7 @@ struct TransportPoint {
 
 // The least of cost minus potential over all partners and the diagonal, and the second least.
 struct Offer {
-    double first, second;
+    std::int64_t first, second;
     std::uint32_t at;  // none: the diagonal
 };
 
@@ -26,8 +27,8 @@ class PriceTree {
 public:
     struct Node {
         double low[2], high[2];  // the box of the stretch
-        double largest;          // potential in it
-        double potential;        // of the point
+        std::int64_t largest;    // potential in it
+        std::int64_t potential;  // of the point
     };
 
     // Puts points[count] into the order of the tree. O(count log count).
@@ -57,8 +58,8 @@ public:
             now = stack[--height];
         }
         for (std::uint32_t i = 0; i < count; ++i) {
-            const double *x = points[i].at, far = -infinity;
-            nodes[i] = {{x[0], x[1]}, {x[0], x[1]}, far, far};
+            const double* const x = points[i].at;
+            nodes[i] = {{x[0], x[1]}, {x[0], x[1]}, 0, 0};
         }
         for (std::uint32_t i = 0; i < count; ++i) {
             monitor.pass(1);
@@ -74,26 +75,26 @@ public:
 
     std::uint32_t count() const { return count_; }
     const TransportPoint& operator[](std::uint32_t i) const { return points_[i]; }
-    double potential(std::uint32_t i) const { return nodes_[i].potential; }
+    std::int64_t potential(std::uint32_t i) const { return nodes_[i].potential; }
 
     // Sets all potentials to potential_of(i). O(count log count).
     template <class PotentialOf> void price_all(PotentialOf potential_of) {
         for (std::uint32_t i = 0; i < count_; ++i) nodes_[i].potential = nodes_[i].largest = potential_of(i);
         for (std::uint32_t i = 0; i < count_; ++i) {
             monitor_->pass(1);
-            const double potential = nodes_[i].potential;
+            const std::int64_t potential = nodes_[i].potential;
             descend(i, [potential](Node& node) {
                 if (potential > node.largest) node.largest = potential;
             });
         }
     }
     // Sets the potential of a point, of which searches learn by price_again. O(1), and O(count log count).
-    void keep(std::uint32_t i, double potential) { nodes_[i].potential = potential; }
+    void keep(std::uint32_t i, std::int64_t potential) { nodes_[i].potential = potential; }
     void price_again() {
         price_all([this](std::uint32_t i) { return nodes_[i].potential; });
     }
     // O(log count).
-    void price(std::uint32_t i, double potential) {
+    void price(std::uint32_t i, std::int64_t potential) {
         Range path[levels_max];
         int depth = 0;
         Range now = {0, count_};
@@ -103,7 +104,7 @@ public:
         while (depth > 0) {
             const Range r = path[--depth];
             const std::uint32_t middle = middle_of(r);
-            double largest = nodes_[middle].potential;
+            std::int64_t largest = nodes_[middle].potential;
             if (middle > r.begin) largest = larger(largest, nodes_[middle_of({r.begin, middle})].largest);
             if (middle + 1 < r.end) largest = larger(largest, nodes_[middle_of({middle + 1, r.end})].largest);
             if (nodes_[middle].largest == largest) return;
@@ -112,16 +113,16 @@ public:
     }
 
     // What `from` is offered when the diagonal costs `diagonal`.
-    Offer best(const TransportPoint& from, double diagonal, const TransportCost& cost) const {
+    Offer best(const TransportPoint& from, std::int64_t diagonal, const TransportCost& cost) const {
         Later stack[levels_max];
         int height = 0;
-        Offer offer = {diagonal, infinity, none};
+        Offer offer = {diagonal, most, none};
         std::uint32_t looks = 0;
         if (count_ == 0) return offer;
         for (Range now = {0, count_};;) {
             const std::uint32_t middle = middle_of(now);
             ++looks;
-            const double value = cost.between(from.at, points_[middle].at) - nodes_[middle].potential;
+            const std::int64_t value = cost.between(from.at, points_[middle].at) - nodes_[middle].potential;
             if (value < offer.first) {
                 offer = {value, offer.first, middle};
             } else if (offer.at != none && value < offer.second) {
@@ -131,7 +132,7 @@ public:
             const Later right = bound(from, {middle + 1, now.end}, cost);
             const bool left_first = left.least <= right.least;
             const Later &near = left_first ? left : right, &far = left_first ? right : left;
-            const double bar = bar_of(offer);
+            const std::int64_t bar = bar_of(offer);
             if (far.least < bar) stack[height++] = far;
             if (near.least < bar) {
                 now = near.range;
@@ -150,12 +151,13 @@ public:
 
 private:
     static constexpr int levels_max = 34;
+    static constexpr std::int64_t most = INT64_MAX;
     struct Range {
         std::uint32_t begin, end;
     };
     struct Later {
         Range range;
-        double least;
+        std::int64_t least;
     };
     static std::uint32_t middle_of(const Range& r) { return r.begin + (r.end - r.begin) / 2; }
     static Range part_of(const Range& r, std::uint32_t i) {
@@ -175,9 +177,9 @@ private:
         }
         return high[1] - low[1] > high[0] - low[0] ? 1 : 0;
     }
-    static double larger(double a, double b) { return a > b ? a : b; }
+    static std::int64_t larger(std::int64_t a, std::int64_t b) { return a > b ? a : b; }
     // Only less than this changes an offer.
-    static double bar_of(const Offer& offer) { return offer.at == none ? offer.first : offer.second; }
+    static std::int64_t bar_of(const Offer& offer) { return offer.at == none ? offer.first : offer.second; }
 
     // Calls visit(node) for the nodes from the root to point i.
     template <class Visit> void descend(std::uint32_t i, Visit visit) {
@@ -188,7 +190,7 @@ private:
     }
     // No point of the stretch offers less.
     Later bound(const TransportPoint& from, const Range& range, const TransportCost& cost) const {
-        if (range.begin == range.end) return {range, infinity};
+        if (range.begin == range.end) return {range, most};
         const Node& node = nodes_[middle_of(range)];
         return {range, cost.to_box(from.at, node.low, node.high) - node.largest};
     }

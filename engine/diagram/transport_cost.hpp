@@ -61,7 +61,12 @@ private:
     std::uint32_t order_;
 };
 
-// (2^exponent |x - y|)^p for distances in the largest coordinate.
+// (2^exponent |x - y|)^p for distances in the largest coordinate, as doubles and as whole numbers.
+//
+// `paid_*` are doubles. In the unit a distance is rounded once, so they are within (1 + 2^-53)^(2p) of the true cost,
+// but for what lies below the doubles. The others are floor(2^grid paid), and `ceiling` where that would be more: what
+// is paid may be rounded in the last bits of a double, what it is called in an auction is exact. Each is a monotone
+// function of the distance, so the cost of a way to a box is never above that to a point in it.
 class TransportCost {
 public:
     explicit TransportCost(Power power) : power_(power) { set_unit(0); }
@@ -78,30 +83,38 @@ public:
         half_[0] = power_of_two(exponent / 2);
         half_[1] = power_of_two(exponent - exponent / 2);
     }
+    // The grid in which `paid` > 0 is a whole number from 2^59 to 2^60; that becomes the ceiling.
+    void set_grid(double paid) {
+        grid_ = 59 + unit_of(paid);
+        scale_ = power_of_two(grid_);
+        top_ = paid * scale_;
+        ceiling_ = static_cast<std::int64_t>(top_);
+    }
     int exponent() const { return exponent_; }
+    int grid() const { return grid_; }
+    std::int64_t ceiling() const { return ceiling_; }
     const Power& power() const { return power_; }
 
-    // x 2^-exponent; what may have been rounded goes down, or up.
+    // Within 2^-53 of x 2^-grid.
+    double off_grid(std::int64_t x) const { return static_cast<double>(x) * power_of_two(-grid_); }
+
+    // x 2^-exponent; what was rounded goes down, or up. No more than the largest double; infinite above it.
     double lowered_from_unit(double x) const {
         const double y = from_unit(x);
-        return y > 0 && y < rounded_below ? double_of_bits(bits_of(y) - 1) : y;
+        return in_unit(y) > x ? double_of_bits(bits_of(y) - 1) : y;
     }
     double raised_from_unit(double x) const {
         const double y = from_unit(x);
-        return y < rounded_below ? next_up(y) : y;
+        return in_unit(y) < x ? next_up(y) : y;
     }
 
-    double of(double distance) const { return power_.of(distance * half_[0] * half_[1]); }
-    double between(const double* x, const double* y) const {
-        const double births = difference(x[0], y[0]), deaths = difference(x[1], y[1]);
-        return power_.of(births > deaths ? births : deaths);
-    }
-    double to_diagonal(const double* x) const {
-        const double length = difference(x[1], x[0]);
-        return power_.of(length / 2);
-    }
+    double paid_between(const double* x, const double* y) const { return power_.of(distance(x, y)); }
+    double paid_to_diagonal(const double* x) const { return power_.of(length(x) / 2); }
+    double paid_on_line(double x, double y) const { return power_.of(difference(x, y)); }
+    std::int64_t between(const double* x, const double* y) const { return whole(paid_between(x, y)); }
+    std::int64_t to_diagonal(const double* x) const { return whole(paid_to_diagonal(x)); }
     // From x to the nearest point of a box.
-    double to_box(const double* x, const double* low, const double* high) const {
+    std::int64_t to_box(const double* x, const double* low, const double* high) const {
         double largest = 0;
         for (int k = 0; k < 2; ++k) {
             const double outside = x[k] < low[k]    ? difference(low[k], x[k])
@@ -109,16 +122,15 @@ public:
                                                     : 0;
             if (outside > largest) largest = outside;
         }
-        return power_.of(largest);
+        return whole(power_.of(largest));
     }
 
-private:
-    static constexpr int unit_min = -1022;
-    static constexpr double rounded_below = 0x1p-1000;
-    double from_unit(double x) const {
-        const int k = -exponent_;
-        return x * power_of_two(k / 2) * power_of_two(k - k / 2);
+    // In the unit: how far two points are apart, how long a bar is.
+    double distance(const double* x, const double* y) const {
+        const double births = difference(x[0], y[0]), deaths = difference(x[1], y[1]);
+        return births > deaths ? births : deaths;
     }
+    double length(const double* x) const { return difference(x[1], x[0]); }
     // 2^exponent |x - y|, also where x - y is beyond the doubles.
     double difference(double x, double y) const {
         const double plain = absolute(x - y);
@@ -126,9 +138,24 @@ private:
         return absolute(x / 2 - y / 2) * half_[0] * half_[1] * 2;
     }
 
+private:
+    static constexpr int unit_min = -1022;
+    double from_unit(double x) const {
+        const int k = -exponent_;
+        return x * power_of_two(k / 2) * power_of_two(k - k / 2);
+    }
+    // Exact for what came from the unit, infinity too.
+    double in_unit(double y) const { return y * half_[0] * half_[1]; }
+    std::int64_t whole(double paid) const {
+        const double x = paid * scale_;
+        return x < top_ ? static_cast<std::int64_t>(x) : ceiling_;
+    }
+
     Power power_;
-    int exponent_ = 0;
+    int exponent_ = 0, grid_ = 0;
     double half_[2] = {1, 1};
+    double scale_ = 1, top_ = 0;
+    std::int64_t ceiling_ = 0;
 };
 
 }  // namespace netmesh

@@ -1,22 +1,19 @@
 #include "diagram/wasserstein.hpp"
 
 #include "diagram/price_tree.hpp"
+#include "numerics/double_double.hpp"
 
 namespace netmesh {
 namespace {
-
-// What is known of a distance, or of a part of one.
-struct Bracket {
-    double lower, upper;
-};
 
 // One diagram's points of one degree, in the order of the tree.
 struct Market {
     PairView pairs;
     TransportPoint* points;
     PriceTree::Node* nodes;
-    double* diagonal;     // cost of the way there, at most what the best matching costs
-    std::uint32_t* mate;  // in the other diagram; none: the diagonal
+    std::int64_t* diagonal;  // cost of the way there
+    std::uint32_t* mate;     // in the other diagram; none: the diagonal
+    std::uint32_t* best;     // the mates of the best matching so far
     PriceTree tree;
 };
 
@@ -30,13 +27,109 @@ struct Markets {
         for (int s = 0; s < 2; ++s) {
             side[s].points = memory.take<TransportPoint>(count[s]);
             side[s].nodes = memory.take<PriceTree::Node>(count[s]);
-            side[s].diagonal = memory.take<double>(count[s]);
+            side[s].diagonal = memory.take<std::int64_t>(count[s]);
             side[s].mate = memory.take<std::uint32_t>(count[s]);
+            side[s].best = memory.take<std::uint32_t>(count[s]);
         }
         queue_size = static_cast<std::uint32_t>(count_a > count_b ? count_a : count_b) + 1;
         queue = memory.take<std::uint32_t>(queue_size);
     }
 };
+
+// ---- sums
+
+// A sum of up to 2^26 terms >= 0 within 2^-51 of itself.
+class PositiveSum {
+public:
+    void add(double x) {
+        const DoubleDouble sum = two_sum(high_, x);
+        high_ = sum.high;
+        low_ += sum.low;
+    }
+    double value() const { return high_ == infinity ? infinity : high_ + low_; }
+
+private:
+    double high_ = 0, low_ = 0;
+};
+
+// A sum of up to 2^26 whole numbers of size up to 2^62, exactly.
+class WholeSum {
+public:
+    void add(std::int64_t x) {
+        const std::uint64_t lifted = static_cast<std::uint64_t>(x) + lift;
+        high_ += lifted >> 32;
+        low_ += lifted & 0xFFFFFFFFu;
+        ++count_;
+    }
+    // The sum, where it is from 0 to 2^62; 0 where it is less.
+    std::int64_t value() const {
+        const std::uint64_t high = high_ + (low_ >> 32), base = count_ * (lift >> 32);
+        if (high < base) return 0;
+        return static_cast<std::int64_t>((high - base) << 32 | (low_ & 0xFFFFFFFFu));
+    }
+
+private:
+    static constexpr std::uint64_t lift = std::uint64_t{1} << 62;
+    std::uint64_t high_ = 0, low_ = 0, count_ = 0;
+};
+
+// Bounds of a sum of p-th powers, of lengths in units of 2^-exponent.
+struct Bounds {
+    int exponent;
+    double lower, upper;
+};
+
+// The bounds of several parts together.
+class Total {
+public:
+    explicit Total(Power power) : power_(power) {}
+
+    // What is added is 0 or at least 2^-60. What gets lost below the doubles when units are changed is less than its
+    // rounding, then.
+    void add(const Bounds& part) {
+        if (part.upper == 0) return;
+        if (is_zero_ || part.exponent < exponent_) {
+            rescale(is_zero_ ? 0 : part.exponent - exponent_);
+            exponent_ = part.exponent;
+            is_zero_ = false;
+        }
+        const int shift = static_cast<int>(power_.order()) * (exponent_ - part.exponent);
+        lower_ = lower_ + DoubleDouble{scaled(part.lower, shift), 0};
+        upper_ = upper_ + DoubleDouble{scaled(part.upper, shift), 0};
+    }
+    // Are the roots within the error of one another? Where all parts are, by Transport::are_near, that is so: the sums
+    // and roots here add less than 2^-47. It is asked all the same, as it is what is promised.
+    bool is_within(double relative_error) const {
+        return is_zero_ || upper() <= lower() * (1 + relative_error * (1 - 0x1p-14));
+    }
+    netmesh_wasserstein_distance distance(int exponent) const {
+        constexpr std::uint32_t bytes = sizeof(netmesh_wasserstein_distance);
+        if (is_zero_) return {bytes, exponent, 0, 0};
+        TransportCost cost(power_);
+        cost.set_unit(exponent_);
+        return {bytes, exponent, cost.raised_from_unit(upper()), cost.lowered_from_unit(lower())};
+    }
+
+private:
+    double upper() const { return power_.root_above(upper_.high * (1 + 4 * unit_roundoff)); }
+    double lower() const { return power_.root_below(lower_.high * (1 - 4 * unit_roundoff)); }
+    void rescale(int steps) {
+        const int shift = static_cast<int>(power_.order()) * steps;
+        lower_ = {scaled(lower_.high, shift), scaled(lower_.low, shift)};
+        upper_ = {scaled(upper_.high, shift), scaled(upper_.low, shift)};
+    }
+    // x 2^k, k <= 0.
+    static double scaled(double x, int k) {
+        return k < -1000 ? 0 : k < -500 ? x * 0x1p-500 * power_of_two(k + 500) : x * power_of_two(k);
+    }
+
+    Power power_;
+    bool is_zero_ = true;
+    int exponent_ = 0;
+    DoubleDouble lower_ = {0, 0}, upper_ = {0, 0};
+};
+
+// ---- auctions
 
 // The points that have to bid, first come first served.
 class Bidders {
@@ -63,180 +156,228 @@ private:
 // Auctions over the points of two diagrams of one degree.
 class Transport {
 public:
+    // Starts from the best matching that is kept.
     Transport(Markets& work, Power power, double relative_error, Monitor& monitor)
         : work_(work), cost_(power), relative_error_(relative_error), monitor_(monitor) {}
 
-    // The part of the distance that is due to these points, from the matching at hand. False when it is cancelled.
-    bool solve(Bracket* found) {
-        *found = {0, 0};
-        double longest = longest_move();
-        if (longest == 0) return true;
-        cost_.set_unit(TransportCost::unit_of(longest));
-        measure_diagonals(infinity);
-        ceiling_ = cost_of_matching();
-        measure_diagonals(ceiling_);
+    // Bounds of the sum of powers that these points cost: their p-th roots are within the relative error of one
+    // another. The best matching is kept, the potentials are those that prove the lower bound. cancelled; internal when
+    // the bounds stay apart, which wasserstein.hpp excludes.
+    Status solve(Bounds* found) {
+        *found = {0, 0, 0};
+        if (!take_unit()) return Status::ok;
         Market& b = work_.side[1];
         b.tree.price_all([&b](std::uint32_t j) { return b.diagonal[j]; });
-        for (double step = dearest() / 4;;) {
+        for (std::int64_t step = at_least_one(dearest() / 4);;) {
             auction(step);
-            if (monitor_.has_stopped()) return false;
-            longest = longest_move();
-            if (longest == 0) return true;
-            step = change_unit(longest, step);
-            measure_diagonals(infinity);
-            const double upper = cost_of_matching();
-            if (upper < ceiling_) ceiling_ = upper;
-            measure_diagonals(ceiling_);
+            if (monitor_.has_stopped()) return Status::cancelled;
             cut_potentials();
-            const double lower = lower_bound();
-            if (monitor_.has_stopped()) return false;
-            const Bracket in_unit = {cost_.power().root_below(lower), cost_.power().root_above(upper)};
-            *found = {cost_.lowered_from_unit(in_unit.lower), cost_.raised_from_unit(in_unit.upper)};
-            if (in_unit.upper <= in_unit.lower * (1 + relative_error_)) return true;
-            // Below this step the potentials' own rounding counts.
-            if (step < ceiling_ * 0x1p-46) return true;
-            step /= 5;
-            if (step > ceiling_ / 8) step = ceiling_ / 8;
+            const double paid = paid_for([](const Market& m) { return m.mate; });
+            const bool is_better = paid < upper_;
+            const double upper = is_better ? paid : upper_;
+            *found = {cost_.exponent(), lower_bound(upper, step == 1), upper};
+            if (monitor_.has_stopped()) return Status::cancelled;
+            if (is_better) keep_matching();
+            if (are_near(*found)) return Status::ok;
+            if (is_better) {
+                const int before = cost_.grid() + static_cast<int>(cost_.power().order()) * cost_.exponent();
+                if (!take_unit()) {
+                    *found = {0, 0, 0};
+                    return Status::ok;
+                }
+                const int shift = cost_.grid() + static_cast<int>(cost_.power().order()) * cost_.exponent() - before;
+                b.tree.price_all([&](std::uint32_t j) { return shifted(b.tree.potential(j), shift); });
+                step = shifted(step, shift);
+            } else if (step == 1) {
+                return Status::internal;
+            }
+            step = at_least_one(step / 5);
+            if (step > cost_.ceiling() / 8) step = cost_.ceiling() / 8;
         }
     }
 
-    // Of the last auction: see netmesh_wasserstein_request.
+    // See netmesh_wasserstein_request.
     void write(const WassersteinRequest& request) const {
         const Market &a = work_.side[0], &b = work_.side[1];
         for (std::uint32_t i = 0; i < a.tree.count(); ++i) {
+            step_done(i);
             const std::uint32_t at = a.tree[i].index;
-            if (request.mates_a != nullptr && a.mate[i] != none) request.mates_a[at] = b.tree[a.mate[i]].index;
+            if (request.mates_a != nullptr && a.best[i] != none) request.mates_a[at] = b.tree[a.best[i]].index;
             if (request.potentials_a != nullptr) request.potentials_a[at] = lowered(a.tree.potential(i));
         }
-        for (std::uint32_t j = 0; j < b.tree.count(); ++j)
+        for (std::uint32_t j = 0; j < b.tree.count(); ++j) {
+            step_done(j);
             if (request.potentials_b != nullptr) request.potentials_b[b.tree[j].index] = lowered(b.tree.potential(j));
+        }
     }
     int exponent() const { return cost_.exponent(); }
 
 private:
-    // ---- units: the longest move of the matching is from 1 to 2, so that no cost that matters leaves the range
+    // ---- units: the longest move of the best matching is from 1 to 2, so that no cost that matters leaves the range;
+    // the grid is that of its cost
 
-    // Potentials and step in the unit of another matching.
-    double change_unit(double longest, double step) {
-        const int unit = TransportCost::unit_of(longest);
-        const int shift = (unit - cost_.exponent()) * static_cast<int>(cost_.power().order());
-        cost_.set_unit(unit);
-        if (shift == 0) return step;
-        PriceTree& tree = work_.side[1].tree;
-        tree.price_all([&](std::uint32_t j) { return scaled(tree.potential(j), shift); });
-        ceiling_ = scaled(ceiling_, shift);
-        return scaled(step, shift);
+    // Unit, grid and ways to the diagonal by the best matching; upper_ is what it costs. False when that is nothing:
+    // potentials are 0 then.
+    bool take_unit() {
+        const double twice = twice_the_longest_move();
+        if (twice == 0) {
+            for (Market& m : work_.side) m.tree.price_all([](std::uint32_t) { return 0; });
+            return false;
+        }
+        cost_.set_unit(TransportCost::unit_of(twice) + 1);
+        upper_ = paid_for([](const Market& m) { return m.best; });
+        cost_.set_grid(upper_);
+        for (Market& m : work_.side) {
+            for (std::uint32_t i = 0; i < m.tree.count(); ++i) {
+                step_done(i);
+                m.diagonal[i] = cost_.to_diagonal(m.tree[i].at);
+            }
+        }
+        return true;
     }
-    // x 2^k, where that is beyond the doubles the end of their range.
-    static double scaled(double x, int k) {
-        for (; k > 1000; k -= 1000) x *= 0x1p1000;
-        for (; k < -1000; k += 1000) x *= 0x1p-1000;
-        x *= power_of_two(k);
-        return x > 0x1p1000 ? 0x1p1000 : x < -0x1p1000 ? -0x1p1000 : x;
+    // x 2^k, but no more than the ceiling in size: it is only where an auction begins.
+    std::int64_t shifted(std::int64_t x, int k) const {
+        const std::int64_t most = cost_.ceiling(), size = x < 0 ? -x : x;
+        const std::int64_t wanted = k >= 62   ? (size == 0 ? 0 : most)
+                                    : k >= 0  ? (size > (most >> k) ? most : size << k)
+                                    : k > -62 ? size >> -k
+                                              : 0;
+        const std::int64_t limited = wanted < most ? wanted : most;
+        return x < 0 ? -limited : limited;
     }
+    static std::int64_t at_least_one(std::int64_t x) { return x > 1 ? x : 1; }
 
-    // ---- matching and potentials
+    // ---- matchings and potentials
 
-    // The farthest that a point goes, in the diagrams' unit.
-    double longest_move() const {
-        const TransportCost plain = TransportCost(Power(1));
+    // Of the best matching, in the diagrams' unit: twice, so that half of the least double is not lost. May be
+    // infinite.
+    double twice_the_longest_move() const {
+        TransportCost plain = TransportCost(Power(1));
+        plain.set_unit(1);
         double longest = 0;
         const Market &a = work_.side[0], &b = work_.side[1];
         for (std::uint32_t i = 0; i < a.tree.count(); ++i) {
             step_done(i);
             const double* const x = a.tree[i].at;
-            const double move = a.mate[i] == none ? plain.to_diagonal(x) : plain.between(x, b.tree[a.mate[i]].at);
+            const double move = a.best[i] == none ? plain.length(x) / 2 : plain.distance(x, b.tree[a.best[i]].at);
             if (move > longest) longest = move;
         }
         for (std::uint32_t j = 0; j < b.tree.count(); ++j) {
             step_done(j);
-            if (b.mate[j] != none) continue;
-            const double move = plain.to_diagonal(b.tree[j].at);
+            if (b.best[j] != none) continue;
+            const double move = plain.length(b.tree[j].at) / 2;
             if (move > longest) longest = move;
         }
         return longest;
     }
-    // Ways to the diagonal, at most `ceiling`.
-    void measure_diagonals(double ceiling) {
+    // No less than a matching costs. What is paid is within (1 + u)^(2p) of its true cost, u = 2^-53, and the sum
+    // within 4 u of itself. What is lost below the doubles is less than u of a sum that is 2^-60 or more, which the
+    // best matching's is in its unit, and any that is near a lower bound above 0.
+    template <class Mates> double paid_for(Mates mates_of) const {
+        const Market &a = work_.side[0], &b = work_.side[1];
+        const std::uint32_t *const mate_a = mates_of(a), *const mate_b = mates_of(b);
+        PositiveSum sum;
+        for (std::uint32_t i = 0; i < a.tree.count(); ++i) {
+            step_done(i);
+            const double* const x = a.tree[i].at;
+            sum.add(mate_a[i] == none ? cost_.paid_to_diagonal(x) : cost_.paid_between(x, b.tree[mate_a[i]].at));
+        }
+        for (std::uint32_t j = 0; j < b.tree.count(); ++j) {
+            step_done(j);
+            if (mate_b[j] == none) sum.add(cost_.paid_to_diagonal(b.tree[j].at));
+        }
+        return sum.value() * (1 + (2 * cost_.power().order() + 10) * unit_roundoff);
+    }
+    void keep_matching() {
         for (Market& m : work_.side) {
             for (std::uint32_t i = 0; i < m.tree.count(); ++i) {
                 step_done(i);
-                m.diagonal[i] = cost_.to_diagonal(m.tree[i].at);
-                if (m.diagonal[i] > ceiling) m.diagonal[i] = ceiling;
+                m.best[i] = m.mate[i];
             }
         }
     }
-    double dearest() const {
-        double most = 0;
-        for (const Market& m : work_.side)
-            for (std::uint32_t i = 0; i < m.tree.count(); ++i)
+    std::int64_t dearest() const {
+        std::int64_t most = 0;
+        for (const Market& m : work_.side) {
+            for (std::uint32_t i = 0; i < m.tree.count(); ++i) {
+                step_done(i);
                 if (m.diagonal[i] > most) most = m.diagonal[i];
+            }
+        }
         return most;
     }
     // Potentials of b are not above its ways to the diagonal.
     void cut_potentials() {
         Market& b = work_.side[1];
         b.tree.price_all([&b](std::uint32_t j) {
-            const double potential = b.tree.potential(j);
+            const std::int64_t potential = b.tree.potential(j);
             return potential < b.diagonal[j] ? potential : b.diagonal[j];
         });
     }
-    // No less than the matching costs; the ways to the diagonal as they are.
-    double cost_of_matching() const {
-        const Market &a = work_.side[0], &b = work_.side[1];
-        double sum = 0;
-        for (std::uint32_t i = 0; i < a.tree.count(); ++i) {
-            step_done(i);
-            sum += a.mate[i] == none ? a.diagonal[i] : cost_.between(a.tree[i].at, b.tree[a.mate[i]].at);
-        }
-        for (std::uint32_t j = 0; j < b.tree.count(); ++j) {
-            step_done(j);
-            if (b.mate[j] == none) sum += b.diagonal[j];
-        }
-        return sum * (1 + roundoff());
-    }
     // No more than any matching costs, by the potentials of b and the best for a.
-    double lower_bound() {
+    //
+    // They are whole, and so is their sum S, which no matching's cost in whole numbers is below. That is at most
+    // 2^grid (1 + u)^(2p) of its true cost: the true one is at least (1 - 2p u) S / 2^grid. As doubles, see lowered(),
+    // potentials sum up to (1 - (2p + 8) u) S - 11 u N at least, N the sum of the sizes of negative ones. That counts,
+    // so that they prove what is said. In the last round N does not where it keeps the bounds apart; that takes more
+    // than 2^16 points, as N is below 2^61 for each and a sum that counts is 2^58 or more.
+    double lower_bound(double upper, bool is_last) {
         Market &a = work_.side[0], &b = work_.side[1];
-        double sum = 0, sum_of_sizes = 0;
+        WholeSum sum;
+        double negative = 0;
         for (std::uint32_t i = 0; i < a.tree.count(); ++i) {
             if (monitor_.has_stopped()) return 0;
-            const double potential = b.tree.best(a.tree[i], a.diagonal[i], cost_).first;
+            const std::int64_t potential = b.tree.best(a.tree[i], a.diagonal[i], cost_).first;
             a.tree.keep(i, potential);
-            sum += potential;
-            sum_of_sizes += absolute(potential);
+            sum.add(potential);
+            if (potential < 0) negative -= static_cast<double>(potential);
         }
         for (std::uint32_t j = 0; j < b.tree.count(); ++j) {
             step_done(j);
-            sum += b.tree.potential(j);
-            sum_of_sizes += absolute(b.tree.potential(j));
+            const std::int64_t potential = b.tree.potential(j);
+            sum.add(potential);
+            if (potential < 0) negative -= static_cast<double>(potential);
         }
-        const double bound = sum - roundoff() * sum_of_sizes;
-        return bound > 0 ? bound : 0;
+        const double unit = power_of_two(-cost_.grid());
+        const double whole = cost_.off_grid(sum.value()) * (1 - (2 * cost_.power().order() + 12) * unit_roundoff);
+        const double proven = whole - 13 * unit_roundoff * negative * unit;
+        if (is_last && !are_near({cost_.exponent(), proven, upper})) return whole;
+        return proven > 0 ? proven : 0;
     }
-    // A cost as computed is within order + 1 roundings of the true one, c. Where f(a) + f(b) is near c, c is at most
-    // 2 (|f(a)| + |f(b)|), and the difference c - f(b), which f(a) is not above, is rounded by less than 2^-53 of the
-    // same: with 2 order + 6 roundings off each potential, f(a) + f(b) <= c holds for the true cost. A sum of n terms
-    // is within n roundings of the sum of their sizes.
-    double roundoff() const {
-        const double terms = static_cast<double>(work_.side[0].tree.count()) + work_.side[1].tree.count();
-        return (terms + 4 * cost_.power().order() + 16) * unit_roundoff;
+    // A part's share of the error: Total has the rest for its roundings. Of 2^-30, the least, the rest is 2^-42.
+    bool are_near(const Bounds& x) const {
+        if (!(x.lower > 0)) return false;
+        const Power& power = cost_.power();
+        return power.root_above(x.upper) <= power.root_below(x.lower) * (1 + relative_error_ * (1 - 0x1p-12));
     }
-    double lowered(double potential) const {
-        return potential - (2 * cost_.power().order() + 8) * unit_roundoff * absolute(potential);
+    // A potential as a double. With s = 1 - (2p + 3) u it is at most s f 2^-grid, so that f(a) + f(b) <= c, which holds
+    // for c of at most 2^grid (1 + u)^(2p) of the true cost, goes over to doubles and true costs.
+    double lowered(std::int64_t f) const {
+        const double x = cost_.off_grid(f), roundings = (2 * cost_.power().order() + (f > 0 ? 6 : 0)) * unit_roundoff;
+        return x * (1 - roundings);
     }
 
     // ---- auctions
 
-    void auction(double step) {
+    void auction(std::int64_t step) {
         Market &a = work_.side[0], &b = work_.side[1];
-        for (Market& m : work_.side)
-            for (std::uint32_t i = 0; i < m.tree.count(); ++i) m.mate[i] = none;
+        for (Market& m : work_.side) {
+            for (std::uint32_t i = 0; i < m.tree.count(); ++i) {
+                step_done(i);
+                m.mate[i] = none;
+            }
+        }
         Bidders bidders(work_.queue, work_.queue_size);
-        for (std::uint32_t i = 0; i < a.tree.count(); ++i) bidders.push(i);
+        for (std::uint32_t i = 0; i < a.tree.count(); ++i) {
+            step_done(i);
+            bidders.push(i);
+        }
         while (!bidders.empty() && !monitor_.has_stopped()) bid(a, b, step, &bidders);
-        for (std::uint32_t j = 0; j < b.tree.count(); ++j)
+        if (monitor_.has_stopped()) return;
+        for (std::uint32_t j = 0; j < b.tree.count(); ++j) {
+            step_done(j);
             if (b.mate[j] == none && b.tree.potential(j) < b.diagonal[j]) bidders.push(j);
+        }
         if (bidders.empty()) return;
         a.tree.price_again();
         while (!bidders.empty() && !monitor_.has_stopped()) bid(b, a, step, &bidders);
@@ -244,14 +385,14 @@ private:
     }
     // The next bidder takes what is best for it, and pays so much that what is second best would be as good, and a step
     // more.
-    void bid(Market& from, Market& to, double step, Bidders* bidders) {
+    void bid(Market& from, Market& to, std::int64_t step, Bidders* bidders) {
         const std::uint32_t i = bidders->pop();
         const Offer offer = to.tree.best(from.tree[i], from.diagonal[i], cost_);
         if (offer.at == none) {
             from.tree.keep(i, from.diagonal[i]);
             return;
         }
-        const double potential = offer.second + step;
+        const std::int64_t potential = offer.second + step;
         from.tree.keep(i, potential);
         to.tree.price(offer.at, cost_.between(from.tree[i].at, to.tree[offer.at].at) - potential);
         const std::uint32_t outbid = to.mate[offer.at];
@@ -270,7 +411,7 @@ private:
     TransportCost cost_;
     double relative_error_;
     Monitor& monitor_;
-    double ceiling_ = 0;
+    double upper_ = 0;  // what the best matching costs
 };
 
 // Points off the diagonal of one degree into the tree.
@@ -300,33 +441,57 @@ std::uint32_t collect_essential(const Market& m, std::uint32_t degree, Monitor& 
     return count;
 }
 
-// The p-norm of two brackets.
-Bracket combined(const Bracket& x, const Bracket& y, const Power& power) {
-    if (x.upper == 0) return y;
-    if (y.upper == 0) return x;
-    if (x.upper == infinity || y.upper == infinity) return {infinity, infinity};
-    const double larger = x.upper > y.upper ? x.upper : y.upper;
-    TransportCost cost(power);
-    cost.set_unit(TransportCost::unit_of(larger));
-    const double r = power.roundoff();
-    const double upper = power.root_above((cost.of(x.upper) + cost.of(y.upper)) * (1 + 2 * r));
-    const double lower = power.root_below((cost.of(x.lower) + cost.of(y.lower)) * (1 - 2 * r));
-    return {cost.lowered_from_unit(lower), cost.raised_from_unit(upper)};
-}
-
 // Essential pairs go by birth, which is the least of all sums where costs are convex. False when their numbers differ.
 bool match_essential(Markets& work, const WassersteinRequest& request, std::uint32_t degree, const Power& power,
-                     Monitor& monitor, Bracket* total) {
+                     Monitor& monitor, Total* total) {
     Market &a = work.side[0], &b = work.side[1];
     const std::uint32_t count = collect_essential(a, degree, monitor);
     if (collect_essential(b, degree, monitor) != count) return false;
+    TransportCost cost(power);
+    double longest = 0;
     for (std::uint32_t i = 0; i < count; ++i) {
-        monitor.pass(1 + power.order());
-        const double move = absolute(a.points[i].at[0] - b.points[i].at[0]);
-        *total = combined(*total, {move * (1 - 2 * unit_roundoff), move * (1 + 2 * unit_roundoff)}, power);
+        if (i % 256 == 0) monitor.pass(25);
+        const double move = cost.difference(a.points[i].at[0], b.points[i].at[0]);
+        if (move > longest) longest = move;
         if (request.mates_a != nullptr) request.mates_a[a.points[i].index] = b.points[i].index;
     }
+    if (longest == 0) return true;
+    cost.set_unit(TransportCost::unit_of(longest));
+    PositiveSum sum;
+    for (std::uint32_t i = 0; i < count; ++i) {
+        if (i % 256 == 0) monitor.pass(25 + 4 * power.order());
+        sum.add(cost.paid_on_line(a.points[i].at[0], b.points[i].at[0]));
+    }
+    // Roundings as in Transport::paid_for.
+    const double roundings = (2 * power.order() + 10) * unit_roundoff;
+    total->add({cost.exponent(), sum.value() * (1 - roundings), sum.value() * (1 + roundings)});
     return true;
+}
+
+// The part of one degree, without essential pairs.
+Status match_points(Markets& work, const WassersteinRequest& request, std::uint32_t degree, const Power& power,
+                    Monitor& monitor, Total* total, int* exponent) {
+    // To begin with all go to the diagonal. What is good in the first order is good in others, too, of which costs are
+    // so flat that auctions get nearer to the short moves by small steps alone.
+    for (Market& m : work.side) {
+        collect_points_of(m, degree, monitor);
+        for (std::uint32_t i = 0; i < m.tree.count(); ++i) {
+            if (i % 256 == 0) monitor.pass(25);
+            m.best[i] = none;
+        }
+    }
+    Bounds part;
+    if (request.order > 1) {
+        const Status status = Transport(work, Power(1), 0.25, monitor).solve(&part);
+        if (status != Status::ok) return status;
+    }
+    Transport transport(work, power, request.relative_error, monitor);
+    const Status status = transport.solve(&part);
+    if (status != Status::ok) return status;
+    total->add(part);
+    if (request.degree != NETMESH_ALL_DEGREES) transport.write(request);
+    *exponent = transport.exponent();
+    return Status::ok;
 }
 
 }  // namespace
@@ -356,33 +521,24 @@ Status wasserstein(const WassersteinRequest& request, Monitor& monitor, netmesh_
     }
     for (std::size_t j = 0; j < b.count && request.potentials_b != nullptr; ++j) request.potentials_b[j] = 0;
     const Power power(request.order);
-    Bracket total = {0, 0};
+    Total total(power);
     int exponent = 0;
     std::uint64_t from = 0;
     std::uint32_t degree = request.degree;
     const bool all = degree == NETMESH_ALL_DEGREES;
     for (bool more = !all || next_degree(a, b, from, &degree); more; more = all && next_degree(a, b, from, &degree)) {
         if (!match_essential(work, request, degree, power, monitor, &total)) {
-            total = {infinity, infinity};
-            break;
+            if (monitor.has_stopped()) return Status::cancelled;
+            *distance = {sizeof *distance, 0, infinity, infinity};
+            return Status::ok;
         }
-        collect_points_of(work.side[0], degree, monitor);
-        collect_points_of(work.side[1], degree, monitor);
-        // To begin with all go to the diagonal. What is good in the first order is good in others, too, of which costs
-        // are so flat that auctions get nearer to the short moves by small steps alone.
-        for (Market& m : work.side)
-            for (std::uint32_t i = 0; i < m.tree.count(); ++i) m.mate[i] = none;
-        Bracket part;
-        if (request.order > 1 && !Transport(work, Power(1), 0.25, monitor).solve(&part)) return Status::cancelled;
-        Transport transport(work, power, request.relative_error, monitor);
-        if (!transport.solve(&part)) return Status::cancelled;
-        if (!all) transport.write(request);
-        exponent = transport.exponent();
-        total = combined(total, part, power);
+        const Status status = match_points(work, request, degree, power, monitor, &total, &exponent);
+        if (status != Status::ok) return status;
         from = std::uint64_t{degree} + 1;
     }
     if (monitor.has_stopped()) return Status::cancelled;
-    *distance = {sizeof *distance, exponent, total.upper, total.lower};
+    if (!total.is_within(request.relative_error)) return Status::internal;
+    *distance = total.distance(exponent);
     return Status::ok;
 }
 

@@ -158,6 +158,45 @@ TEST_CASE("Wasserstein distances by hand") {
     }
 }
 
+TEST_CASE("bars born together, the longest left out: all move by one, which costs less than to leave one") {
+    // Of 39 bars (0, x); costs of ways to the diagonal tie with the ceiling of costs.
+    const double deaths[] = {
+        0.056286233387769766, 0.07069794553615319, 0.07643658473755216, 0.0866375567904094,  0.09165625168642637,
+        0.10927002133578395,  0.11348380879638993, 0.1240825941433366,  0.14074942865023912, 0.14448349155975662,
+        0.14730883818154855,  0.14847112869768253, 0.14882822463070872, 0.15727380444994649, 0.15910387720977556,
+        0.16087207258216257,  0.1645986097248525,  0.16560300840617068, 0.1721807402552658,  0.17235060695173313,
+        0.17255758171193175,  0.18057694015362227, 0.18130164021429734, 0.18630766176506502, 0.19036103435376261,
+        0.19244368257621602,  0.1976521424366231,  0.2020408449848005,  0.20465400079549,    0.20532580413655693,
+        0.2105191523768772,   0.21253711067991798, 0.21358360202223117, 0.21695781383458124, 0.22652435025634488,
+        0.2275086134990119,   0.2322597245056345,  0.25024210508652045, 0.25642028662960026};
+    Diagram a;
+    for (const double death : deaths) a.push_back(bar(0, 0, death));
+    const Diagram b(a.begin(), a.end() - 1);
+    for (std::uint32_t order = 1; order <= 4; ++order)
+        for (const double error : {0.1, 0.001, relative_error_least}) {
+            CAPTURE(order);
+            const Real exact = std::pow(least_assignment(a, b, order), 1 / static_cast<Real>(order));
+            for (const Transport& found : {distance(a, b, order, error), distance(b, a, order, error)}) {
+                CHECK(found.lower <= exact * (1 + 1e-15L));
+                CHECK(found.value >= exact * (1 - 1e-15L));
+            }
+        }
+    CHECK(distance(a, b, 2, 0.001).value == doctest::Approx(0.0521912186531));
+}
+
+TEST_CASE("a thousand bars, the longest left out, by hand") {
+    Diagram a, b;
+    for (int i = 1; i <= 1000; ++i) {
+        a.push_back(bar(0, 0, i));
+        if (i < 1000) b.push_back(bar(0, 0, i));
+    }
+    // When bar k goes to the diagonal and longer ones move by one, that costs (k / 2)^p + 1000 - k: least for k = 1000
+    // in the first order, for k = 2 in the others.
+    check_is(distance(a, b, 1), 500);
+    check_is(distance(a, b, 2), std::sqrt(Real{999}));
+    check_is(distance(a, b, 16, relative_error_least), std::pow(Real{999}, 1 / Real{16}));
+}
+
 TEST_CASE("essential pairs are matched by birth, and their numbers have to agree") {
     const double forever = std::numeric_limits<double>::infinity();
     const Diagram a = {bar(0, 1, forever), bar(0, 5, forever), bar(1, 0, 2)};
@@ -173,6 +212,56 @@ TEST_CASE("essential pairs are matched by birth, and their numbers have to agree
     request.mates_a = mates.data();
     CHECK(wasserstein(request).status == NETMESH_OK);
     CHECK(mates == std::vector<std::uint32_t>{1, 0, NETMESH_NONE});
+}
+
+TEST_CASE("the sum of a hundred thousand essential pairs is within the least error") {
+    // Moves of 3 and of 2^-26: what each small one adds to a sum in doubles, and to each root of it, is rounded.
+    const double forever = std::numeric_limits<double>::infinity(), small = 0x1p-26;
+    Diagram a = {bar(0, -9, forever)}, b = {bar(0, -6, forever)};
+    for (int i = 0; i < 100000; ++i) {
+        a.push_back(bar(0, i, forever));
+        b.push_back(bar(0, i + small, forever));
+    }
+    const Transport found = distance(a, b, 2, relative_error_least);
+    check_is(found, std::sqrt(Real{9} + Real{100000} * small * small));
+    CHECK(found.value <= found.lower * (1 + 0x1p-46));
+}
+
+TEST_CASE("a distance of nothing has potentials of nothing") {
+    const Diagram a = {bar(1, 0, 2), bar(1, 5, 6), bar(0, 0, 1), bar(1, 3, 3)};
+    for (const std::uint32_t order : {1u, 2u, 16u}) {
+        netmesh_wasserstein_request request = wasserstein_request(a, a, order, 0.001, 1);
+        std::vector<std::uint32_t> mates(4);
+        std::vector<double> f(4, 7), g(4, 7);
+        request.mates_a = mates.data();
+        request.potentials_a = f.data();
+        request.potentials_b = g.data();
+        const Transport found = wasserstein(request);
+        CHECK((found.status == NETMESH_OK && found.lower == 0 && found.value == 0));
+        CHECK(mates == std::vector<std::uint32_t>{0, 1, NETMESH_NONE, NETMESH_NONE});
+        CHECK(f == std::vector<double>(4, 0));
+        CHECK(g == std::vector<double>(4, 0));
+    }
+}
+
+TEST_CASE("distances beyond the doubles are finite, and half of the least double is no nothing") {
+    const double most = std::numeric_limits<double>::max(), least = std::numeric_limits<double>::denorm_min();
+    const double forever = std::numeric_limits<double>::infinity();
+    for (const std::uint32_t order : {1u, 3u, 16u}) {
+        CAPTURE(order);
+        const Diagram far = {bar(0, -most, forever)}, near = {bar(0, most, forever)};
+        const Diagram wide = {bar(1, -most, most), bar(1, -most, most)};
+        for (const Transport& found : {wasserstein(wasserstein_request(far, near, order, 0.001)),
+                                       wasserstein(wasserstein_request(wide, {}, order, 0.001))}) {
+            CHECK(found.status == NETMESH_OK);
+            CHECK(found.value == forever);
+            CHECK(found.lower == most);
+        }
+        const Transport found = wasserstein(wasserstein_request({bar(1, 0, least)}, {}, order, 0.001));
+        CHECK(found.status == NETMESH_OK);
+        CHECK(found.lower == 0);
+        CHECK(found.value == least);
+    }
 }
 
 TEST_CASE("500 pairs of diagrams against exact assignments, with the potentials that prove it") {

@@ -45,6 +45,16 @@ DegreeDistance call(const requests::Wasserstein& request, netmesh_status* status
 std::size_t scratch_bytes(const requests::Bottleneck& request) { return bottleneck_bytes(request); }
 std::size_t scratch_bytes(const requests::Wasserstein& request) { return wasserstein_bytes(request); }
 
+// No distance is printed that is not as near as it was asked for.
+Outcome broken(const requests::Bottleneck&, netmesh_status status) {
+    return {Exit::internal, std::string("netmesh: internal error: ") + netmesh_status_text(status)};
+}
+Outcome broken(const requests::Wasserstein& request, netmesh_status status) {
+    return {Exit::internal, "netmesh: internal error: the distance in degree " + std::to_string(request.degree) +
+                                " is not known within --error " + number_text(request.relative_error) + ": " +
+                                netmesh_status_text(status)};
+}
+
 // The distance in each of the degrees.
 template <class Request>
 Outcome measure(Request request, const std::vector<netmesh_pair> (&pairs)[2], const std::set<std::uint32_t>& degrees,
@@ -66,9 +76,7 @@ Outcome measure(Request request, const std::vector<netmesh_pair> (&pairs)[2], co
         netmesh_status status;
         distances->push_back(call(request, &status));
         if (status == NETMESH_CANCELLED) return {Exit::cancelled, "netmesh: cancelled"};
-        if (status != NETMESH_OK) {
-            return {Exit::internal, std::string("netmesh: internal error: ") + netmesh_status_text(status)};
-        }
+        if (status != NETMESH_OK) return broken(request, status);
     }
     return {};
 }

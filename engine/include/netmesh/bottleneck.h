@@ -39,7 +39,10 @@ void netmesh_bottleneck_request_init(netmesh_bottleneck_request* request, size_t
 size_t netmesh_bottleneck_bytes(const netmesh_bottleneck_request* request);
 
 /* PLAIN: value is the distance, exponent 0. LOG: value * 2^exponent is the ratio e^distance, value in [1, 2). Infinite:
- * value is +infinity. The exact distance (ratio), rounded once. */
+ * value is +infinity. The exact distance (ratio), rounded once to the nearest, the even one of two: in PLAIN scale to a
+ * double, so that half of 2^-1074 is 0 and what rounds to 2^1024 infinite; in LOG scale to 53 bits with any exponent.
+ * Costs are compared as rounded. Rounding is monotone, so the least over all matchings is the rounded least. A function
+ * of the two sets of pairs and the scale, to the last bit; the same for (a, b) and (b, a). */
 typedef struct netmesh_distance {
     uint32_t struct_bytes;
     int32_t exponent;

@@ -29,8 +29,10 @@ typedef struct netmesh_wasserstein_request {
      * NETMESH_NONE for those on their way to the diagonal and those of other degrees. */
     uint32_t* mates_a; /* [count_a] */
     /* Potentials f that prove `lower`, in units of the result's exponent: with e = 2^exponent, f(a) <= (e l / 2)^p for
-     * a bar of length l, and likewise f(b); f(a) + f(b) <= (e d(a, b))^p; lower is at most (sum of all f)^(1/p) / e.
-     * 0 for essential pairs, those of length 0 and those of other degrees. */
+     * a bar of length l, and likewise f(b); f(a) + f(b) <= (e d(a, b))^p, without rounding. (e lower)^p is at most the
+     * sum of all f and of what essential pairs cost; of more than 2^16 pairs and with a relative_error below 2^-20 the
+     * rounding of potentials to doubles may keep up to 2^-49 of the sum of their sizes from that. 0 for essential
+     * pairs, those of length 0 and those of other degrees. */
     double* potentials_a; /* [count_a] */
     double* potentials_b; /* [count_b] */
 } netmesh_wasserstein_request;
@@ -38,24 +40,31 @@ typedef struct netmesh_wasserstein_request {
 /* pair_bytes: sizeof(netmesh_pair). */
 void netmesh_wasserstein_request_init(netmesh_wasserstein_request* request, size_t request_bytes, size_t pair_bytes);
 
-/* Bytes of scratch for count_a and count_b pairs, about 90 a pair; SIZE_MAX when they do not fit or there are more than
+/* Bytes of scratch for count_a and count_b pairs, about 92 a pair; SIZE_MAX when they do not fit or there are more than
  * 2^25 pairs; 0 on an invalid request. */
 size_t netmesh_wasserstein_bytes(const netmesh_wasserstein_request* request);
 
 typedef struct netmesh_wasserstein_distance {
     uint32_t struct_bytes;
     int32_t exponent; /* of the unit of potentials */
-    double value;     /* what the matching found costs, rounded up: no less than the distance */
+    double value;     /* what the best matching found costs, rounded up: no less than the distance */
     double lower;     /* no more than the distance */
 } netmesh_wasserstein_distance;
 
 /* Wasserstein distance of order p between two diagrams: the least (sum of d^p)^(1/p) over all ways to match pairs one
  * to one, or to the diagonal. d is the larger of the moves of birth and death, as in the bottleneck distance, which is
  * the limit for large p; half of the length for a way to the diagonal. Essential pairs are matched to essential pairs
- * by birth; where their numbers differ both bounds are infinite. The distance is from `lower` to `value`, and value <=
- * (1 + relative_error) lower, but that below 2^-1000 both end in a double that is there. Births are finite, death >=
- * birth. No context is needed; detail, which may be null, gets what a context would keep. Expected cost about O(n^1.5
- * log n), more the smaller the error. INVALID_ARGUMENT, OUT_OF_MEMORY, CANCELLED. */
+ * by birth; where their numbers differ both bounds are infinite. Births are finite, death >= birth.
+ *
+ * With OK the distance is from `lower` to `value`, all roundings included, and value <= (1 + relative_error) lower,
+ * with two exceptions of the doubles. A bound below 2^-1022 is the next multiple of 2^-1074. A distance is finite where
+ * the numbers of essential pairs agree: beyond the largest double `lower` is that double and `value` infinite. Both are
+ * 0 only for a distance of 0. Every admitted diagram and relative_error has an OK, but for memory and cancelling.
+ * INTERNAL: the bounds stayed farther apart than relative_error, a defect; *distance is left. The result is a function
+ * of the pairs, their order and the request, to the last bit.
+ *
+ * No context is needed; detail, which may be null, gets what a context would keep. Expected cost about O(n^1.5 log n),
+ * more the smaller the error. INVALID_ARGUMENT, OUT_OF_MEMORY, CANCELLED, INTERNAL. */
 netmesh_status netmesh_wasserstein(const netmesh_wasserstein_request* request, netmesh_wasserstein_distance* distance,
                                    netmesh_detail* detail);
 

@@ -19,7 +19,7 @@ def bottleneck(a, b, degree: Optional[int] = None, log: bool = False) -> float:
         degree.
     degree: of this degree alone; by default the largest distance of all degrees.
     log: of the logarithms of births and deaths, the natural ones: what certified ratios are about. Births are not
-        negative then.
+        negative then. The ratio that it is the logarithm of is exact and rounded once.
 
     Infinite where the numbers of essential bars differ. In units of the coordinates.
     """
@@ -48,6 +48,9 @@ def wasserstein(a, b, order: int = 1, degree: Optional[int] = None, error: float
         death, half of the length for a way to the diagonal.
     degree: of this degree alone; by default the p-norm of the distances of all degrees.
     error: the distance is between the result's ``lower`` and the result, at most ``1 + error`` times that.
+
+    Infinite where the numbers of essential bars differ, ``lower`` too; a distance beyond the largest float has that for
+    ``lower``. Bounds that stay farther apart than ``error`` are not returned: InternalError, as that is a defect.
     """
     distance = sized(c.netmesh_wasserstein_distance)
     request = requested(c.netmesh_wasserstein_request, ctypes.sizeof(c.netmesh_pair))

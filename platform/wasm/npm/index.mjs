@@ -687,7 +687,8 @@ export class Netmesh {
         const [value, exponent] = this.#compare('bottleneck', a, b, { isLog: options.log ?? 0 }, options.degree);
         return options.log && Number.isFinite(value) ? Math.log(value) + exponent * Math.LN2 : value;
     }
-    /** The Wasserstein distance, between `lower` and `value`, which is proven. */
+    /** The Wasserstein distance, between `lower` and `value`, which is proven; `value` is at most 1 + `error` times
+     *  `lower`. Bounds that stay farther apart are an error with status "internal", as that is a defect. */
     wasserstein(a, b, options = {}) {
         known('wasserstein', options);
         const set = { order: whole(options.order ?? 1, 'order', 1, 16), error: positive(options.error ?? 0.001,
