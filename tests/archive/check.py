@@ -532,7 +532,7 @@ def check_jobs(options):
     if not re.search(r"x86_64|AMD64|i.86", options.processor):
         global RED_ZONE_BYTES
         RED_ZONE_BYTES = 0
-    promise = promised(options, dims)
+    promise = {key: size * options.percent // 100 for key, size in promised(options, dims).items()}
     print("%-10s %s %10s %10s %10s" % ("job", "D", "bytes", "in slices", "promised"))
     for (job, dim), (plain, sliced) in stack_of_jobs(graph, dims).items():
         print("%-10s %d %10d %10d %10d" % (job, dim, plain, sliced, promise[job, dim]))
@@ -609,6 +609,7 @@ def main():
     jobs.add_argument("--cc", default="cc")
     jobs.add_argument("--nm", default="nm")
     jobs.add_argument("--processor", default="x86_64")
+    jobs.add_argument("--percent", type=int, default=100, help="of what the header promises: less plants a fault")
     for graph in (stack, jobs):
         graph.add_argument("--source")
         graph.add_argument("--helpers", action="store_true")
