@@ -158,8 +158,9 @@ private:
 template <int D> Status HierarchyRule<D>::reserve(std::size_t n) {
     if (n > (std::size_t{1} << 28)) return Status::invalid_argument;
     const std::uint32_t inputs = static_cast<std::uint32_t>(n);
-    const Status status = path_.open(store_.arena, inputs);
-    return status == Status::ok ? hierarchy_.open(store_, store_.arena, inputs) : status;
+    // Cages come first, as they stay in front of the mesh.
+    const Status status = hierarchy_.open(store_, store_.arena, inputs);
+    return status == Status::ok ? path_.open(store_.arena, inputs) : status;
 }
 
 // Inserts p and what has to come before it, and restores the quality of all cells each time.

@@ -48,7 +48,7 @@ static netmesh_status find_loop(const uint16_t* range_mm, loop* largest) {
         y = sine * x + cosine * y;
         x = turned;
     }
-    /* A task of an RTOS that does this needs as much stack as `stack` below: the deepest call is netmesh_persist_alpha. */
+    /* A task of an RTOS that does this needs as much stack as `stack` in part 3: it makes the deepest call. */
     if ((status = netmesh_init(block, sizeof block, &context)) != NETMESH_OK) return status;
     netmesh_alpha_request_init(&request, sizeof request, 2);
     request.points = points[0];
@@ -145,8 +145,8 @@ void fault(void);
 
 enum { PAINT = 0x5AC35A3C };
 
-/* netmesh_persist_alpha takes no more whatever the points are; the rest is for the functions above and for one interrupt,
- * which pushes up to 104 bytes where there is a floating-point unit. */
+/* netmesh_persist_alpha takes no more whatever the points are; the rest is for the functions above and for one
+ * interrupt, which pushes up to 104 bytes where there is a floating-point unit. */
 enum { OWN_STACK = 512, STACK = (NETMESH_STACK_BYTES_ALPHA(2) + OWN_STACK) / 8 };
 __attribute__((section(".bss.stack"), used)) static uint64_t stack[STACK];
 

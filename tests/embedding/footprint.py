@@ -5,9 +5,9 @@
 
 Engine in two files, one dimension, -Os for a Cortex-M3 in qemu and -O2 for x86-64 under callgrind. Flash: text,
 constants and initialised data of a program with the job above those of one without. Block: report.memory.peak_bytes.
-Stack: what netmesh/job.h promises for the job, whatever the points are, which is what tests/stack and archive.jobs hold
-it to; more than that, measured here on uniform points, is an error. Instructions: all that are executed from the points on until the result is read,
-those of the compiler's routines for doubles too; on the board in steps of 40."""
+Stack: what netmesh/job.h promises for the job, whatever the points are, which tests/stack and archive.jobs hold it to;
+more than that, measured here on uniform points, is an error. Instructions: all that are executed from the points on
+until the result is read, those of the compiler's routines for doubles too; on the board in steps of 40."""
 import argparse
 import concurrent.futures
 import os

@@ -2,8 +2,8 @@
 """Writes measured figures into the documents, between `<!-- figures: NAME -->` and `<!-- end -->`.
 
   write.py stack BUILD      stack of every public call, by the compiler's call graph   -> tests/CHECKS.md
-  write.py jobs BUILD       stack of the documented jobs: the Release build in BUILD for 64-bit machines, and engines for
-                            every core of platform/cortexm/cores.txt, which are built in BUILD/stack
+  write.py jobs BUILD       stack of the documented jobs: of the Release build in BUILD for 64-bit machines, and of
+                            engines for every core of platform/cortexm/cores.txt, which are built in BUILD/stack
                                                                                        -> engine/include/netmesh/job.h
   write.py size BUILD       code and constants by folder and dimension                 -> tests/CHECKS.md
   write.py bare LOG         what `platform/cortexm/run` printed                        -> tests/CHECKS.md
@@ -87,7 +87,8 @@ def macros(promise, dims):
     text = []
     for job in graph_check.JOBS:
         choice = "".join("(dim) == %d ? %d : " % (d, promise[job, d]) for d in dims)
-        text.append("#define NETMESH_STACK_BYTES_%s(dim) \\\n    ((size_t)(%sNETMESH_STACK_BYTES(dim)))" % (job, choice))
+        text.append("#define NETMESH_STACK_BYTES_%s(dim) \\" % job)
+        text.append("    ((size_t)(%sNETMESH_STACK_BYTES(dim)))" % choice)
     return text
 
 
@@ -100,14 +101,15 @@ def jobs(build):
     """A minute for each core."""
     large = graph_in(os.path.join(build, "CMakeFiles", "netmesh_engine.dir"),
                      os.path.join(build, "tests", "archive", "objects.txt"))
-    text = ["#if UINTPTR_MAX > 0xFFFFFFFFu", *macros(promises([(large, range(2, 7))]), range(2, 7)), "#else"]
+    text = ["/* clang-format off */", "#if UINTPTR_MAX > 0xFFFFFFFFu"]
+    text += [*macros(promises([(large, range(2, 7))]), range(2, 7)), "#else"]
     graph_check.RED_ZONE_BYTES = 0  # of x86-64 alone
     small = []
     for core in stack_run.cores():
         for dim in SMALL_DIMS:
             folder = stack_run.build_engine(os.path.join(build, "stack"), core, dim)
             small.append((graph_in(folder, source=os.path.join(folder, "netmesh.cpp")), [dim]))
-    text += [*macros(promises(small), SMALL_DIMS), "#endif"]
+    text += [*macros(promises(small), SMALL_DIMS), "#endif", "/* clang-format on */"]
     put(JOB_HEADER, "stack", text, "/* %s */", "")
 
 

@@ -1,5 +1,5 @@
 #!/usr/bin/env python3
-"""Stack of the documented jobs on Cortex-M: no chain of calls is longer than netmesh/job.h promises, and none that runs.
+"""Stack of the documented jobs on Cortex-M: no chain of calls, and none that runs, takes more than netmesh/job.h says.
 
     run.py [--build DIR] [--clouds N] [--seed S] [--dims 2,3] [--planted] [--jobs N] [CORE ...]
 
