@@ -34,6 +34,9 @@ namespace {
 
 constexpr std::uint64_t job_magic = 0x6E65746D65736A01u, paint = 0xA5C3A5C3A5C3A5C3u;
 constexpr std::size_t guard_words = 2, stack_alignment = 16;
+// tests/archive/check.py takes as much of NETMESH_STACK_BYTES_JOB for granted; the rest is for frames.
+static_assert(sizeof(netmesh_job) + guard_words * sizeof paint + 2 * stack_alignment <= 192,
+              "a job's record has grown");
 
 bool is_job(const netmesh_job* job) { return job != nullptr && job->magic == job_magic; }
 

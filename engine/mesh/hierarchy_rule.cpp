@@ -28,16 +28,23 @@ double growth_of(const Cage& cage) { return cage.clip - cage_epsilon * cage.radi
 double growth_distance2(const Cage& cage) { return 4 * growth_of(cage) * growth_of(cage); }
 
 // Inputs waiting for one another, the next one on top. Two ring searches multiply the radius by more than the
-// clearance, 8, and distances span 2^1002: at most 2 * 1002 / 3 = 668 for one input.
+// clearance, 8, and distances span 2^1002: at most 2 * 1002 / 3 = 668 for one input. No input waits twice, so there are
+// no more places than inputs. They are in the block: stacks are small where memory is.
 class Path {
 public:
+    // At the low end. out_of_memory.
+    Status open(Arena& arena, std::uint32_t inputs) {
+        capacity_ = inputs < most ? inputs : most;
+        items_ = arena.take_low<VertexId>(capacity_);
+        return items_ != nullptr ? Status::ok : Status::out_of_memory;
+    }
     bool push(VertexId v) {
-        if (count_ == capacity) return false;
+        if (count_ == capacity_) return false;
         items_[count_++] = v;
         return true;
     }
     bool has(VertexId v) const {
-        for (int i = 0; i < count_; ++i)
+        for (std::uint32_t i = 0; i < count_; ++i)
             if (items_[i] == v) return true;
         return false;
     }
@@ -46,9 +53,9 @@ public:
     void pop() { --count_; }
 
 private:
-    static constexpr int capacity = 672;
-    VertexId items_[capacity];
-    int count_ = 0;
+    static constexpr std::uint32_t most = 672;
+    VertexId* items_ = nullptr;
+    std::uint32_t capacity_ = 0, count_ = 0;
 };
 
 template <int D> class HierarchyRule : public AspectRule<D, HierarchyRule<D>> {
@@ -150,7 +157,10 @@ private:
 
 template <int D> Status HierarchyRule<D>::reserve(std::size_t n) {
     if (n > (std::size_t{1} << 28)) return Status::invalid_argument;
-    return hierarchy_.open(store_, store_.arena, static_cast<std::uint32_t>(n));
+    const std::uint32_t inputs = static_cast<std::uint32_t>(n);
+    // Cages come first, as they stay in front of the mesh.
+    const Status status = hierarchy_.open(store_, store_.arena, inputs);
+    return status == Status::ok ? path_.open(store_.arena, inputs) : status;
 }
 
 // Inserts p and what has to come before it, and restores the quality of all cells each time.

@@ -67,14 +67,16 @@ void sort(T* items, std::uint64_t count, Less less, const Reports& reports = {})
     constexpr std::uint64_t split_in_pieces = 1 << 17;
     struct Range {
         T* items;
-        std::uint64_t count;
+        std::size_t count;
         int splits_left;
     };
-    Range waiting[64];
+    // With k parts waiting at most count / 2^k items are left to split, and no fewer than 25 are split.
+    constexpr int waiting_max = 8 * sizeof(std::size_t) - 4;
+    Range waiting[waiting_max];
     int waiting_count = 0;
     int levels = 2;
     for (std::uint64_t n = count; n > 0; n >>= 1) levels += 2;
-    Range now = {items, count, levels};
+    Range now = {items, static_cast<std::size_t>(count), levels};
     for (;;) {
         if (now.count <= 24 || now.splits_left == 0) {
             if (now.count <= 24) {
@@ -89,19 +91,21 @@ void sort(T* items, std::uint64_t count, Less less, const Reports& reports = {})
             now = waiting[--waiting_count];
             continue;
         }
-        std::uint64_t p, compared = 0;
+        std::uint64_t compared = 0;
+        std::size_t p;
         if (now.count < split_in_pieces) {
             reports.pass(static_cast<std::uint32_t>(now.count / 16));
-            p = split(now.items, now.count, less);
+            p = static_cast<std::size_t>(split(now.items, now.count, less));
         } else {
-            p = split(now.items, now.count, [&reports, &compared, less](const T& a, const T& b) {
-                reports.step(++compared, 20);
-                return less(a, b);
-            });
+            p = static_cast<std::size_t>(
+                split(now.items, now.count, [&reports, &compared, less](const T& a, const T& b) {
+                    reports.step(++compared, 20);
+                    return less(a, b);
+                }));
         }
         const Range first = {now.items, p, now.splits_left - 1};
         const Range second = {now.items + p, now.count - p, now.splits_left - 1};
-        // The larger part waits, so at most log2(count) parts do.
+        // The larger part waits.
         waiting[waiting_count++] = first.count < second.count ? second : first;
         now = first.count < second.count ? first : second;
     }

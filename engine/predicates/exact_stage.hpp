@@ -32,6 +32,36 @@ inline std::uint64_t residue_of(const ScaledInteger& x, const std::uint64_t* pow
     return x.negative && r != 0 ? prime.value - r : r;
 }
 
+// The powers 2^(61 k), k <= scaled_power_max, modulo a prime, by the bits of k: a fifth of a table of them. Most
+// coordinates need none.
+class PowersByBits {
+public:
+    // For k <= power_max.
+    PowersByBits(int power_max, const ResiduePrime& prime) {
+        std::uint64_t power = prime.excess;
+        for (int bit = 0; power_max >> bit != 0; ++bit) {
+            of_bit_[bit] = power;
+            power = multiply(power, power, prime);
+        }
+    }
+    // r * 2^(61 k).
+    std::uint64_t times(std::uint64_t r, int k, const ResiduePrime& prime) const {
+        for (int bit = 0; k >> bit != 0; ++bit)
+            if ((k >> bit & 1) != 0) r = multiply(r, of_bit_[bit], prime);
+        return r;
+    }
+
+private:
+    static constexpr int bits = 6;
+    static_assert(scaled_power_max < 1 << bits, "a table of six");
+    std::uint64_t of_bit_[bits];
+};
+
+inline std::uint64_t residue_of(const ScaledInteger& x, const PowersByBits& powers, const ResiduePrime& prime) {
+    const std::uint64_t r = powers.times(multiply(x.mantissa, std::uint64_t{1} << x.shift, prime), x.power, prime);
+    return x.negative && r != 0 ? prime.value - r : r;
+}
+
 // The least b for which 2^b is at least D^(D/2), or (D+1) D^(1+D/2) for lifted points: compared by squares.
 constexpr int hadamard_bits(int dim, bool lifted) {
     const std::uint64_t d = static_cast<std::uint64_t>(dim);
@@ -61,9 +91,7 @@ static_assert(exact_primes_max <= residue_prime_count, "the table of primes is t
     const int primes = primes_for_bits(bits);
     for (int k = 0; k < primes; ++k) {
         const ResiduePrime prime = residue_prime(k);
-        std::uint64_t power[scaled_power_max + 1];
-        power[0] = 1;
-        for (int i = 1; i <= power_max; ++i) power[i] = multiply(power[i - 1], prime.excess, prime);
+        const PowersByBits power(power_max, prime);
         ResidueMatrix a;
         UnsignedSum lift[frame_rows_max];
         for (int c = 0; c < dim; ++c) {

@@ -5,6 +5,9 @@
   check.py includes --engine engine                      headers by allow-list, folders by layer
   check.py stack    --records DIR [--objects FILE] [--bytes N] [--bytes-low-dim N] [--recursion-only]
                                                          worst call chain of every public function
+  check.py jobs     --records DIR [--objects FILE] --include DIR [--dims 2,3] [--cc COMMAND] [--nm NAME]
+                                                         worst call chain of every documented job, and the bytes that
+                                                         netmesh/job.h promises for it
   check.py size     --records DIR [--objects FILE] [--bytes N]
                                                          code and constants by folder and dimension
 
@@ -13,6 +16,7 @@
 --plain: inner symbols may be global (an archive that could not be finished).
 --tables: it was compiled without the engine's flags; tables for unwinding may be there.
 --helpers: the target has no unit for doubles or 64-bit division; the compiler's own routines may be called.
+--source:  netmesh.cpp of tools/amalgamate, when that was compiled: its comments say what stands in which file.
 """
 import argparse
 import os
@@ -236,11 +240,31 @@ ASSEMBLY = {"netmesh_switch_stack", "netmesh_enter_stack"}  # memory/stack_switc
 INDIRECT = "__indirect_call"
 # The poll and the caller's functions: their stack is the caller's affair.
 INDIRECT_ALLOWED = ("vocabulary/monitor.cpp", "vocabulary/callback.hpp", "mesh/sizing.hpp")
+POLL, PAUSE = "vocabulary/monitor.cpp", "netmesh_poll_pause"
+
+
+class Parts:
+    """Which source stands where in netmesh.cpp."""
+
+    def __init__(self, source):
+        self.begins = []
+        with open(source, encoding="utf-8") as f:
+            for number, line in enumerate(f, 1):
+                m = re.match(r"/\* ---- engine/(\S+) ---- \*/", line)
+                if m:
+                    self.begins.append((number, m.group(1)))
+
+    def of(self, place):
+        """The source of netmesh.cpp:line:column; a place in another file stays what it is."""
+        m = re.match(r"(?:.*/)?netmesh\.cpp:(\d+):", place)
+        names = [name for begin, name in self.begins if begin <= int(m.group(1))] if m else []
+        return names[-1] if names else place
 
 
 class Graph:
-    def __init__(self):
+    def __init__(self, parts=None):
         self.frame, self.label, self.calls, self.faults, self.files = {}, {}, {}, [], 0
+        self.parts, self.polls, self.aliases = parts, set(), {}  # polls: the functions that call the poll
 
     def read(self, records, objects):
         """All .ci files below a folder. A template instantiated in several files counts with its largest frame."""
@@ -271,20 +295,41 @@ class Graph:
         if m:
             caller, callee, where = m.groups()
             if callee == INDIRECT:
-                if not any(file in (where or "") for file in INDIRECT_ALLOWED):
+                file = self.parts.of(where or "") if self.parts else where or ""
+                if POLL in file:
+                    self.polls.add(caller)
+                if not any(allowed in file for allowed in INDIRECT_ALLOWED):
                     self.faults.append("indirect call in %s at %s" % (self.label.get(caller, caller), where))
                 return
             self.calls.setdefault(caller, set()).add(callee)
 
+    def know_aliases(self, paths, readelf):
+        """The compiler folds functions of equal code: one has a record, the others are names of the same place."""
+        of_symbol = {title.rsplit(":", 1)[-1]: title for title in self.frame}
+        for path in paths:
+            places = {}
+            for line in run(readelf, "-sW", path).splitlines():
+                field = line.split()
+                if len(field) == 8 and field[3] == "FUNC" and field[6] != "UND":
+                    places.setdefault((field[6], field[1]), []).append(field[7])
+            for names in places.values():
+                recorded = [of_symbol[n] for n in names if n in of_symbol]
+                for name in names:
+                    if recorded and name not in of_symbol:
+                        self.aliases[name] = recorded[0]
+
     def link(self):
         """Calls across files name the bare symbol; an instantiation's own record has its file in front."""
-        definitions = {}
+        definitions = dict(self.aliases)
         for title in self.frame:
             symbol = title.rsplit(":", 1)[-1]
             if symbol not in definitions or self.frame[title] > self.frame[definitions[symbol]]:
                 definitions[symbol] = title
         def home(symbol):
             # Constructors and destructors of whole objects (C1, D1) are mostly other names of those of base objects.
+            if symbol in self.frame:
+                return symbol
+            symbol = symbol if symbol in definitions else self.aliases.get(symbol.rsplit(":", 1)[-1], symbol)
             if symbol in self.frame:
                 return symbol
             of_base = symbol.replace("C1E", "C2E").replace("C1I", "C2I").replace("D1E", "D2E")  # I: a template
@@ -332,6 +377,13 @@ class Graph:
                             found.append(part)
         return found
 
+    def pausing(self):
+        """The same graph where each poll pauses its job."""
+        graph = Graph()
+        graph.frame, graph.label = self.frame, self.label
+        graph.calls = {t: s | {PAUSE} if t in self.polls else s for t, s in self.calls.items()}
+        return graph
+
     def worst(self, root, dim=None):
         """Bytes of the deepest chain from root, and the chain. With dim, instantiations for other dimensions are left
         out. Only for graphs without cycles."""
@@ -366,13 +418,26 @@ def dimension_of(title):
     return int(m.group(1)) if m else None
 
 
-def check_stack(records, objects, limit, limit_low, recursion_only):
-    graph = Graph()
-    graph.read(records, objects)
+def graph_of(options):
+    graph = Graph(Parts(options.source) if options.source else None)
+    graph.read(options.records, options.objects)
+    if options.source:
+        graph.know_aliases(records_below(options.records, {".o"}, options.objects), options.readelf)
     graph.link()
     if not graph.frame:
-        print("FAULT no call graphs (.ci) under %s" % records)
-        return 1
+        sys.exit("FAULT no call graphs (.ci) under %s" % options.records)
+    return graph
+
+
+def unseen(graph, helpers):
+    """What is called and not in the graph, though its stack counts."""
+    outside = set(c for s in graph.calls.values() for c in s if c not in graph.frame)
+    return outside, sorted(c for c in outside - UNDEFINED_ALLOWED - ASSEMBLY if not (helpers and HELPERS.match(c)))
+
+
+def check_stack(options):
+    limit, limit_low, recursion_only = options.bytes, options.bytes_low_dim, options.recursion_only
+    graph = graph_of(options)
     faults = sorted(set(graph.faults))
     cycles = graph.cycles()
     for part in cycles:
@@ -399,14 +464,88 @@ def check_stack(records, objects, limit, limit_low, recursion_only):
         print("the deepest:")
         for node in deepest_chain:
             print("  %6d  %s" % (graph.frame[node], graph.label[node]))
-        outside = set(c for s in graph.calls.values() for c in s if c not in graph.frame)
+        outside, unknown = unseen(graph, options.helpers)
         print("called but not seen: " + " ".join(sorted(outside)))
-        faults += ["%s is called but not seen" % c for c in sorted(outside - UNDEFINED_ALLOWED - ASSEMBLY)]
+        faults += ["%s is called but not seen" % c for c in unknown]
     for fault in faults:
         print("FAULT " + fault)
     if not faults:
         print("ok    no recursion, no dynamic frame, no indirect call but the caller's functions" +
               ("" if recursion_only else "; at most %d bytes, %d for D <= 4" % (limit, limit_low)))
+    return len(faults)
+
+
+# ----------------------------------------------------------------------------------------------------------- jobs
+
+# The calls of a job for which netmesh/job.h has a figure, NETMESH_STACK_BYTES_<JOB>(dim).
+JOBS = {
+    "DELAUNAY": ["netmesh_delaunay"],
+    "ALPHA": ["netmesh_persist_alpha"],
+    "CERTIFIED": ["netmesh_mesh", "netmesh_persist"],
+    "RIPS": ["netmesh_persist_points", "netmesh_persist_distances"],
+}
+# What comes with each of them.
+EVERY_JOB = re.compile(r"netmesh_(init|\w+_init|plan_\w+|get_\w+|status_text)$")
+JOB_ENTRY = re.compile(r"void .*\brun_job\(void\*\)$")
+JOB_RECORD_BYTES = 192  # of netmesh_job, its guard and its alignment (api/job.cpp)
+
+
+def stack_of_jobs(graph, dims):
+    """{(job, dim): (bytes, bytes in slices beside the job's record)}."""
+    pausing = graph.pausing()
+    entry = [t for t in graph.frame if JOB_ENTRY.match(graph.label[t])]
+    if len(entry) != 1 or PAUSE not in graph.frame or not graph.polls:
+        sys.exit("FAULT jobs in slices: %d entries, %d polls" % (len(entry), len(graph.polls)))
+    found = {}
+    for job, calls in JOBS.items():
+        roots = [t for t in graph.frame if t in calls or EVERY_JOB.match(t)]
+        if not set(calls) <= set(roots):
+            sys.exit("FAULT not in the archive: %s" % " ".join(sorted(set(calls) - set(roots))))
+        for dim in dims:
+            found[job, dim] = (max(graph.worst(t, dim)[0] for t in roots),
+                               max(pausing.worst(t, dim)[0] for t in roots) + graph.frame[entry[0]])
+    return found
+
+
+def promised(options, dims):
+    """{(job, dim): bytes} of the header, and NETMESH_STACK_BYTES_JOB, as its compiler has them."""
+    with tempfile.TemporaryDirectory() as folder:
+        source, out = os.path.join(folder, "promised.c"), os.path.join(folder, "promised.o")
+        with open(source, "w", encoding="utf-8") as f:
+            f.write('#include "netmesh.h"\nchar JOB_0[NETMESH_STACK_BYTES_JOB] = {1};\n')
+            f.writelines("char %s_%d[NETMESH_STACK_BYTES_%s(%d)] = {1};\n" % (job, dim, job, dim)
+                         for job in JOBS for dim in dims)
+        run(*options.cc.split(), "-I", options.include, "-c", source, "-o", out)
+        fields = [line.split() for line in run(options.nm, "-P", "-S", out).splitlines()]
+    sizes = {tuple(f[0].rsplit("_", 1)): int(f[3], 16) for f in fields if len(f) == 4}
+    return {(job, int(dim)): size for (job, dim), size in sizes.items()}
+
+
+def check_jobs(options):
+    graph = graph_of(options)
+    dims = [int(d) for d in options.dims.split(",")]
+    faults = sorted(set(graph.faults)) + ["recursion: %d cycles" % len(c) for c in graph.cycles()]
+    if faults:
+        print("FAULT " + "\nFAULT ".join(faults))
+        return len(faults)
+    faults = ["%s is called but not seen" % c for c in unseen(graph, options.helpers)[1]]
+    if not re.search(r"x86_64|AMD64|i.86", options.processor):
+        global RED_ZONE_BYTES
+        RED_ZONE_BYTES = 0
+    promise = {key: size * options.percent // 100 for key, size in promised(options, dims).items()}
+    print("%-10s %s %10s %10s %10s" % ("job", "D", "bytes", "in slices", "promised"))
+    for (job, dim), (plain, sliced) in stack_of_jobs(graph, dims).items():
+        print("%-10s %d %10d %10d %10d" % (job, dim, plain, sliced, promise[job, dim]))
+        if plain > promise[job, dim]:
+            faults.append("%s in dimension %d takes %d bytes of stack, netmesh/job.h promises %d" %
+                          (job, dim, plain, promise[job, dim]))
+        if sliced + JOB_RECORD_BYTES > promise[job, dim] + promise["JOB", 0]:
+            faults.append("%s in dimension %d takes %d bytes of a job's stack beside its record, %d promised" %
+                          (job, dim, sliced, promise[job, dim] + promise["JOB", 0]))
+    for fault in faults:
+        print("FAULT " + fault)
+    if not faults:
+        print("ok    no job takes more stack than netmesh/job.h says")
     return len(faults)
 
 
@@ -464,6 +603,19 @@ def main():
     stack.add_argument("--bytes", type=int, default=32768)
     stack.add_argument("--bytes-low-dim", type=int, default=16384)
     stack.add_argument("--recursion-only", action="store_true")
+    jobs = sub.add_parser("jobs")
+    jobs.add_argument("--include", required=True)
+    jobs.add_argument("--dims", default="2,3,4,5,6")
+    jobs.add_argument("--cc", default="cc")
+    jobs.add_argument("--nm", default="nm")
+    jobs.add_argument("--processor", default="x86_64")
+    jobs.add_argument("--percent", type=int, default=100, help="of what the header promises: less plants a fault")
+    for graph in (stack, jobs):
+        graph.add_argument("--source")
+        graph.add_argument("--helpers", action="store_true")
+        graph.add_argument("--readelf", default="readelf")
+    jobs.add_argument("--records", required=True)
+    jobs.add_argument("--objects")
     size = sub.add_parser("size")
     size.add_argument("--records", required=True)
     size.add_argument("--objects")
@@ -476,9 +628,10 @@ def main():
         faults = check_archive(options)
     elif options.check == "includes":
         faults = check_includes(options.engine)
+    elif options.check == "jobs":
+        faults = check_jobs(options)
     else:
-        faults = check_stack(options.records, options.objects, options.bytes, options.bytes_low_dim,
-                             options.recursion_only)
+        faults = check_stack(options)
     return 1 if faults else 0
 
 

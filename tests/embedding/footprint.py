@@ -5,8 +5,10 @@
 
 Engine in two files, one dimension, -Os for a Cortex-M3 in qemu and -O2 for x86-64 under callgrind. Flash: text,
 constants and initialised data of a program with the job above those of one without. Block: report.memory.peak_bytes.
-Stack: painted, with the job's caller. Instructions: all that are executed from the points on until the result is read,
-those of the compiler's routines for doubles too; on the board in steps of 40."""
+Stack: what netmesh/job.h promises for the job, whatever the points are, which tests/stack and archive.jobs hold it to;
+more than that, measured here on uniform points, is an error. Instructions: all that are executed from the points on
+until the result is read, those of the compiler's routines for doubles too; on the board in steps of 40."""
+import argparse
 import concurrent.futures
 import os
 import re
@@ -15,24 +17,29 @@ import sys
 
 HERE = os.path.dirname(os.path.abspath(__file__))
 ROOT = os.path.dirname(os.path.dirname(HERE))
+sys.path.insert(0, os.path.join(ROOT, "tests", "archive"))
+import check  # noqa: E402
+
 BOARD = os.path.join(ROOT, "platform/cortexm")
 MESHES = "CAGES REFINE SIZES AUDITS"
 FILTERS = "ALPHA BASIC NEAREST_K FUNCTION TIGHT"
-# Name, JOB of footprint.c, points by D, switches that the job leaves on.
+# Name, JOB of footprint.c, points by D, switches that the job leaves on, name of its stack in netmesh/job.h.
 JOBS = [
-    ("Delaunay", 1, {2: 500, 3: 500, 4: 50}, ""),
-    ("alpha diagram", 2, {2: 500, 3: 500, 4: 50}, ""),
-    ("certified diagram, ratio 2.25", 4, {2: 500, 3: 200, 4: 50}, "CERTIFICATE"),
-    ("certified diagram of a quality mesh", 3, {2: 500, 3: 200, 4: 50}, ""),
-    ("Rips diagram, degrees 0 and 1", 5, {2: 100, 3: 100, 4: 100}, ""),
+    ("Delaunay", 1, {2: 500, 3: 500, 4: 50}, "", "DELAUNAY"),
+    ("alpha diagram", 2, {2: 500, 3: 500, 4: 50}, "", "ALPHA"),
+    ("certified diagram, ratio 2.25", 4, {2: 500, 3: 200, 4: 50}, "CERTIFICATE", "CERTIFIED"),
+    ("certified diagram of a quality mesh", 3, {2: 500, 3: 200, 4: 50}, "", "CERTIFIED"),
+    ("Rips diagram, degrees 0 and 1", 5, {2: 100, 3: 100, 4: 100}, "", "RIPS"),
 ]
 NOTHING = 0
+CALLER = 1024  # bytes of the stack that footprint.c itself and the start of a program take at most
 SECTIONS = ["-ffunction-sections", "-fdata-sections"]
 CORE = ["-mthumb", "-mcpu=cortex-m3"]
 TARGETS = {
     "board": (["arm-none-eabi-gcc"], ["arm-none-eabi-g++"], ["-Os", *CORE, *SECTIONS], "arm-none-eabi-size"),
     "host": (["gcc"], ["g++"], ["-O2", *SECTIONS], "size"),
 }
+NM = {"board": "arm-none-eabi-nm", "host": "nm"}
 
 
 def run(*command, cwd):
@@ -101,11 +108,16 @@ def rows_of(work, target, dim, left_on, nothing):
     """By job: flash, block, stack, instructions, with the engine that these jobs need."""
     engine = build_engine(work, target, dim, left_on)
     found = {}
-    for name, job, points, on in JOBS:
+    promised = check.promised(argparse.Namespace(cc=" ".join(TARGETS[target][0] + TARGETS[target][2]), nm=NM[target],
+                                                 include=work), [dim])
+    for name, job, points, on, stack_of in JOBS:
         if on != left_on:
             continue
         flash = flash_of(work, target, link(work, target, dim, engine, job, points[dim], 0))
-        found[name] = [flash - nothing, *measure(work, target, link(work, target, dim, engine, job, points[dim], 1))]
+        block, stack, count = measure(work, target, link(work, target, dim, engine, job, points[dim], 1))
+        if stack > promised[stack_of, dim] + CALLER:
+            raise RuntimeError(f"{name} in dimension {dim} takes {stack} bytes of stack")
+        found[name] = [flash - nothing, block, promised[stack_of, dim], count]
     return found
 
 
@@ -127,7 +139,7 @@ def measured(work, dims, jobs):
                     tasks[dim, target, left_on] = pool.submit(rows_of, work, target, dim, left_on, nothing)
     columns = "flash | block | stack | instructions |"
     lines = [f"| job | D | points | {columns} x86-64: {columns}", "|---|" + "---:|" * 10]
-    for name, _, points, left_on in JOBS:
+    for name, _, points, left_on, _ in JOBS:
         for dim in dims:
             cells = []
             for target in TARGETS:

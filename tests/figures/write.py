@@ -2,6 +2,9 @@
 """Writes measured figures into the documents, between `<!-- figures: NAME -->` and `<!-- end -->`.
 
   write.py stack BUILD      stack of every public call, by the compiler's call graph   -> tests/CHECKS.md
+  write.py jobs BUILD       stack of the documented jobs: of the Release build in BUILD for 64-bit machines, and of
+                            engines for every core of platform/cortexm/cores.txt, which are built in BUILD/stack
+                                                                                       -> engine/include/netmesh/job.h
   write.py size BUILD       code and constants by folder and dimension                 -> tests/CHECKS.md
   write.py bare LOG         what `platform/cortexm/run` printed                        -> tests/CHECKS.md
   write.py coverage LOG     what `tests/coverage/run` printed                          -> tests/coverage/COVERAGE.md
@@ -10,26 +13,35 @@
   write.py lemmas LOG       what `test_mesh -tc="every lemma*"` printed (CHECKS.md)    -> tests/CHECKS.md
 
 Nothing between the marks is written by hand. Exit code 1: the marks or the figures are missing."""
+import argparse
 import os
 import re
 import subprocess
 import sys
 
 TESTS = os.path.dirname(os.path.dirname(os.path.abspath(__file__)))
+sys.path[:0] = [os.path.join(TESTS, "archive"), os.path.join(TESTS, "stack")]
+import check as graph_check  # noqa: E402
+import run as stack_run  # noqa: E402
+
 CHECKS = os.path.join(TESTS, "CHECKS.md")
+JOB_HEADER = os.path.join(os.path.dirname(TESTS), "engine", "include", "netmesh", "job.h")
 SMALL_PARTS = os.path.join(os.path.dirname(TESTS), "tools", "docs", "small-parts.md")
 COVERAGE = os.path.join(TESTS, "coverage", "COVERAGE.md")
 STACK_LEAST = 1024  # calls with less are not listed
+PROMISE_STEP = 64   # what netmesh/job.h promises is a multiple of it
+SMALL_DIMS = [2, 3, 4]
 
 
-def put(document, name, lines):
+def put(document, name, lines, mark="<!-- %s -->", space="\n"):
     """Replaces what stands between the marks of this name."""
     with open(document, encoding="utf-8") as f:
         text = f.read()
-    marks = re.compile(r"(<!-- figures: %s -->\n).*?(<!-- end -->)" % re.escape(name), re.S)
+    begin, end = (re.escape(mark % words) for words in ("figures: " + name, "end"))
+    marks = re.compile(r"(%s\n).*?(%s)" % (begin, end), re.S)
     if not lines:
         sys.exit("no figures for %s" % name)
-    text, found = marks.subn(lambda m: m.group(1) + "\n" + "\n".join(lines) + "\n\n" + m.group(2), text)
+    text, found = marks.subn(lambda m: m.group(1) + space + "\n".join(lines) + "\n" + space + m.group(2), text)
     if found != 1:
         sys.exit("%s has no place for %s" % (document, name))
     with open(document, "w", encoding="utf-8") as f:
@@ -59,6 +71,46 @@ def stack(build):
     rows = [["`%s`" % c[0]] + c[2:] for c in sorted(calls, key=lambda c: -int(c[1])) if int(c[1]) >= STACK_LEAST]
     text = table(["bytes"] + ["D = " + d for d in dimensions], rows)
     put(CHECKS, "stack", text + ["", "%d other calls take at most %d bytes." % (len(small), max(small))])
+
+
+def promises(graphs):
+    """{(job, dim): bytes}: the most of (graph, dimensions), rounded up, in slices without what a job takes beside."""
+    most = {}
+    for graph, dims in graphs:
+        for key, (plain, sliced) in graph_check.stack_of_jobs(graph, dims).items():
+            room = (1024 if graph_check.RED_ZONE_BYTES else 512) - graph_check.JOB_RECORD_BYTES
+            most[key] = max(most.get(key, 0), plain, sliced - room)
+    return {key: -(-n // PROMISE_STEP) * PROMISE_STEP for key, n in most.items()}
+
+
+def macros(promise, dims):
+    text = []
+    for job in graph_check.JOBS:
+        choice = "".join("(dim) == %d ? %d : " % (d, promise[job, d]) for d in dims)
+        text.append("#define NETMESH_STACK_BYTES_%s(dim) \\" % job)
+        text.append("    ((size_t)(%sNETMESH_STACK_BYTES(dim)))" % choice)
+    return text
+
+
+def graph_in(folder, objects=None, source=None):
+    return graph_check.graph_of(argparse.Namespace(records=folder, objects=objects, source=source,
+                                                   readelf="arm-none-eabi-readelf"))
+
+
+def jobs(build):
+    """A minute for each core."""
+    large = graph_in(os.path.join(build, "CMakeFiles", "netmesh_engine.dir"),
+                     os.path.join(build, "tests", "archive", "objects.txt"))
+    text = ["/* clang-format off */", "#if UINTPTR_MAX > 0xFFFFFFFFu"]
+    text += [*macros(promises([(large, range(2, 7))]), range(2, 7)), "#else"]
+    graph_check.RED_ZONE_BYTES = 0  # of x86-64 alone
+    small = []
+    for core in stack_run.cores():
+        for dim in SMALL_DIMS:
+            folder = stack_run.build_engine(os.path.join(build, "stack"), core, dim)
+            small.append((graph_in(folder, source=os.path.join(folder, "netmesh.cpp")), [dim]))
+    text += [*macros(promises(small), SMALL_DIMS), "#endif", "/* clang-format on */"]
+    put(JOB_HEADER, "stack", text, "/* %s */", "")
 
 
 def size(build):
@@ -126,7 +178,8 @@ def lemmas(log):
 
 
 def main():
-    writers = {"stack": stack, "size": size, "bare": bare, "coverage": coverage, "light": light, "lemmas": lemmas}
+    writers = {"stack": stack, "jobs": jobs, "size": size, "bare": bare, "coverage": coverage, "light": light,
+               "lemmas": lemmas}
     if len(sys.argv) != 3 or sys.argv[1] not in writers:
         sys.exit(__doc__)
     writers[sys.argv[1]](sys.argv[2])

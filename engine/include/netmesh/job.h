@@ -26,10 +26,39 @@
 extern "C" {
 #endif
 
-/* What a job's stack needs for the calls of this library in dimension dim, and for complexes that have none with 2: the
- * deepest of them takes less (archive.stack). Add what your own functions on it take, the job's and those that requests
- * name, printf among them; and what signals or interrupts take that run on the stack in use. */
+/* What a stack needs for the calls of this library in dimension dim, and for complexes that have none with 2: the
+ * deepest chain of any of them takes less in a program that g++ optimises (archive.stack). Add what your own functions
+ * on it take, the job's and those that requests name, printf among them; and what signals or interrupts take that run
+ * on the stack in use. There is room for NETMESH_STACK_BYTES_JOB in it. */
 #define NETMESH_STACK_BYTES(dim) ((size_t)((dim) <= 4 ? 16384 : 32768) + 1024)
+
+/* Of single jobs: the deepest chain of calls that the compiler can see, exact arithmetic for the hardest input
+ * included, whatever the points are. The same has to be added; and NETMESH_STACK_BYTES_JOB for the stack of
+ * netmesh_job_init.
+ *
+ *   DELAUNAY    netmesh_delaunay
+ *   ALPHA       netmesh_persist_alpha
+ *   CERTIFIED   netmesh_mesh and netmesh_persist, with whatever a request asks for
+ *   RIPS        netmesh_persist_points and netmesh_persist_distances
+ *
+ * each with netmesh_init, plans and the calls that read results. They hold with 32-bit pointers for a Cortex-M0, M3,
+ * M4, M7 or M33, g++ -Os, a library of the dimension dim alone; with 64-bit pointers for x86-64, g++ -O3, a library of
+ * all dimensions. tests/stack and archive.jobs see to both. For what else you build, measure (netmesh_stack_used) or
+ * take NETMESH_STACK_BYTES. */
+#define NETMESH_STACK_BYTES_JOB ((size_t)(UINTPTR_MAX > 0xFFFFFFFFu ? 1024 : 512))
+/* figures: stack */
+#if UINTPTR_MAX > 0xFFFFFFFFu
+#define NETMESH_STACK_BYTES_DELAUNAY(dim) NETMESH_STACK_BYTES(dim)
+#define NETMESH_STACK_BYTES_ALPHA(dim) NETMESH_STACK_BYTES(dim)
+#define NETMESH_STACK_BYTES_CERTIFIED(dim) NETMESH_STACK_BYTES(dim)
+#define NETMESH_STACK_BYTES_RIPS(dim) NETMESH_STACK_BYTES(dim)
+#else
+#define NETMESH_STACK_BYTES_DELAUNAY(dim) NETMESH_STACK_BYTES(dim)
+#define NETMESH_STACK_BYTES_ALPHA(dim) NETMESH_STACK_BYTES(dim)
+#define NETMESH_STACK_BYTES_CERTIFIED(dim) NETMESH_STACK_BYTES(dim)
+#define NETMESH_STACK_BYTES_RIPS(dim) NETMESH_STACK_BYTES(dim)
+#endif
+/* end */
 
 typedef struct netmesh_job netmesh_job;
 

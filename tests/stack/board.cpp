@@ -1,0 +1,313 @@
+// Runs the jobs whose stack is documented (netmesh/job.h) on clouds of every kind, each call on a stack of exactly the
+// documented size with a guard below, all of it painted before. Compiled for one DIM; CLOUDS for each job, from SEED
+// on; PERCENT of the documented sizes are given: less than 100 plants a fault that has to be seen.
+#include "board.hpp"
+#include "determinism/text.hpp"
+#include "netmesh.h"
+
+namespace {
+
+constexpr std::uint32_t paint = 0xC3A55A3Cu;
+constexpr std::size_t guard_bytes = 16 << 10, stack_most = NETMESH_STACK_BYTES(DIM), points_max = 64;
+
+enum Job { delaunay, alpha, certified, rips, job_count };
+const char* const job_name[] = {"delaunay", "alpha", "certified", "rips"};
+constexpr std::size_t documented[] = {NETMESH_STACK_BYTES_DELAUNAY(DIM), NETMESH_STACK_BYTES_ALPHA(DIM),
+                                      NETMESH_STACK_BYTES_CERTIFIED(DIM), NETMESH_STACK_BYTES_RIPS(DIM)};
+// What is refused may be refused by all clouds of a kind, and seven of nine kinds are accepted by every job.
+constexpr std::uint32_t refused_percent_max = 40;
+
+alignas(16) unsigned char block[2 << 20];
+alignas(16) std::uint32_t area[(guard_bytes + stack_most + NETMESH_STACK_BYTES_JOB) / sizeof(std::uint32_t)];
+double points[points_max * DIM];
+std::size_t count;
+netmesh_context* context;
+union Request {
+    netmesh_delaunay_request delaunay;
+    netmesh_alpha_request alpha;
+    netmesh_points_request rips;
+    netmesh_mesh_request mesh;
+} request;
+netmesh_persist_request persist;
+netmesh_report report;
+netmesh_pair pair;
+netmesh_cell cell;
+netmesh_job* slices;
+
+struct Random {
+    std::uint64_t state;
+    std::uint32_t below(std::uint32_t n) {
+        state = state * 6364136223846793005u + 1442695040888963407u;
+        return static_cast<std::uint32_t>((state >> 33) % n);
+    }
+    double unit() { return below(1u << 30) / 1073741824.0; }
+};
+
+// Clouds
+// ---------------------------------------------------------------------------------------------------------------
+
+enum Kind { uniform, integers, tenths, rounded, circle, moved, line, wide, few, kind_count };
+const char* const kind_name[] = {"uniform", "integers", "tenths", "rounded", "circle", "moved", "line", "wide", "few"};
+
+double up_by(double x, std::uint32_t last_places) {
+    std::uint64_t bits;
+    __builtin_memcpy(&bits, &x, sizeof bits);
+    if (x != 0) bits += last_places;
+    __builtin_memcpy(&x, &bits, sizeof bits);
+    return x;
+}
+
+// As users compute them: i / 10 and i * 0.1 differ in some last places.
+void draw_grid(Random& random, double unit, bool divides) {
+    const std::uint32_t side = DIM == 2 ? 2 + random.below(6) : DIM == 3 ? 2 + random.below(2) : 2;
+    const std::int32_t from = static_cast<std::int32_t>(random.below(40)) - 20;
+    count = 0;
+    for (std::uint32_t k = 0; count < points_max; ++k) {
+        std::uint32_t rest = k;
+        for (int c = 0; c < DIM; ++c) {
+            const std::uint32_t steps = c + 1 < DIM ? rest % side : rest;
+            const double i = from + static_cast<std::int32_t>(steps);
+            if (c + 1 == DIM && steps > side) return;
+            points[count * DIM + c] = divides ? i / unit : i * unit;
+            rest /= side;
+        }
+        ++count;
+    }
+}
+
+// On a sphere of some radius, as doubles have it: stereographic projection.
+void draw_sphere(Random& random) {
+    const double radius = 0.1 * (1 + random.below(100)), shift = random.below(2) != 0 ? 0.3 : 0;
+    for (std::size_t i = 0; i < count; ++i) {
+        double t[DIM] = {}, norm2 = 0;
+        for (int c = 0; c + 1 < DIM; ++c) {
+            t[c] = 0.125 * random.below(33) - 2;
+            norm2 += t[c] * t[c];
+        }
+        double* const x = points + i * DIM;
+        for (int c = 0; c + 1 < DIM; ++c) x[c] = radius * (2 * t[c] / (1 + norm2)) + shift;
+        x[DIM - 1] = radius * ((1 - norm2) / (1 + norm2));
+    }
+}
+
+double power_of_two(int e) {
+    double p = 1;
+    for (; e > 0; --e) p *= 2;
+    for (; e < 0; ++e) p /= 2;
+    return p;
+}
+
+void draw(Kind kind, Random& random) {
+    const std::size_t most = DIM == 2 ? 28 : DIM == 3 ? 14 : 5;
+    count = DIM + 2 + random.below(static_cast<std::uint32_t>(most));
+    if (kind == few) count = 1 + random.below(DIM + 2);
+    for (std::size_t i = 0; i < count * DIM; ++i) points[i] = random.unit();
+    switch (kind) {
+    case integers: draw_grid(random, 1, true); break;
+    case tenths: draw_grid(random, random.below(2) != 0 ? 10 : 0.1, false); break;
+    case rounded:
+        for (std::size_t i = 0; i < count * DIM; ++i) points[i] = static_cast<std::int32_t>(points[i] * 100) / 100.0;
+        break;
+    case circle: draw_sphere(random); break;
+    case moved:
+        if (random.below(2) != 0)
+            draw_grid(random, 10, true);
+        else
+            draw_sphere(random);
+        for (std::size_t i = 0; i < count * DIM; ++i) points[i] = up_by(points[i], random.below(4));
+        break;
+    case line:
+        for (std::size_t i = 0; i < count; ++i)
+            for (int c = 0; c < DIM; ++c) points[i * DIM + c] = (c + 1) * 0.1 * static_cast<double>(random.below(1000));
+        for (std::size_t i = 0; i < count; ++i)
+            for (int c = 1; c < DIM; ++c) points[i * DIM + c] = points[i * DIM] * (c + 0.7);
+        break;
+    case wide: {
+        const int exponent = static_cast<int>(random.below(5)) * 200 + 50;
+        for (std::size_t i = 0; i < count; ++i) {
+            const double scale = power_of_two(static_cast<int>(random.below(exponent)) - exponent / 2);
+            for (int c = 0; c < DIM; ++c) points[i * DIM + c] *= scale;
+        }
+        break;
+    }
+    default: break;
+    }
+}
+
+// Calls
+// ------------------------------------------------------------------------------------------------------------------
+
+// One call of the library, which returns a status and is given the context and one pointer.
+struct Call {
+    const void* function;
+    const void *first, *second;
+};
+
+// function(first, second) on the stack that ends at `top`: nothing else is on it.
+__attribute__((naked)) netmesh_status call_on(std::uint32_t*, const void*, const void*, const void*) {
+    asm volatile(
+        "push {r4, lr}\n mov r4, sp\n mov sp, r0\n mov r12, r1\n mov r0, r2\n mov r1, r3\n blx r12\n mov sp, r4\n"
+        "pop {r4, pc}");
+}
+
+template <class Function> const void* address(Function* function) { return reinterpret_cast<const void*>(function); }
+
+netmesh_status init(void* into, const void* bytes) {
+    return netmesh_init(into, *static_cast<const std::size_t*>(bytes), &context);
+}
+netmesh_status read_pairs(const void*, const void*) {
+    for (std::uint64_t i = 0; netmesh_get_pair(context, i, &pair) == NETMESH_OK;) ++i;
+    return NETMESH_OK;
+}
+netmesh_status read_cells(const void*, const void*) {
+    for (std::uint64_t i = 0; netmesh_get_cell(context, i, &cell) == NETMESH_OK;) ++i;
+    return NETMESH_OK;
+}
+
+void prepare(Job job, Random& random, const netmesh_monitor& monitor) {
+    report.struct_bytes = sizeof report;
+    pair.struct_bytes = sizeof pair;
+    cell.struct_bytes = sizeof cell;
+    netmesh_persist_request_init(&persist, sizeof persist);
+    persist.monitor = monitor;
+    switch (job) {
+    case delaunay:
+        netmesh_delaunay_request_init(&request.delaunay, sizeof request.delaunay, DIM);
+        request.delaunay.points = points;
+        request.delaunay.point_count = count;
+        request.delaunay.monitor = monitor;
+        break;
+    case alpha:
+        netmesh_alpha_request_init(&request.alpha, sizeof request.alpha, DIM);
+        request.alpha.points = points;
+        request.alpha.point_count = count;
+        request.alpha.monitor = monitor;
+        break;
+    case rips:
+        netmesh_points_request_init(&request.rips, sizeof request.rips, DIM,
+                                    random.below(4) == 0 ? NETMESH_FILTER_CECH : NETMESH_FILTER_RIPS);
+        request.rips.points = points;
+        request.rips.point_count = count = count < 24 ? count : 24;
+        request.rips.monitor = monitor;
+        break;
+    default:
+        netmesh_mesh_request_init(&request.mesh, sizeof request.mesh, DIM);
+        request.mesh.points = points;
+        request.mesh.point_count = count = DIM == 2 || count < 12 ? count : 12;
+        request.mesh.purpose = NETMESH_PURPOSE_PERSIST;
+        if (random.below(4) == 0) {
+            request.mesh.purpose = NETMESH_PURPOSE_MESH;
+            request.mesh.method = NETMESH_METHOD_HIERARCHY;
+            request.mesh.finish = 1;
+        } else if (random.below(2) != 0) {
+            request.mesh.certificate.ratio = 2.25;
+        }
+        request.mesh.monitor = monitor;
+        break;
+    }
+}
+
+// The calls of a job one after the other; `make` makes each of them.
+template <class Make> netmesh_status run_job(Job job, Make&& make) {
+    static const std::size_t bytes = sizeof block;
+    const netmesh_status begun = make(Call{address(init), block, &bytes});
+    if (begun != NETMESH_OK) return begun;
+    const void* const first[] = {address(netmesh_delaunay), address(netmesh_persist_alpha), address(netmesh_mesh),
+                                 address(netmesh_persist_points)};
+    netmesh_status done = make(Call{first[job], context, &request});
+    if (done == NETMESH_OK && job == certified) done = make(Call{address(netmesh_persist), context, &persist});
+    make(Call{job == delaunay ? address(read_cells) : address(read_pairs), nullptr, nullptr});
+    make(Call{address(netmesh_get_report), context, &report});
+    return done;
+}
+
+// The same in slices: a task that does it all.
+Job sliced_job;
+netmesh_status task(void*) {
+    return run_job(sliced_job, [](const Call& call) {
+        return reinterpret_cast<netmesh_status (*)(const void*, const void*)>(const_cast<void*>(call.function))(
+            call.first, call.second);
+    });
+}
+
+struct Used {
+    std::size_t bytes;
+    bool fits;
+};
+
+// How deep the stack of `bytes` at the end of the area was.
+Used used(std::size_t bytes) {
+    std::size_t first = 0;
+    while (first < sizeof area / sizeof area[0] && area[first] == paint) ++first;
+    const std::size_t deep = sizeof area - first * sizeof area[0];
+    return {deep, deep <= bytes};
+}
+void paint_area() {
+    for (std::uint32_t& word : area) word = paint;
+}
+
+std::uint32_t faults;
+std::uint32_t* const top = area + sizeof area / sizeof area[0];
+
+void fault(const char* what, const char* kind, std::uint64_t number, std::size_t bytes) {
+    ++faults;
+    Text text;
+    text.words("FAULT ").words(what).words(", cloud ").number(number).words(" (").words(kind).words("), bytes ");
+    text.number(bytes).words("\n");
+    board::write(text.words());
+}
+
+void run_clouds(Job job) {
+    const std::size_t given = documented[job] * PERCENT / 100 & ~std::size_t{7};
+    std::size_t deepest = 0, deepest_in_slices = 0;
+    std::uint32_t refused = 0, pauses = 0;
+    const char* deepest_kind = "";
+    for (std::uint32_t i = 0; i < CLOUDS; ++i) {
+        const std::uint64_t number = SEED + i;
+        Random random = {number * 0x9E3779B97F4A7C15u + job};
+        const Kind kind = static_cast<Kind>(i % kind_count);
+        draw(kind, random);
+        const Random choices = random;
+        prepare(job, random, {});
+        paint_area();
+        const netmesh_status done =
+            run_job(job, [](const Call& call) { return call_on(top, call.function, call.first, call.second); });
+        const Used plain = used(given);
+        refused += done != NETMESH_OK;
+        if (plain.bytes > deepest) deepest = plain.bytes, deepest_kind = kind_name[kind];
+        if (!plain.fits) fault(job_name[job], kind_name[kind], number, plain.bytes);
+        if (done == NETMESH_INTERNAL || done == NETMESH_OUT_OF_MEMORY)
+            fault(netmesh_status_text(done), kind_name[kind], number, plain.bytes);
+        if (i % 4 != 0) continue;
+
+        // In slices the guard has to be whole, too; the job's own record stands at the stack's end.
+        paint_area();
+        const std::size_t bytes = given + NETMESH_STACK_BYTES_JOB;
+        sliced_job = job;
+        if (netmesh_job_init(reinterpret_cast<unsigned char*>(top) - bytes, bytes, task, nullptr, &slices) !=
+            NETMESH_OK)
+            continue;  // ARMv6-M
+        Random again = choices;
+        prepare(job, again, {netmesh_poll_pause, slices});
+        netmesh_status sliced;
+        while ((sliced = netmesh_resume(slices)) == NETMESH_PAUSED) ++pauses;
+        const std::size_t taken = netmesh_stack_used(slices);
+        if (taken > deepest_in_slices) deepest_in_slices = taken;
+        bool whole = true;
+        for (const std::uint32_t* word = area; word < top - bytes / sizeof area[0]; ++word) whole &= *word == paint;
+        if (sliced != done || !whole) fault("in slices", kind_name[kind], number, taken);
+    }
+    if (refused * 100 > CLOUDS * refused_percent_max) fault("too many refused of", job_name[job], refused, 0);
+    Text text;
+    text.words(job_name[job]).words(" ").number(DIM).words(": ").number(CLOUDS).words(" clouds, ").number(refused);
+    text.words(" refused, deepest ").number(deepest).words(" (").words(deepest_kind).words(") of ").number(given);
+    text.words(", in ").number(pauses).words(" slices ").number(deepest_in_slices).words("\n");
+    board::write(text.words());
+}
+
+}  // namespace
+
+int run() {
+    for (int job = 0; job < job_count; ++job) run_clouds(static_cast<Job>(job));
+    return faults != 0;
+}

@@ -1,0 +1,122 @@
+#!/usr/bin/env python3
+"""Stack of the documented jobs on Cortex-M: no chain of calls, and none that runs, takes more than netmesh/job.h says.
+
+    run.py [--build DIR] [--clouds N] [--seed S] [--dims 2,3] [--planted] [--jobs N] [CORE ...]
+
+For each core of platform/cortexm/cores.txt and each dimension: the engine as two files for that dimension alone, -Os.
+Its call graph goes through tests/archive/check.py, its jobs through board.cpp in qemu, on N clouds of nine kinds each,
+on stacks of the promised size with a guard below. --planted: and once more with half of the stack, which has to be seen
+for each job. The whole of it: run.py --clouds 500 --dims 2,3,4."""
+import argparse
+import concurrent.futures
+import os
+import subprocess
+import sys
+
+HERE = os.path.dirname(os.path.abspath(__file__))
+ROOT = os.path.dirname(os.path.dirname(HERE))
+BOARD = os.path.join(ROOT, "platform", "cortexm")
+CHECK = os.path.join(ROOT, "tests", "archive", "check.py")
+PROGRAM_FLAGS = ["-std=c++17", "-Os", "-ffreestanding", "-fno-exceptions", "-fno-rtti", "-fno-threadsafe-statics",
+                 "-fno-tree-loop-distribute-patterns", "-Wall", "-Wextra"]
+JOBS = ["delaunay", "alpha", "certified", "rips"]
+PLANTED_PERCENT, PLANTED_CLOUDS = 50, 9
+
+
+def cores():
+    """{core: (board, flags, flags of the linker)}, out of platform/cortexm/cores.txt."""
+    found = {}
+    with open(os.path.join(BOARD, "cores.txt"), encoding="utf-8") as f:
+        for line in f:
+            if line.strip() and not line.startswith("#"):
+                core, board, *flags = line.split()
+                found[core] = (board, ["-mthumb"] + [w for w in flags if not w.startswith("-Wl,")],
+                               [w for w in flags if w.startswith("-Wl,")])
+    return found
+
+
+def run(command, cwd):
+    done = subprocess.run(command, cwd=cwd, text=True, stdout=subprocess.PIPE, stderr=subprocess.STDOUT, check=False)
+    return done.returncode, done.stdout
+
+
+def must(command, cwd):
+    code, said = run(command, cwd)
+    if code != 0:
+        raise RuntimeError(" ".join(command) + "\n" + said)
+    return said
+
+
+def build_engine(work, core, dim):
+    """The engine for one core and dimension with its call graph, in a folder of its own."""
+    folder = os.path.join(work, "%s-%d" % (core, dim))
+    os.makedirs(folder, exist_ok=True)
+    must([sys.executable, os.path.join(ROOT, "tools", "amalgamate"), folder], folder)
+    must(["arm-none-eabi-g++", "-std=c++17", "-Os", *cores()[core][1], "-ffunction-sections", "-fdata-sections",
+          "-DNETMESH_EACH_DIMENSION(DO)=DO(%d)" % dim, "-fstack-usage", "-fcallgraph-info=su,da", "-c", "netmesh.cpp",
+          "-o", "netmesh.o"], folder)
+    return folder
+
+
+def check_options(folder, core, dim):
+    """Options of check.py jobs for an engine that build_engine has built."""
+    return ["--records", folder, "--source", os.path.join(folder, "netmesh.cpp"), "--helpers", "--readelf",
+            "arm-none-eabi-readelf", "--nm", "arm-none-eabi-nm", "--include", folder, "--dims", str(dim), "--processor",
+            "arm", "--cc", " ".join(["arm-none-eabi-gcc", *cores()[core][1]])]
+
+
+def run_clouds(folder, core, dim, clouds, seed, percent):
+    """Exit code and words of board.cpp, with so much of the promised stack."""
+    board, flags, link = cores()[core]
+    sources = [(HERE, "board"), (BOARD, "start"), (BOARD, "runtime")]
+    values = ["-DDIM=%d" % dim, "-DCLOUDS=%d" % clouds, "-DSEED=%d" % seed, "-DPERCENT=%d" % percent]
+    for place, name in sources:
+        must(["arm-none-eabi-g++", *PROGRAM_FLAGS, *flags, *values, "-I", ".", "-I", BOARD, "-I",
+              os.path.join(ROOT, "tests"), "-c", os.path.join(place, name + ".cpp"), "-o", name + ".o"], folder)
+    must(["arm-none-eabi-gcc", *flags, *(name + ".o" for _, name in sources), "netmesh.o", "-nostartfiles",
+          "-nodefaultlibs", "-T", os.path.join(BOARD, "link.ld"), *link, "-Wl,--gc-sections", "-lgcc", "-o",
+          "clouds.elf"], folder)
+    return run(["qemu-system-arm", "-M", board, "-display", "none", "-monitor", "none", "-serial", "none",
+                "-semihosting-config", "enable=on,target=native", "-kernel", "clouds.elf"], folder)
+
+
+def one(core, dim, options):
+    folder = build_engine(options.build, core, dim)
+    faults, text = run([sys.executable, CHECK, "jobs", *check_options(folder, core, dim)], folder)
+    failed, said = run_clouds(folder, core, dim, options.clouds, options.seed, 100)
+    text += said
+    if options.planted:
+        _, said = run_clouds(folder, core, dim, PLANTED_CLOUDS, options.seed, PLANTED_PERCENT)
+        blind = [job for job in JOBS if "FAULT " + job not in said]
+        failed |= bool(blind)
+        text += "FAULT not seen: half of the stack of %s\n" % ", ".join(blind) if blind else "half of it is seen\n"
+    return faults != 0 or failed != 0, "".join("cortex-%s  %s\n" % (core, line) for line in text.splitlines())
+
+
+def main():
+    parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
+    parser.add_argument("--build", default=os.path.join(ROOT, "build-stack"))
+    parser.add_argument("--clouds", type=int, default=27)
+    parser.add_argument("--seed", type=int, default=1)
+    parser.add_argument("--dims", default="2,3")
+    parser.add_argument("--planted", action="store_true")
+    parser.add_argument("--jobs", type=int, default=1)
+    parser.add_argument("cores", nargs="*")
+    options = parser.parse_args()
+    options.build = os.path.abspath(options.build)
+    chosen = options.cores or list(cores())
+    if not set(chosen) <= set(cores()):
+        sys.exit("cores are: " + " ".join(cores()))
+    dims = [int(d) for d in options.dims.split(",")]
+    print("seed %d" % options.seed)
+    failed = False
+    with concurrent.futures.ThreadPoolExecutor(options.jobs) as pool:
+        for task in [pool.submit(one, core, dim, options) for core in chosen for dim in dims]:
+            fault, text = task.result()
+            failed |= fault
+            print(text, end="", flush=True)
+    return 1 if failed else 0
+
+
+if __name__ == "__main__":
+    sys.exit(main())
