@@ -74,7 +74,7 @@ set_property(TARGET netmesh_engine PROPERTY NETMESH_SOURCES ${NETMESH_ENGINE_SOU
 # is built. What headers leave out at -Os (__OPTIMIZE_SIZE__) stays in: they have to mean the same in all files.
 target_compile_options(netmesh_engine PRIVATE "$<$<CONFIG:Release>:-Os;-U__OPTIMIZE_SIZE__>")
 set(fast api/report api/structs complex/faces_along delaunay/any_store delaunay/spatial_order delaunay/store
-  delaunay/triangulate diagram/bottleneck diagram/wasserstein filtration/circumsphere filtration/mesh_filter
+  delaunay/triangulate diagram/bottleneck diagram/wasserstein filtration/mesh_filter
   filtration/rips_graph homology/lower_star/surface homology/matrix/ball homology/matrix/cohomology
   homology/matrix/homology homology/matrix/image homology/pair_writer homology/rips/rips homology/rips/rips_simplices
   homology/vineyard/vineyard jobs/persist_alpha mesh/certificate_rule mesh/clipped_cell mesh/clipped_reach
