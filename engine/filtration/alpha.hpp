@@ -27,9 +27,9 @@ template <int D> struct AlphaFiltration {
 // lies inside that (Gabriel; on it does not count), otherwise with the first of its cofacets; points enter at 0.
 // value[k][i] belongs to the i-th k-face; the arrays hold faces.count[k] numbers each, k = 0..D.
 //
-// Exact: whether a sphere is empty is decided exactly, and a value is the true one rounded to the nearest double, ties to
-// even, a function of the simplex whose radius it is. Rounding exchanges no order, so values never decrease from a face
-// to its cofaces, and the diagram is that of exact arithmetic with both ends of each bar rounded.
+// Exact: whether a sphere is empty is decided exactly, and a value is the true one rounded to the nearest double, ties
+// to even, a function of the simplex whose radius it is. Rounding exchanges no order, so values never decrease from a
+// face to its cofaces, and the diagram is that of exact arithmetic with both ends of each bar rounded.
 //
 // coordinates, stride_bytes: as above; where the lists of faces follow an order, record i is that of 0-face i. Nothing
 // is out_of_range as long as differences of coordinates are below 2^(16,600 / (2D+2)) units, the unit being the highest

@@ -36,15 +36,16 @@ namespace netmesh {
 //     being the bound on that sum, as K sqrt(K) < 2 K^3.
 //  5. Radius. For any x and weights b_i
 //         |x|^2 + sum of b_i e_i . (e_i - 2 x) = R^2 + |x - z|^2 - 2 (x - z) . sum of (b_i - beta_i) e_i,
-//     as e_i . e_i = 2 e_i . z and the sum of beta_i e_i is z. What differs from R^2 is of second order: with 3 and 4 at
-//     most 3 a^2 P^2 L^2. The products e_i . (e_i - 2 x) themselves are at most 2 l_i |x - z|: rounding them, and their
-//     sum, costs (K + 2) K u 2 Z a P L < a^2 P^2 L^2, as a > 2 K (K + 2) u. Both: 4 a^2 P^2 L^2, and 5 for 4.
-//  6. Its digits. Let m be the sum of |2 x_d|, which is between 2 R and 2 sqrt(D) R up to a factor of 1.01. Coordinates of
+//     as e_i . e_i = 2 e_i . z and the sum of beta_i e_i is z. What differs from R^2 is of second order: with 3 and 4
+//     at most 3 a^2 P^2 L^2. The products e_i . (e_i - 2 x) themselves are at most 2 l_i |x - z|: rounding them, and
+//     their sum, costs (K + 2) K u 2 Z a P L < a^2 P^2 L^2, as a > 2 K (K + 2) u. Both: 4 a^2 P^2 L^2, and 5 for 4.
+//  6. Its digits. Let m be the sum of |2 x_d|, which is between 2 R and 2 sqrt(D) R up to a factor of 1.01. Coordinates
+//  of
 //     e_i and of 2 x are cut by adding 1.05 2^27 m, and taking it away: at multiples of a q between 1.04 2^-26 m and
 //     1.05 2^-25 m, of which another one may be twice as large. |e_i| and |e_i - 2 x| are at most 2 R, less than
 //     2^26 q, so by Cauchy products of upper parts, and sums of them, are below 2^53 q^2: exact. The rest of a product,
-//     upper part times lower and lower times whole, is at most q sqrt(D) (|e_i| + |e_i - 2 x| / 2 + q) < 1.6 sqrt(D) q m
-//     and takes D + 5 <= 2 D + 3 roundings: it is off by (2 D + 3) 1.7 sqrt(D) u 2^-25 m^2 at most, times |b_i|; and
+//     upper part times lower and lower times whole, is at most q sqrt(D) (|e_i| + |e_i - 2 x| / 2 + q) < 1.6 sqrt(D) q
+//     m and takes D + 5 <= 2 D + 3 roundings: it is off by (2 D + 3) 1.7 sqrt(D) u 2^-25 m^2 at most, times |b_i|; and
 //     |2 x|^2, with the sum of all, by no more.
 // Sizes within 2^+-200 and P <= 2^12 keep what underflows below 2^-300 of all this.
 struct CircumsphereBounds {
@@ -143,8 +144,7 @@ inline Certainty circumspheres_fast(DimensionOf<K> k, DimensionOf<D> dim, const 
         const Lanes length_squared = beta * beta * whole[j];
         largest = select(below(largest, length_squared), length_squared, largest);
         smallest = select(below(length_squared, smallest), length_squared, smallest);
-        for (std::uint32_t i = 0; i < k; ++i)
-            weight[i] = weight[i] + only(same(at[j], all_lanes<Lanes>(i)), beta);
+        for (std::uint32_t i = 0; i < k; ++i) weight[i] = weight[i] + only(same(at[j], all_lanes<Lanes>(i)), beta);
     }
     const Lanes error = bounds.beta_error * spread, slack = error * error * largest;
     const Mask signs = sure & below(slack, smallest) & below(slack * (k * k), first * first * whole_min);
@@ -177,8 +177,8 @@ inline Certainty circumspheres_fast(DimensionOf<K> k, DimensionOf<D> dim, const 
         weights += lanes_absolute(weight[i]);
     }
     const TwoLanes<Lanes> square = exact_sum(high, low);
-    const Lanes doubt = largest * (5 * bounds.centre_error * bounds.centre_error * spread) +
-                        size * size * weights * bounds.digit_error;
+    const Lanes doubt =
+        largest * (5 * bounds.centre_error * bounds.centre_error * spread) + size * size * weights * bounds.digit_error;
     const NearestRoot<Lanes> nearest = nearest_root(square.high, square.low, doubt);
     Certainty certain = {0, 0};
     for (int i = 0; i < lane_count<Lanes>; ++i) {

@@ -72,6 +72,12 @@ Status read_all(const DistanceSource& source, double threshold, const Work& work
 Status measure_distances(const DistanceSource& source, double threshold, const Work& work, DistanceLimits* out,
                          DistanceFault* fault) {
     work.monitor.begin(NETMESH_STAGE_FILTER, 0);
+    if (source.kind == DistanceSource::Kind::points) {
+        const double cone = cone_radius<any_dimension>(static_cast<int>(source.dim), source.numbers, source.count);
+        const double limit = cone < threshold ? cone : threshold;
+        *out = {limit < largest ? limit : largest, 0};
+        return Status::ok;
+    }
     return read_all(source, threshold, work, out, fault, [](double) {});
 }
 

@@ -14,7 +14,8 @@ struct DistanceLimits {
     std::uint64_t fingerprint;  // of all distances
 };
 
-// Looks at every distance. invalid_argument (*fault), out_of_memory, cancelled.
+// Looks at every distance; of points, whose fingerprint is 0 here, as far as the limit asks for. invalid_argument
+// (*fault), out_of_memory, cancelled.
 Status measure_distances(const DistanceSource& source, double threshold, const Work& work, DistanceLimits* out,
                          DistanceFault* fault);
 

@@ -34,6 +34,18 @@ struct DistanceSource {
         }
         return half_distance(static_cast<int>(dim), numbers + i * std::size_t{dim}, numbers + j * std::size_t{dim});
     }
+    // half(i, j) where it is below `near`; else a number that is not, and within `limit` where half(i, j) is.
+    double half_if_below(std::uint32_t i, std::uint32_t j, double near, double limit) const {
+        if (kind == Kind::points) {
+            const std::size_t row = dim;
+            const double squared = distance2(static_cast<int>(dim), numbers + i * row, numbers + j * row);
+            if (surely_above(static_cast<int>(dim), squared, near)) {
+                if (surely_below(static_cast<int>(dim), squared, limit)) return near;
+                if (surely_above(static_cast<int>(dim), squared, limit)) return __builtin_inf();
+            }
+        }
+        return half(i, j);
+    }
     static std::size_t triangle(std::uint32_t i) {
         return i % 2 == 0 ? i / 2 * (i - std::size_t{1}) : (i - 1) / 2 * std::size_t{i};
     }

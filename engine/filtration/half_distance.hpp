@@ -86,8 +86,8 @@ inline std::uint32_t half_distances_fast(std::uint32_t dim, Difference differenc
     const double terms = dim;
     const NearestRoot<Lanes> nearest =
         nearest_root(sum.high, sum.low, sum.high * ((8 * terms + 16) * terms * 0x1p-106 + 0x1p-100));
-    const LaneMask<Lanes> known = nearest.known & below(all_lanes<Lanes>(0x1p-800), sum.high) &
-                                  below(sum.high, all_lanes<Lanes>(0x1p800));
+    const LaneMask<Lanes> known =
+        nearest.known & below(all_lanes<Lanes>(0x1p-800), sum.high) & below(sum.high, all_lanes<Lanes>(0x1p800));
     std::uint32_t certain = 0;
     for (int i = 0; i < lane_count<Lanes>; ++i) {
         out[i] = lane(nearest.root, i) / 2;
@@ -105,15 +105,36 @@ inline std::uint32_t half_distances_fast(std::uint32_t dim, Difference differenc
 }
 template <int D> double half_distance(const double* a, const double* b) { return half_distance(D, a, b); }
 
-// Half the least distance within which some point has all others.
-inline double cone_radius(int dim, const double* coordinates, std::uint32_t n) {
+// What a squared distance that is off by (dim + 3) u says of the rounded half of the distance, for comparisons. False:
+// perhaps. A share of (dim + 8) 2^-52 leaves more than a unit in the last place of the half.
+inline bool surely_above(int dim, double squared, double half) {
+    const double share = (dim + 8) * 0x1p-52;
+    return squared > 0x1p-900 && squared < 0x1p1000 && squared * (1 - share) > 4 * half * half;
+}
+inline bool surely_below(int dim, double squared, double half) {
+    const double share = (dim + 8) * 0x1p-52;
+    return squared > 0x1p-900 && squared < 0x1p1000 && squared * (1 + share) < 4 * half * half;
+}
+
+// Half the least distance within which some point has all others. Distances are rounded to nearest only where they may
+// be the largest of their point.
+template <int D> double cone_radius(int dim, const double* coordinates, std::uint32_t n) {
     const std::size_t row = static_cast<std::size_t>(dim);
     double least = infinity;
     for (std::uint32_t i = 0; i < n; ++i) {
-        double most = 0;
+        const double* const a = coordinates + i * row;
+        double squared = 0, most = 0;
+        for (std::uint32_t j = 0; j < n && !surely_above(dim, squared, least); ++j) {
+            const double d2 = distance2<D>(dim, a, coordinates + j * row);
+            if (d2 > squared) squared = d2;
+        }
+        if (surely_above(dim, squared, least)) continue;
+        const double less = square_root(squared) / 2 * (1 - (dim + 8) * 0x1p-51);
         for (std::uint32_t j = 0; j < n && most < least; ++j) {
-            const double half = half_distance(dim, coordinates + i * row, coordinates + j * row);
-            if (j != i && half > most) most = half;
+            const double* const b = coordinates + j * row;
+            if (j == i || surely_below(dim, distance2<D>(dim, a, b), less)) continue;
+            const double half = half_distance(dim, a, b);
+            if (half > most) most = half;
         }
         if (most < least) least = most;
     }

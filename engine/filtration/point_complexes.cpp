@@ -208,7 +208,7 @@ struct HalfDistances {
 
 Status rips_complex(int dim, const double* coordinates, std::uint32_t n, std::uint32_t dimension, double threshold,
                     const Work& work, ListedComplex* out) {
-    const double cone = cone_radius(dim, coordinates, n);
+    const double cone = cone_radius<any_dimension>(dim, coordinates, n);
     return list_cliques(HalfDistances{dim, coordinates}, n, dimension, threshold < cone ? threshold : cone, work, out);
 }
 
@@ -225,8 +225,15 @@ Status distance_complex(const DistanceSource& source, std::uint32_t dimension, d
 
 Status cech_complex(int dim, const double* coordinates, std::uint32_t n, std::uint32_t dimension, const Work& work,
                     ListedComplex* out) {
-    Status status = full_rips_complex(dim, coordinates, n, dimension, work, out);
+    const auto none = [](std::uint32_t, std::uint32_t) { return 0.0; };  // values come below
+    Status status = list_cliques(none, n, dimension, infinity, work, out);
     if (status != Status::ok) return status;
+    const HalfDistances half = {dim, coordinates};
+    for (std::uint32_t i = 0; out->dimension > 0 && i < out->count[1];)
+        for (const std::uint64_t piece = work.arena.piece(i, out->count[1], 60); i < piece; ++i) {
+            const std::uint32_t* const ends = out->rows[1] + 2 * std::size_t{i};
+            out->value[1][i] = half(ends[0], ends[1]);
+        }
     const HighScope scope(work.arena);
     std::uint64_t* const scratch = work.arena.take_high<std::uint64_t>(ExactSphere::room(dim));
     if (scratch == nullptr) return Status::out_of_memory;

@@ -10,9 +10,10 @@
 namespace netmesh {
 
 // All values are radii: balls of that radius about the vertices meet pairwise (Rips: half the longest edge), or all in
-// one point (Cech: the radius of the smallest enclosing ball), rounded to the nearest double. coordinates: [n][dim], distinct points. The complexes
-// are linked but not in order of value, and lie at the arena's low end. `dimension` <= ListedComplex::dimension_max and
-// < n; a complex of which a dimension would have 2^31 simplices or more is out_of_memory.
+// one point (Cech: the radius of the smallest enclosing ball), rounded to the nearest double. coordinates: [n][dim],
+// distinct points. The complexes are linked but not in order of value, and lie at the arena's low end. `dimension` <=
+// ListedComplex::dimension_max and < n; a complex of which a dimension would have 2^31 simplices or more is
+// out_of_memory.
 
 // The skeleton up to `dimension` of the Vietoris-Rips complex, as far as the threshold, or the radius from which on
 // one point is joined to everything: the complex is a cone then and nothing is born any more. out_of_memory, cancelled.

@@ -10,10 +10,12 @@
 
 namespace netmesh {
 
-// As rips_complex (point_complexes.hpp), the edges alone: coordinates[n][D], distinct points; an edge's value is half
-// its length. At the arena's low end. invalid_argument (n > RipsGraph::vertices_max), out_of_memory, cancelled.
-template <int D> Status rips_graph(const double* coordinates, std::uint32_t n, double threshold, const Work& work,
-                                    RipsGraph* out);
+// As rips_complex (point_complexes.hpp), the edges alone: coordinates[n][dim], distinct points, dim is D or, with
+// any_dimension, 65,536 at most; an edge's value is half its length, rounded to nearest, and none beyond the largest
+// double. At the arena's low end. invalid_argument (n > RipsGraph::vertices_max), out_of_memory, cancelled.
+template <int D>
+Status rips_graph(int dim, const double* coordinates, std::uint32_t n, double threshold, const Work& work,
+                  RipsGraph* out);
 
 // What such a graph of n vertices and so many edges and its diagram (persist_rips) take, but for the fill.
 double rips_bytes(std::uint64_t n, std::uint32_t max_degree, double edges);

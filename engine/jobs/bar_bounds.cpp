@@ -215,7 +215,7 @@ Status bound_by_ratio(const UniformBound& bound, const BarList& bars, Arena& are
     double from = 0;
     for (std::uint64_t i = 0; i < bars.count;)
         for (const std::uint64_t piece = arena.piece(i, bars.count, 80); i < piece; ++i) {
-            bounds[i] = !has_ratio                   ? BarBounds{-infinity, infinity, -infinity, infinity, infinity, 0, 0}
+            bounds[i] = !has_ratio ? BarBounds{-infinity, infinity, -infinity, infinity, infinity, 0, 0}
                         : bound.rounded && ratio == 1 ? by_rounding(bars[i])
                                                       : by_ratio(bars[i], ratio, slack);
             if (is_additive) narrow(bars[i], bound.error, &bounds[i]);

@@ -85,8 +85,8 @@ Status bound_in_join(const FilterBounds& filter, const BarList& bars, const Join
                      BarBounds* bounds, ScaleGrid* grid);
 
 // What holds at every scale: the ratio; whether values are true ones rounded, to nearest where the ratio is 1 and to a
-// unit in the last place else, or as they are; and the additive bound, beside which there may be no ratio: infinite, and
-// values of any sign.
+// unit in the last place else, or as they are; and the additive bound, beside which there may be no ratio: infinite,
+// and values of any sign.
 struct UniformBound {
     double ratio;
     bool rounded = false;

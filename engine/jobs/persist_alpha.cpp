@@ -104,7 +104,8 @@ Status diagram_of(const AlphaFiltration<D>& filtration, DiagramRequest request, 
 }  // namespace
 
 template <int D>
-Status persist_alpha(const AlphaFiltration<D>& filtration, DiagramRequest request, const Work& work, CountedPairs* out) {
+Status persist_alpha(const AlphaFiltration<D>& filtration, DiagramRequest request, const Work& work,
+                     CountedPairs* out) {
     const std::size_t low = work.arena.low_mark(), high = work.arena.high_mark();
     if (request.max_degree >= D) request.max_degree = D - 1;
     PairList& found = out->pairs;

@@ -47,33 +47,27 @@ Status persist_listed(const PointsRequest& request, const PointSet& set, const W
     return persist_complex(complex, counted, work, &out->diagram);
 }
 
-Status graph_in_any_dimension(const DistanceSource& source, double threshold, const Work& work, RipsGraph* graph) {
-    DistanceLimits limits;
-    DistanceFault fault;
-    if (source.count > RipsGraph::vertices_max) return Status::invalid_argument;
-    return distance_graph(source, threshold, work, graph, &limits, &fault);
-}
-
 // The diagram of a Rips complex from its edges alone, as far as there are numbers for its simplices.
 Status persist_edges(const PointsRequest& request, const PointSet& set, const Work& work, PointsDiagram* out,
                      bool* done) {
     const std::uint32_t max_degree = request.filter.max_degree;
-    const DistanceSource source = {DistanceSource::Kind::points, set.count, set.coordinates, set.dim, nullptr, nullptr};
-    DistanceLimits limits;
-    DistanceFault fault;
     if (max_degree == 0) {
+        const DistanceSource source = {
+            DistanceSource::Kind::points, set.count, set.coordinates, set.dim, nullptr, nullptr};
+        DistanceLimits limits;
+        DistanceFault fault;
         *done = true;
         return persist_tree(source, request.threshold, request.keep_zero, work, &out->diagram, &limits, &fault);
     }
     *done = false;
     RipsGraph graph;
     const std::size_t low = work.arena.low_mark();
+    const int dim = static_cast<int>(set.dim);
+    const auto list = [&](auto dimension) {
+        return rips_graph<decltype(dimension)::value>(dim, set.coordinates, set.count, request.threshold, work, &graph);
+    };
     const Status status =
-        set.dim > NETMESH_DIM_MAX
-            ? graph_in_any_dimension(source, request.threshold, work, &graph)
-            : with_dimension(request.dim, [&](auto dimension) {
-                  return rips_graph<decltype(dimension)::value>(set.coordinates, set.count, request.threshold, work, &graph);
-              });
+        set.dim > NETMESH_DIM_MAX ? list(Dimension<any_dimension>()) : with_dimension(request.dim, list);
     if (status == Status::invalid_argument || (status == Status::ok && !rips_has_numbers(graph, max_degree))) {
         work.arena.release_low(low);
         return Status::ok;

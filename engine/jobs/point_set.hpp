@@ -1,4 +1,5 @@
-// What jobs on points themselves share: the points without their copies, and the sets of them that a filter begins with.
+// What jobs on points themselves share: the points without their copies, and the sets of them that a filter begins
+// with.
 #pragma once
 #include <cstdint>
 

@@ -31,7 +31,8 @@ struct PointsVineyard {
 // and (b', d') at k + 1, the image of the map has the bar (b', d), and it has no others.
 // One complex for all k, on nested sets that differ by at most max_degree + 1 points; put in order once. `out` is put
 // at the arena's low end, everything else is given back; without ok nothing stays. Memory: points_vineyard_bytes.
-// invalid_argument (k_last above the number of distinct points), not_finite, out_of_range (CECH), out_of_memory, cancelled, internal.
+// invalid_argument (k_last above the number of distinct points), not_finite, out_of_range (CECH), out_of_memory,
+// cancelled, internal.
 Status points_vineyard(const PointsVineyardRequest& request, const Work& work, PointsVineyard* out);
 
 // Bytes that n points in any position take at most, but for the fill of the reduction.

@@ -64,9 +64,7 @@ template <class Lanes> inline Lanes lanes_root(Lanes a) {
 
 // The sum of both exactly, high being their sum rounded. Dekker 1971, Knuth TAOCP 2. Products as long as they and their
 // last digits are in the range of doubles: a product of 2^-960 or more, or one that a bound of 2^-1000 does not see.
-template <class Lanes> struct TwoLanes {
-    Lanes high, low;
-};
+template <class Lanes> struct TwoLanes { Lanes high, low; };
 template <class Lanes> inline TwoLanes<Lanes> exact_sum(Lanes a, Lanes b) {
     const Lanes s = a + b, t = s - a;
     return {s, (a - (s - t)) + (b - t)};

@@ -303,7 +303,8 @@ TEST_CASE(
     Session small(2), large(2), by_distances(2);
     for (const std::uint32_t dim : {7u, 64u}) {
         inputs::Points points(std::size_t{n} * dim, 0.0), mixed(std::size_t{n} * dim);
-        for (std::size_t i = 0; i < points.size(); ++i) mixed[i] = in_few_bits(std::sin(static_cast<double>(i * i % 1009)));
+        for (std::size_t i = 0; i < points.size(); ++i)
+            mixed[i] = in_few_bits(std::sin(static_cast<double>(i * i % 1009)));
         for (std::uint32_t i = 0; i < n; ++i) {
             points[i * std::size_t{dim} + 3] = plane[2 * i];
             points[i * std::size_t{dim} + dim - 1] = plane[2 * i + 1];

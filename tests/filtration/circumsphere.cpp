@@ -106,9 +106,10 @@ template <int K, int D> void check(const std::vector<Points>& simplices, Tally* 
     CAPTURE(K);
     CAPTURE(D);
     for (std::size_t at = 0; at < simplices.size(); at += 2) {
-        const double *one[2][K + 1], *const* pair[2] = {one[0], one[1]};
+        const double *one[2][K + 1], *const *pair[2] = {one[0], one[1]};
         for (std::size_t i = 0; i < 2; ++i)
-            for (std::size_t j = 0; j <= K; ++j) one[i][j] = simplices[std::min(at + i, simplices.size() - 1)][j].data();
+            for (std::size_t j = 0; j <= K; ++j)
+                one[i][j] = simplices[std::min(at + i, simplices.size() - 1)][j].data();
         Circumsphere both[2], alone;
         const Certainty two = circumspheres_fast<DoublePair, K, D>(K, D, pair, both);
         CHECK((two.within < 4 && two.radius < 4));
@@ -342,7 +343,8 @@ TEST_CASE("half distances are rounded to nearest in any number of coordinates an
             const auto difference = [&](std::uint32_t d) { return exact_difference(b[d], a[d]); };
             if (kind == 0) {
                 ++all;
-                fast += static_cast<int>(half_distances_fast<double>(static_cast<std::uint32_t>(dim), difference, &half));
+                fast +=
+                    static_cast<int>(half_distances_fast<double>(static_cast<std::uint32_t>(dim), difference, &half));
             }
         }
     CHECK(fast == all);

@@ -168,8 +168,7 @@ template <int D> void check_cech_values(const inputs::Points& points, std::uint3
     netmesh::Monitor monitor;
     netmesh::ListedComplex c;
     const std::uint32_t n = static_cast<std::uint32_t>(points.size() / D);
-    REQUIRE(netmesh::cech_complex(D, points.data(), n, dimension, {block.arena, monitor}, &c) ==
-            netmesh::Status::ok);
+    REQUIRE(netmesh::cech_complex(D, points.data(), n, dimension, {block.arena, monitor}, &c) == netmesh::Status::ok);
     const netmesh::FilteredComplex f = c.filtered();
     double total = 0;
     for (std::uint32_t k = 0; k <= dimension; ++k) {
@@ -308,7 +307,8 @@ template <int D> void check_graph() {
     const inputs::Points points = inputs::uniform(D, 2000);
     const auto graph = [&](std::uint32_t n, std::size_t bytes, netmesh::Monitor monitor, netmesh::RipsGraph* out) {
         Block block(bytes);
-        const netmesh::Status status = netmesh::rips_graph<D>(points.data(), n, infinity, {block.arena, monitor}, out);
+        const netmesh::Status status =
+            netmesh::rips_graph<D>(D, points.data(), n, infinity, {block.arena, monitor}, out);
         for (std::uint32_t e = 0; status == netmesh::Status::ok && e < out->edge_count; ++e) CHECK(out->value[e] > 0);
         return status;
     };
@@ -346,7 +346,7 @@ template <int D> void check_cone(const inputs::Points& points, std::uint32_t dim
             most = std::max(most, netmesh::half_distance<D>(&points[std::size_t{i} * D], &points[std::size_t{j} * D]));
         cone = std::min(cone, most);
     }
-    CHECK(netmesh::cone_radius(D, points.data(), n) == cone);
+    CHECK(netmesh::cone_radius<D>(D, points.data(), n) == cone);
     Block block(std::size_t{1} << 22);
     netmesh::Monitor monitor;
     netmesh::ListedComplex complex, all;

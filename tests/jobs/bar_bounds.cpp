@@ -259,8 +259,8 @@ TEST_CASE("bounds of true ends that are rounded to nearest") {
     Block block(std::size_t{1} << 16);
     ScaleCurve curve;
     const double next = std::nextafter(2.0, 3.0), least = 0x1p-1074, most = std::numeric_limits<double>::max();
-    const Pair pairs[] = {{0, 2, 0, 0}, {2, next, 1, 0}, {2, 2, 1, 0}, {0, least, 1, 0}, {3, infinity, 0, 0},
-                          {3, most, 1, 0}};
+    const Pair pairs[] = {{0, 2, 0, 0},     {2, next, 1, 0},     {2, 2, 1, 0},
+                          {0, least, 1, 0}, {3, infinity, 0, 0}, {3, most, 1, 0}};
     BarBounds bounds[6];
     REQUIRE(bound_by_ratio({1, true}, {pairs, 6}, block.arena, bounds, &curve) == Status::ok);
     CHECK(curve.count == 0);

@@ -68,8 +68,7 @@ Diagram diagram(const Cloud<D>& c, std::uint32_t max_degree = D, bool keep_zero 
     Diagram out;
     const AlphaFiltration<D> filtration =
         stride == 0 ? c.filtration() : c.filtration(static_cast<std::ptrdiff_t>(stride));
-    REQUIRE(persist_alpha<D>(filtration, {max_degree, keep_zero}, {block.arena, monitor}, &counted) ==
-            Status::ok);
+    REQUIRE(persist_alpha<D>(filtration, {max_degree, keep_zero}, {block.arena, monitor}, &counted) == Status::ok);
     const PairList& list = counted.pairs;
     out.simplices = counted.simplices;
     CHECK(block.arena.offset_of(list.pairs) == 0);

@@ -122,7 +122,8 @@ Outcome persist_points_within(const Options& options, const RipsInput& input, bo
                               netmesh_report* report) {
     const PointCloud& cloud = input.cloud;
     std::vector<double> plane;  // points on a line, of which the engine wants another coordinate
-    for (std::size_t i = 0; cloud.dim == 1 && i < cloud.rows(); i++) plane.insert(plane.end(), {cloud.coordinates[i], 0});
+    for (std::size_t i = 0; cloud.dim == 1 && i < cloud.rows(); i++)
+        plane.insert(plane.end(), {cloud.coordinates[i], 0});
     requests::Points request(std::max(cloud.dim, 2u), NETMESH_FILTER_RIPS);
     request.points = cloud.dim == 1 ? plane.data() : cloud.coordinates.data();
     request.point_count = cloud.rows();
@@ -149,8 +150,8 @@ Outcome persist_rips(const Options& options, RipsInput& input, bool cycles, Sess
     request.representatives = cycles ? 1 : 0;
     ReleasedTriangle triangle = {&input.file.numbers};
     const std::uint64_t points = input.count();
-    if (input.read_once && !cycles && request.layout == NETMESH_DISTANCES_LOWER &&
-        request.max_degree > 0 && input.path != "-") {
+    if (input.read_once && !cycles && request.layout == NETMESH_DISTANCES_LOWER && request.max_degree > 0 &&
+        input.path != "-") {
         request.layout = NETMESH_DISTANCES_FUNCTION;
         request.evaluate = ReleasedTriangle::evaluate;
         request.user = &triangle;

@@ -8,7 +8,8 @@
 
 namespace netmesh {
 
-// half(i, j): when vertices i and j < i are joined; edges later than `limit`, or never, are none. stop(v): whether the
+// half(i, j, near, limit): when vertices i and j < i are joined, or if that is not before `near`, a number that is not
+// and within the limit where that is; edges later than the limit, or never, are none. stop(v): whether the
 // caller wants to stop, before each half().
 template <class Half, class Stop> class RipsTree {
 public:
@@ -35,7 +36,7 @@ public:
             for (std::uint32_t i = 0; i < count; ++i) {
                 if (stop_(n_ - count)) return Status::cancelled;
                 const std::uint32_t w = left[i];
-                const double half = v > w ? half_(v, w) : half_(w, v);
+                const double half = v > w ? half_(v, w, near[i], limit_) : half_(w, v, near[i], limit_);
                 if (half <= limit_ && half < __builtin_inf()) {
                     ++simplices_;
                     if (half < near[i]) near[i] = half;

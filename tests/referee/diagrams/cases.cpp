@@ -85,8 +85,6 @@ std::vector<std::string> words_of(const Way& way, const Tool& tool, const std::s
 
 std::string read_made(const Way& way, const Tool& tool, const std::string& json, bool small, Made* made) {
     made->json = json;
-    const std::vector<double> error = json_numbers(json_text(json, "diagram", "value_error"));
-    made->value_error = error.size() == 1 ? error[0] : 0;
     std::string fault = read_diagram(tool.path("trial.pers"), &made->diagram);
     if (fault.empty() && way.has_mesh) fault = read_mesh(tool.path("trial"), &made->mesh);
     made->has_cycles = way.has_cycles && small;
@@ -101,11 +99,10 @@ Verdict judge_made(const PointSet& set, const Way& way, const Made& made, const 
     judge_head(set, way, diagram, fingerprint, &verdict);
     judge_form(diagram, made.json, way.top, &verdict);
     const Truth& truth = set.truth(way);
-    if (way.promise != Promise::by_ratio) judge_value_error(diagram, made.value_error, &verdict);
     if (way.promise == Promise::exact) {
-        judge_exact(diagram, truth, way.top, made.value_error, &verdict);
+        judge_exact(diagram, truth, way.top, &verdict);
     } else if (way.promise == Promise::near) {
-        judge_near(diagram, truth, way.top, made.value_error, &verdict);
+        judge_near(diagram, truth, way.top, &verdict);
     } else {
         judge_ratio(diagram, truth, way.top, &verdict);
     }

@@ -32,9 +32,8 @@ private:
 // What a run of one way left behind.
 struct Made {
     DiagramFile diagram;
-    std::string json;        // empty: nothing is known of it
-    double value_error = 0;  // that it told
-    Mesh mesh;               // where the way has one
+    std::string json;  // empty: nothing is known of it
+    Mesh mesh;         // where the way has one
     std::vector<Cycle> cycles;
     bool has_cycles = false;
 };

@@ -2,6 +2,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstdint>
+#include <cstring>
 #include <functional>
 
 #include "matching.hpp"
@@ -235,71 +237,58 @@ void judge_bounds(const DiagramFile& diagram, const Truth& truth, int top, Verdi
     }
 }
 
-void judge_exact(const DiagramFile& diagram, const Truth& truth, int top, double value_error, Verdict* verdict) {
-    std::vector<double> radii;
-    std::vector<std::uint32_t> ranks;
-    std::size_t count = 0, true_count = 0;
-    for (const Bar& bar : diagram.bars) {
-        if (bar.birth == bar.death || bar.degree > top) continue;
-        count++;
-        radii.push_back(bar.birth);
-        if (!std::isinf(bar.death)) radii.push_back(bar.death);
+// The nearest double to the root, ties to even, of numbers that are far from the ends of the range.
+double rounded_root(const Rational& square_of) {
+    double x = std::sqrt(square_of.get_d());
+    const auto beyond = [&](double a, double b) {  // the root less the middle of two neighbours
+        const Rational middle = (exact(a) + exact(b)) / 2;
+        const Rational excess = square_of - middle * middle;
+        return sgn(excess);
+    };
+    const auto is_even = [](double a) {
+        std::uint64_t bits;
+        std::memcpy(&bits, &a, sizeof bits);
+        return bits % 2 == 0;
+    };
+    for (;;) {
+        const double above = std::nextafter(x, INFINITY), below = std::nextafter(x, 0.0);
+        const int up = beyond(x, above), down = x > 0 ? beyond(below, x) : 1;
+        if (up > 0 || (up == 0 && !is_even(x)))
+            x = above;
+        else if (down < 0 || (down == 0 && !is_even(x)))
+            x = below;
+        else
+            return x;
     }
-    for (const TrueBar& bar : truth.bars) {
-        if (bar.degree > top) continue;
-        true_count++;
-        ranks.push_back(bar.birth);
-        if (bar.death != never) ranks.push_back(bar.death);
-    }
-    std::sort(radii.begin(), radii.end());
-    radii.erase(std::unique(radii.begin(), radii.end()), radii.end());
-    std::sort(ranks.begin(), ranks.end());
-    ranks.erase(std::unique(ranks.begin(), ranks.end()), ranks.end());
-    if (count != true_count)
-        return verdict->add("exact", count_text(count) + " bars, " + count_text(true_count) + " are due");
-    if (radii.size() != ranks.size())
-        return verdict->add("exact", count_text(radii.size()) + " different births and deaths, " +
-                                         count_text(ranks.size()) + " are due");
-    const Rational more = square(Rational(1 + exact(value_error))), less = square(Rational(1 - exact(value_error)));
-    for (std::size_t i = 0; i < radii.size(); i++) {
-        const Rational x2 = exact_square(radii[i]), t2 = truth.squares[ranks[i]];
-        if (x2 > t2 * more || x2 < t2 * less)
-            verdict->add("exact", "radius " + exact_text(radii[i]) + " is farther from the true one, " +
-                                      exact_text(std::sqrt(t2.get_d())) + ", than value_error");
-    }
-    using Entry = std::array<std::uint32_t, 3>;
+}
+
+void judge_exact(const DiagramFile& diagram, const Truth& truth, int top, Verdict* verdict) {
+    using Entry = std::array<double, 3>;
     std::vector<Entry> found, due;
-    const auto place = [&](double x) {
-        return static_cast<std::uint32_t>(std::lower_bound(radii.begin(), radii.end(), x) - radii.begin());
-    };
-    const auto true_place = [&](std::uint32_t r) {
-        return static_cast<std::uint32_t>(std::lower_bound(ranks.begin(), ranks.end(), r) - ranks.begin());
-    };
     for (const Bar& bar : diagram.bars)
         if (bar.birth != bar.death && bar.degree <= top)
-            found.push_back({static_cast<std::uint32_t>(bar.degree), place(bar.birth),
-                             std::isinf(bar.death) ? never : place(bar.death)});
-    for (const TrueBar& bar : truth.bars)
-        if (bar.degree <= top)
-            due.push_back({static_cast<std::uint32_t>(bar.degree), true_place(bar.birth),
-                           bar.death == never ? never : true_place(bar.death)});
+            found.push_back({static_cast<double>(bar.degree), bar.birth, bar.death});
+    for (const TrueBar& bar : truth.bars) {
+        if (bar.degree > top) continue;
+        const double birth = rounded_root(truth.squares[bar.birth]),
+                     death = bar.death == never ? INFINITY : rounded_root(truth.squares[bar.death]);
+        if (birth != death) due.push_back({static_cast<double>(bar.degree), birth, death});
+    }
     std::sort(found.begin(), found.end());
     std::sort(due.begin(), due.end());
-    if (found != due) verdict->add("exact", "the bars join other births and deaths than the true ones");
+    if (found.size() != due.size())
+        return verdict->add("exact", count_text(found.size()) + " bars, " + count_text(due.size()) + " are due");
+    for (std::size_t i = 0; i < found.size(); i++)
+        if (found[i] != due[i])
+            return verdict->add("exact", "a bar from " + exact_text(found[i][1]) + " to " + exact_text(found[i][2]) +
+                                             " where one from " + exact_text(due[i][1]) + " to " +
+                                             exact_text(due[i][2]) + " is due");
 }
 
-void judge_value_error(const DiagramFile& diagram, double value_error, Verdict* verdict) {
-    if (!(value_error > 0 && value_error < 1e-9)) verdict->add("error", "a value_error of " + exact_text(value_error));
-    if (diagram.number("value-error", -1) != value_error)
-        verdict->add("error", "\"# value-error " + diagram.text("value-error") + "\" where the report has " +
-                                  exact_text(value_error));
-}
-
-// Values are within value_error of those that the ratio c speaks of: at most 1 / (1 - value_error) times those, and no
-// less than one by that.
-void judge_near(const DiagramFile& diagram, const Truth& truth, int top, double value_error, Verdict* verdict) {
+void judge_near(const DiagramFile& diagram, const Truth& truth, int top, Verdict* verdict) {
+    if (diagram.ratio() == 1) return judge_exact(diagram, truth, top, verdict);
     DiagramFile wide = diagram;
-    wide.set("certified-ratio", exact_text(std::nextafter(diagram.ratio() / (1 - value_error), INFINITY)));
+    wide.set("certified-ratio", exact_text(diagram.ratio() * (1 + 0x1p-51)));
     Verdict near;
     judge_ratio(wide, truth, top, &near);
     for (const Fault& fault : near.faults) verdict->add("near", fault.text);

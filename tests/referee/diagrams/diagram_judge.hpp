@@ -9,9 +9,8 @@
 //             death <= a c(a) for some a. A bar that dies after max(S, its birth) is surely real.
 //   bounds    `# birth A B death C D real`: the bars that are real belong to different true bars within their bounds;
 //             so do all that the scales do not allow to be left over.
-//   exact     alpha: as many bars of positive length as there are, births and deaths in the order of the true ones,
-//             different where these are, and within `value_error` of them.
-//   near      filters on the points themselves: the ratio, but for value_error.
+//   exact     the true bars, births and deaths rounded to the nearest double, ties to even, as far as they then differ.
+//   near      filters on the points themselves: exact where the ratio is 1, else the ratio but for 2^-51.
 #pragma once
 #include "../verdict.hpp"
 #include "diagram_file.hpp"
@@ -22,10 +21,8 @@ namespace referee {
 void judge_ratio(const DiagramFile& diagram, const Truth& truth, int top, Verdict* verdict);
 void judge_scales(const DiagramFile& diagram, const Truth& truth, int top, Verdict* verdict);
 void judge_bounds(const DiagramFile& diagram, const Truth& truth, int top, Verdict* verdict);
-void judge_exact(const DiagramFile& diagram, const Truth& truth, int top, double value_error, Verdict* verdict);
-void judge_near(const DiagramFile& diagram, const Truth& truth, int top, double value_error, Verdict* verdict);
-// What a file says of it and a report, which value_error is from.
-void judge_value_error(const DiagramFile& diagram, double value_error, Verdict* verdict);
+void judge_exact(const DiagramFile& diagram, const Truth& truth, int top, Verdict* verdict);
+void judge_near(const DiagramFile& diagram, const Truth& truth, int top, Verdict* verdict);
 
 // The least ratio, to 2^-12 of it, for which judge_ratio finds nothing; above `most`: most.
 double true_ratio(DiagramFile diagram, const Truth& truth, int top, double most);

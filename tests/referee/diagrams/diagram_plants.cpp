@@ -85,9 +85,12 @@ const std::vector<DiagramPlant>& diagram_plants() {
              return set_line(made, "certified-ratio", exact_text(std::sqrt(ratio)));
          },
          false},
-        {"cech", "a value_error that is too small",
-         [](Made* made, const Ground&, Random&) {
-             return set_line(made, "value-error", exact_text(made->value_error / 2));
+        {"cech", "a death one unit in the last place off",
+         [](Made* made, const Ground&, Random& random) {
+             Bar* const bar = finite_bar(made, random, true);
+             if (bar == nullptr) return false;
+             bar->death = std::nextafter(bar->death, INFINITY);
+             return true;
          },
          false},
         {"complete", "a bar is missing",

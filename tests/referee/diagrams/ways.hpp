@@ -13,7 +13,7 @@ enum class Reference { offsets, kth, k_distance, rips };
 enum class Promise {
     by_ratio,  // the certified ratio, and with --bounds scales and bounds
     exact,     // alpha
-    near       // filters on the points themselves: the certified ratio but for value_error
+    near       // filters on the points themselves: exact, or with a ratio above 1 that but for a unit in the last place
 };
 
 struct Way {
