@@ -18,11 +18,11 @@ namespace netmesh {
 
 class ExactSphere {
 public:
-    static constexpr int dim_max = 6;
+    static constexpr int dim_max = dimension_most();
     // Words of scratch that a question takes in dimension `dim`.
     static constexpr std::size_t room(int dim) { return std::size_t(dim + 3) * residue_prime_count; }
 
-    // point: k+1 addresses of dim finite coordinates; not read later. 1 <= k <= dim <= 6.
+    // point: k+1 addresses of dim finite coordinates; not read later. 1 <= k <= dim <= dimension_most().
     ExactSphere(const double* const* point, int k, int dim);
 
     // Whether the table of primes is long enough for signs: differences of coordinates below 2^(16,700 / (2k+2))

@@ -47,21 +47,85 @@ namespace netmesh {
 //     upper part times lower and lower times whole, is at most q sqrt(D) (|e_i| + |e_i - 2 x| / 2 + q) < 1.6 sqrt(D) q
 //     m and takes D + 5 <= 2 D + 3 roundings: it is off by (2 D + 3) 1.7 sqrt(D) u 2^-25 m^2 at most, times |b_i|; and
 //     |2 x|^2, with the sum of all, by no more.
+//  7. A closer look, where that is not enough. Products are computed exactly, but for terms of third order, and summed
+//  in
+//     twice the digits, so that each e_i . (e_i - 2 x) is off by 32 D u^2 l_i 2 R at most; times |b_i|, |b_i| l_i
+//     <= 1.01 Z, all are off by less than 65 D K u^2 L^2 < 2^-94 L^2. They are -2 e_i . (x - z): so what of x - z is in
+//     the span of the e_i is at most sqrt(e) P times the root of the sum of their squares over 4 l_i^2, and as much of
+//     the next digits, which the 2^-94 has room for. What is not, where K < D, is at most (2 K sqrt(e K) P + K
+//     sqrt(K)) 1.05 u R, by 1 and the sum of 3. The sum of (b_i - beta_i) e_i is x - z and what x is beside the sum of
+//     the b_i e_i, which is computed to (K + 2) (K + 1) u L. With X for |x - z|^2 and Y for twice the sum of squares of
+//     the other two, 5 is off by 4 X + Y at most, and by the rounding of products as they are.
 // Sizes within 2^+-200 and P <= 2^12 keep what underflows below 2^-300 of all this.
 struct CircumsphereBounds {
-    double centre_error, beta_error, digit_error;  // a, beta_error and the last factor of m^2 of the head
+    double centre_error, beta_error, digit_error;  // a, beta_error and the factor of m^2 in 6
+    double off_span, off_sum;                      // squares of the factors of P L and L in 7
     static constexpr double volume_min = 0x1p-24;
 
-    constexpr CircumsphereBounds(int k, int dim) : centre_error(0), beta_error(0), digit_error(0) {
+    constexpr CircumsphereBounds(int k, int dim)
+        : centre_error(0), beta_error(0), digit_error(0), off_span(0), off_sum(0) {
         constexpr double root_ek[7] = {0, 1.65, 2.34, 2.86, 3.30, 3.69, 4.04};  // sqrt(e K), rounded up
         constexpr double root_k[7] = {0, 1, 1.42, 1.74, 2, 2.24, 2.45};
         const double angles = (k - 1.0) * (2 * dim + 2 * k + 4) * (1 << k) / 4;  // (K-1) w / u P
         const double centre = root_ek[k] * (dim + 2 + 6 * k);
         centre_error = 1.05 * unit_roundoff * (angles + centre + (dim + 2) * root_k[k] + 2 * k * k * k);
         beta_error = 1.65 * centre_error;
+        const double leave = k < dim ? 1.05 * unit_roundoff * (2 * k * root_ek[k] + k * root_k[k]) : 0;
+        off_span = leave * leave;
+        off_sum = (k + 2.0) * (k + 1) * unit_roundoff * (k + 2) * (k + 1) * unit_roundoff;
         digit_error = (2 * dim + 3) * 1.7 * root_k[dim] * unit_roundoff * 0x1p-25;
     }
 };
+
+// Coordinate d of vertex i of each simplex.
+template <class Lanes> inline Lanes coordinate_of(const double* const* const* point, std::uint32_t i, std::uint32_t d) {
+    Lanes x = {};
+    for (int lane = 0; lane < lane_count<Lanes>; ++lane) set_lane(x, lane, point[lane][i][d]);
+    return x;
+}
+
+// 7 of the head, of x doubled and the b_i, not often: for all k and dim. spread: P^2, largest: L^2.
+template <class Lanes>
+[[gnu::noinline]] NearestRoot<Lanes> closer_look(std::uint32_t k, std::uint32_t dim, const double* const* const* point,
+                                                 const Lanes* doubled, const Lanes* weight, Lanes spread,
+                                                 Lanes largest) {
+    const CircumsphereBounds bounds(static_cast<int>(k), static_cast<int>(dim));
+    Lanes high = {}, low = {}, residual = {}, rounding = {}, gap = {};
+    for (std::uint32_t d = 0; d < dim; ++d) {
+        const TwoLanes<Lanes> term = exact_square(doubled[d]), sum = exact_sum(high, term.high);
+        high = sum.high;
+        low += sum.low + term.low;
+    }
+    high = high / 4;
+    low = low / 4;
+    for (std::uint32_t i = 0; i < k; ++i) {
+        Lanes top = {}, rest = {}, length = {};
+        for (std::uint32_t d = 0; d < dim; ++d) {
+            const TwoLanes<Lanes> edge = exact_difference(coordinate_of<Lanes>(point, i + 1, d),
+                                                          coordinate_of<Lanes>(point, 0, d)),
+                                  away = exact_difference(edge.high, doubled[d]),
+                                  term = exact_product(edge.high, away.high), sum = exact_sum(top, term.high);
+            top = sum.high;
+            rest += sum.low + (term.low + (edge.high * (away.low + edge.low) + edge.low * away.high));
+            length += edge.high * edge.high;
+        }
+        const Lanes product_with = top + rest, most = lanes_absolute(product_with);
+        low += weight[i] * product_with;
+        residual += most * most / length;
+        rounding += lanes_absolute(weight[i]) * most;
+    }
+    for (std::uint32_t d = 0; d < dim; ++d) {
+        Lanes beside = doubled[d] / 2;
+        for (std::uint32_t i = 0; i < k; ++i)
+            beside -= weight[i] * (coordinate_of<Lanes>(point, i + 1, d) - coordinate_of<Lanes>(point, 0, d));
+        gap += beside * beside;
+    }
+    const TwoLanes<Lanes> square = exact_sum(high, low);
+    const Lanes apart = 0.75 * spread * residual + (1.05 * bounds.off_span * spread + 0x1p-94) * largest;
+    return nearest_root(square.high, square.low,
+                        1.05 * (4 * apart + 2 * gap + 2 * bounds.off_sum * largest) +
+                            rounding * ((k + 2) * k * unit_roundoff));
+}
 
 // lane_count<Lanes> simplices of K+1 points in R^D, 2 <= K <= D. Where a bit of the result is set, `within` or the
 // radius of that simplex is right. Not certain: simplices that are flat for the precision, sizes far from 1, a beta_i
@@ -73,17 +137,12 @@ inline Certainty circumspheres_fast(DimensionOf<K> k, DimensionOf<D> dim, const 
     constexpr int k_max = DimensionOf<K>::most, dim_max = DimensionOf<D>::most;
     constexpr double size_min = 0x1p-200, size_max = 0x1p200;
     const CircumsphereBounds bounds(static_cast<int>(std::uint32_t{k}), static_cast<int>(std::uint32_t{dim}));
-    const auto coordinate = [point](std::uint32_t i, std::uint32_t d) {
-        Lanes x = {};
-        for (int lane = 0; lane < lane_count<Lanes>; ++lane) set_lane(x, lane, point[lane][i][d]);
-        return x;
-    };
     Lanes e[k_max][dim_max], b[k_max], n[k_max], whole[k_max], r[k_max][k_max], y[k_max], at[k_max];
     Mask sure = ~Mask{};
     Lanes whole_min = all_lanes<Lanes>(size_max), product = all_lanes<Lanes>(1), radius_squared = {};
     for (std::uint32_t d = 0; d < dim; ++d) {
-        const Lanes base = coordinate(0, d);
-        for (std::uint32_t i = 0; i < k; ++i) e[i][d] = coordinate(i + 1, d) - base;
+        const Lanes base = coordinate_of<Lanes>(point, 0, d);
+        for (std::uint32_t i = 0; i < k; ++i) e[i][d] = coordinate_of<Lanes>(point, i + 1, d) - base;
     }
     for (std::uint32_t i = 0; i < k; ++i) {
         n[i] = e[i][0] * e[i][0];
@@ -167,7 +226,8 @@ inline Certainty circumspheres_fast(DimensionOf<K> k, DimensionOf<D> dim, const 
     for (std::uint32_t i = 0; i < k; ++i) {
         Lanes top = {}, rest = {};
         for (std::uint32_t d = 0; d < dim; ++d) {
-            const TwoLanes<Lanes> edge = exact_difference(coordinate(i + 1, d), coordinate(0, d));
+            const TwoLanes<Lanes> edge =
+                exact_difference(coordinate_of<Lanes>(point, i + 1, d), coordinate_of<Lanes>(point, 0, d));
             const Lanes above = (edge.high + cut) - cut, below_it = (edge.high - above) + edge.low;
             const Lanes away = above - upper[d], away_below = below_it - (centre[d] - upper[d]);
             top += above * away;
@@ -177,9 +237,10 @@ inline Certainty circumspheres_fast(DimensionOf<K> k, DimensionOf<D> dim, const 
         weights += lanes_absolute(weight[i]);
     }
     const TwoLanes<Lanes> square = exact_sum(high, low);
-    const Lanes doubt =
-        largest * (5 * bounds.centre_error * bounds.centre_error * spread) + size * size * weights * bounds.digit_error;
-    const NearestRoot<Lanes> nearest = nearest_root(square.high, square.low, doubt);
+    NearestRoot<Lanes> nearest = nearest_root(square.high, square.low,
+                                              largest * (5 * bounds.centre_error * bounds.centre_error * spread) +
+                                                  size * size * weights * bounds.digit_error);
+    if (any_lane(sure & ~nearest.known)) nearest = closer_look<Lanes>(k, dim, point, centre, weight, spread, largest);
     Certainty certain = {0, 0};
     for (int i = 0; i < lane_count<Lanes>; ++i) {
         std::uint32_t within = lane(first, i) < 0;

@@ -42,6 +42,12 @@ inline std::int64_t below(double a, double b) { return -static_cast<std::int64_t
 template <class Lanes> inline LaneMask<Lanes> same(Lanes a, Lanes b) { return a == b; }
 inline std::int64_t same(double a, double b) { return -static_cast<std::int64_t>(a == b); }
 
+template <class Mask> inline bool any_lane(Mask a) {
+    std::int64_t any = 0;
+    for (int i = 0; i < static_cast<int>(sizeof(Mask) / sizeof any); ++i) any |= mask_lane(a, i);
+    return any != 0;
+}
+
 template <class Lanes> inline Lanes select(LaneMask<Lanes> where, Lanes a, Lanes b) {
     return lanes_of<Lanes>((lane_bits(a) & where) | (lane_bits(b) & ~where));
 }
