@@ -64,9 +64,8 @@ ExactSphere::ExactSphere(const double* const* point, int k, int dim) : k_(k), di
 }
 
 ExactSphere::Residues ExactSphere::modulo(const ResiduePrime& prime) const {
-    std::uint64_t power[scaled_power_max + 1], edge[dim_max][dim_max], gram[dim_max][dim_max] = {};
-    power[0] = 1;
-    for (int i = 1; i <= power_max_; ++i) power[i] = multiply(power[i - 1], prime.excess, prime);
+    const PowersByBits power(power_max_, prime);
+    std::uint64_t edge[dim_max][dim_max], gram[dim_max][dim_max] = {};
     for (int c = 0; c < dim_; ++c) {
         const std::uint64_t base = residue_of(x_[0][c], power, prime);
         for (int i = 0; i < k_; ++i)

@@ -25,13 +25,6 @@ inline ScaledInteger scaled_integer(double x, int quantum) {
 
 constexpr int scaled_power_max = (971 + 1074) / 61;
 
-// power[k]: 2^(61 k) modulo the prime.
-inline std::uint64_t residue_of(const ScaledInteger& x, const std::uint64_t* power, const ResiduePrime& prime) {
-    std::uint64_t r = multiply(x.mantissa, std::uint64_t{1} << x.shift, prime);
-    if (x.power != 0) r = multiply(r, power[x.power], prime);
-    return x.negative && r != 0 ? prime.value - r : r;
-}
-
 // The powers 2^(61 k), k <= scaled_power_max, modulo a prime, by the bits of k: a fifth of a table of them. Most
 // coordinates need none.
 class PowersByBits {
