@@ -503,9 +503,8 @@ class netmesh_diagram_report(Structure):
                 ("k", c_uint32), ("representatives", c_uint32), ("pairs", c_uint64 * (NETMESH_DEGREE_MAX + 1)),
                 ("essential", c_uint64 * (NETMESH_DEGREE_MAX + 1)), ("simplices", c_uint64),
                 ("certified_ratio", c_double), ("certified_ratio_best", c_double), ("certified_from", c_double),
-                ("value_error", c_double), ("certified_focus", c_double), ("certified_error", c_double),
-                ("fitted_error", c_double), ("why", c_int), ("reserved_word", c_uint32), ("tried_points", c_uint64),
-                ("tried_cells", c_uint64)]
+                ("certified_focus", c_double), ("certified_error", c_double), ("fitted_error", c_double),
+                ("why", c_int), ("reserved_word", c_uint32), ("tried_points", c_uint64), ("tried_cells", c_uint64)]
 
 
 class netmesh_bounds_report(Structure):
@@ -528,7 +527,7 @@ class netmesh_vineyard_report(Structure):
     _fields_ = [("present", c_uint32), ("filter", c_int), ("values", c_int), ("max_degree", c_uint32),
                 ("k_first", c_uint32), ("k_last", c_uint32), ("vines", c_uint64), ("points", c_uint64),
                 ("transpositions", c_uint64), ("simplices", c_uint64), ("certified_ratio", c_double),
-                ("value_error", c_double), ("reserved", c_uint64 * (1))]
+                ("reserved", c_uint64 * (2))]
 
 
 class netmesh_complex_report(Structure):
