@@ -173,12 +173,20 @@ Outcome judge_alpha_of_points(const DiagramClaim& claim, const PointCloud& point
     return judge_degree_zero(claim, points, why, checked);
 }
 
+// Of all dimensions. By Euler's formula, with a facet of two cells at most: in the plane as many edges as vertices and
+// cells, but for one; in space two facets for each cell, and as many edges as vertices and cells.
+std::size_t least_faces(const MeshFiles& files) {
+    const std::size_t vertices = files.node.cloud.rows(), cells = files.cells.lines.size(), dim = files.node.cloud.dim;
+    if (dim == 2) return 2 * (vertices + cells) - 1;
+    if (dim == 3) return 2 * vertices + 4 * cells;
+    return vertices + cells + (dim + 1) * cells / 2;
+}
+
 }  // namespace
 
 Outcome judge_alpha(const DiagramClaim& claim, const MeshFiles& files, const std::string& whose, bool* is_too_large,
                     std::vector<std::string>* checked) {
-    // A cell has at least as many faces of its own as it has facets, halved.
-    *is_too_large = files.cells.lines.size() > alpha_simplices_max / 2;
+    *is_too_large = least_faces(files) > alpha_simplices_max;
     if (*is_too_large) return {};
     const std::string complaint = delaunay_complaint(exact_places(files.node.cloud), files.cells);
     if (!complaint.empty())

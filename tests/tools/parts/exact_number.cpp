@@ -72,7 +72,7 @@ TEST_CASE("exact numbers: sums, differences, products and order are GMP's") {
             CHECK(is_same(Exact(a) * Exact(b), mpq_class(a) * mpq_class(b)));
             CHECK(is_same(-Exact(a), -mpq_class(a)));
             CHECK(Exact(a).sign() == sgn(mpq_class(a)));
-            CHECK(compare(Exact(a), Exact(b)) == cmp(mpq_class(a), mpq_class(b)));
+            CHECK(compare(Exact(a), Exact(b)) == sgn(mpq_class(a) - mpq_class(b)));
             // Longer ones, of which much cancels.
             const mpq_class p = mpq_class(a) * b + mpq_class(c) * c, q = p * p - mpq_class(a) * c;
             const Exact x = Exact(a) * Exact(b) + Exact(c) * Exact(c), y = x * x - Exact(a) * Exact(c);
