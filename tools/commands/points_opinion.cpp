@@ -25,14 +25,14 @@ constexpr std::size_t sample_max = 1000;
 // Rounded up. Certified values of barycentric-rips are the filter's own times that.
 constexpr double fourth_root_of_two = 0x1.306fe0a31b716p0;
 
-// Bars of a file that have a length, and their places in it.
-struct LongBars {
+// Bars of a file, with --all those that have a length, and their places in it.
+struct ComparedBars {
     std::vector<Bar> bars;
     std::vector<std::size_t> places;
 
-    explicit LongBars(const DiagramFile& file) {
+    ComparedBars(const DiagramFile& file, bool all) {
         for (std::size_t i = 0; i < file.bars.size(); i++) {
-            if (file.bars[i].birth == file.bars[i].death) continue;
+            if (all && file.bars[i].birth == file.bars[i].death) continue;
             bars.push_back(file.bars[i]);
             places.push_back(i);
         }
@@ -47,7 +47,7 @@ struct LongBars {
 // Every bar, and cycles if there are some. `how` the complex was made.
 Outcome judge_exact(const DiagramClaim& claim, const FilteredComplex& complex, const std::string& how,
                     std::vector<std::string>* checked) {
-    const LongBars have(claim.file);
+    const ComparedBars have(claim.file, claim.made.all);
     std::size_t at = 0;
     const std::string complaint = complex.bars_complaint(have.bars, *claim.made.max_degree, false, &at);
     if (!complaint.empty()) return have.wrong(claim.file, at, complaint + " in exact arithmetic");
@@ -62,7 +62,7 @@ Outcome judge_degree_zero(const DiagramClaim& claim, const PointCloud& points, c
                           std::vector<std::string>* checked) {
     const PointCloud different = different_points(points);
     const std::size_t n = different.rows();
-    const LongBars have(claim.file);
+    const ComparedBars have(claim.file, claim.made.all);
     std::vector<double> deaths;
     for (std::size_t i = 0; i < have.bars.size() && have.bars[i].degree == 0; i++) {
         if (have.bars[i].birth != 0) return have.wrong(claim.file, i, "points are born at 0");

@@ -169,6 +169,9 @@ void plant(Made& made, std::size_t step, std::uint32_t top = 9) {
         }
         CHECK(refused(bar.birth, bar.death, bar.degree + 1));
         wrong = right;
+        wrong.push_back({bar.degree, bar.birth, bar.birth});
+        CHECK(made.is_refused(wrong));
+        wrong = right;
         wrong.push_back(bar);
         CHECK(made.is_refused(wrong));
         wrong = right;
