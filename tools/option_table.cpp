@@ -65,9 +65,13 @@ const std::vector<CommandEntry>& command_entries() {
          "says\n"
          "itself how it was made, and options that contradict it are refused; one that does not say carries no "
          "certificate\n"
-         "unless options say it. With --mesh, for rips and cech with --points, other code gives a second opinion: "
-         "filter\n"
-         "values and ratios from the Voronoi cells, the pairs by a plain reduction, cycles' births and deaths.\n"
+         "unless options say it. Other code then gives a second opinion. With --points it makes exact diagrams again, "
+         "in exact\n"
+         "arithmetic: every bar, to the last bit; of too many points degree 0, or a sample of it. With --mesh: filter "
+         "values\n"
+         "and ratios from the Voronoi cells, the pairs by a plain reduction. With --representatives cycles' births and "
+         "deaths.\n"
+         "What was not looked at is said.\n"
          "Alone, a file is only looked at for what every diagram must satisfy.\n",
          "check mesh.node --points points.csv\n"
          "check diagram.pers --points points.csv\n"},

@@ -13,10 +13,10 @@ enum class Kind : std::uint8_t { flag, uint32, uint64, real, fingerprint, method
 // Marks of a figure.
 constexpr std::uint8_t array = 1, on_request = 2, positive = 4;  // positive: says nothing when it is 0
 
-// The word that says whether a figure applies: one of its bits, or any.
+// The word that says whether a figure applies: by one of its bits, or any; as a whole where `value` is not 0.
 struct Condition {
     std::uint16_t offset;
-    std::uint32_t bits;
+    std::uint32_t bits, value;
 };
 // How many places of an array are used: a uint32 of the struct and what is added to it.
 struct Length {
@@ -39,9 +39,11 @@ constexpr Length all_places = {always, 0};
 
 #define AT(member) static_cast<std::uint16_t>(offsetof(Struct, member))
 #define IF(member)                                                                                                     \
-    Condition { AT(member), any_bit }
+    Condition { AT(member), any_bit, 0 }
 #define IF_BIT(member, bit)                                                                                            \
-    Condition { AT(member), bit }
+    Condition { AT(member), bit, 0 }
+#define IF_IS(member, value)                                                                                           \
+    Condition { AT(member), any_bit, static_cast<std::uint32_t>(value) }
 #define ONE(path, kind, member, condition, marks, rank)                                                                \
     Row { path, Kind::kind, marks, AT(member), 1, condition, all_places, rank }
 #define ARRAY(path, kind, member, places, condition, length, plus, marks, rank)                                        \
@@ -53,12 +55,13 @@ template <class Report> struct Figures_of;
 
 template <> struct Figures_of<netmesh_report> {
     using Struct = netmesh_report;
-    static constexpr Condition unconditional = {always, 0};
+    static constexpr Condition unconditional = {always, 0, 0};
     static constexpr Condition points = IF(input.dim), meshed = IF(mesh.present), domain = IF(mesh.is_mesh),
                                hierarchy = IF_BIT(mesh.method, NETMESH_METHOD_HIERARCHY),
                                location = IF_BIT(mesh.audit.what, NETMESH_AUDIT_LOCATION),
                                quality = IF_BIT(mesh.audit.what, NETMESH_AUDIT_QUALITY), diagram = IF(diagram.present),
-                               scales = IF(scales.present), bounds = IF(bounds.present), vines = IF(vineyard.present),
+                               function = IF_IS(diagram.filter, NETMESH_FILTER_FUNCTION), scales = IF(scales.present),
+                               bounds = IF(bounds.present), vines = IF(vineyard.present),
                                decision = IF(decision.present);
     static constexpr std::uint16_t degrees = NETMESH_DEGREE_MAX + 1;
     static constexpr auto before_pairs = static_cast<std::uint8_t>(FingerprintPart::diagram);
@@ -121,7 +124,7 @@ template <> struct Figures_of<netmesh_report> {
         ONE("diagram.certified_ratio", real, diagram.certified_ratio, diagram, 0, before_pairs),
         ONE("diagram.certified_ratio_best", real, diagram.certified_ratio_best, diagram, 0, 0),
         ONE("diagram.from", real, diagram.certified_from, diagram, 0, 0),
-        ONE("diagram.certified_error", real, diagram.certified_error, diagram, on_request | positive, 0),
+        ONE("diagram.certified_error", real, diagram.certified_error, function, on_request, 0),
         ONE("diagram.fitted_error", real, diagram.fitted_error, diagram, on_request | positive, 0),
         ONE("diagram.focus", real, diagram.certified_focus, diagram, on_request | positive, 0),
         ONE("diagram.simplices", uint64, diagram.simplices, diagram, 0, 0),
@@ -182,7 +185,7 @@ template <> struct Figures_of<netmesh_report> {
 
 template <> struct Figures_of<netmesh_analysis> {
     using Struct = netmesh_analysis;
-    static constexpr Condition unconditional = {always, 0};
+    static constexpr Condition unconditional = {always, 0, 0};
     static constexpr Condition size = IF(size.present), structure = IF(structure.present),
                                fatness = IF(fatness.present), boundary = IF(boundary.present),
                                all_cells = IF(all_cells.present);
@@ -305,8 +308,13 @@ netmesh_figure figure_of(const Row& row, const void* base, std::size_t bytes) {
     figure.count = row.places;
     if (row.length.offset != always) figure.count = read<std::uint32_t>(base, row.length.offset) + row.length.plus;
     if (figure.count > row.places) figure.count = row.places;
-    figure.applies =
-        row.condition.offset == always || (read<std::uint32_t>(base, row.condition.offset) & row.condition.bits) != 0;
+    const Condition& condition = row.condition;
+    if (condition.offset == always) {
+        figure.applies = 1;
+    } else {
+        const std::uint32_t word = read<std::uint32_t>(base, condition.offset);
+        figure.applies = condition.value != 0 ? word == condition.value : (word & condition.bits) != 0;
+    }
     if ((row.marks & positive) != 0) {
         const bool is_zero = bytes_of(row.kind) == 4 ? read<std::uint32_t>(base, row.offset) == 0
                                                      : read<std::uint64_t>(base, row.offset) == 0;

@@ -220,7 +220,7 @@ Outcome check_with_distances(const Options& open, const DiagramFile& file, const
         if (input.of_points()) outcome = compare_line(file, "duplicates", due);
         if (outcome.good()) outcome = compare_line(file, "input", due);
     }
-    if (outcome.good()) outcome = again.compare({"certified-ratio", "value-error", "reference"});
+    if (outcome.good()) outcome = again.compare({"certified-ratio", "reference"});
     if (!outcome.good()) return outcome;
     add_report(session, run);
     run->engine->input = report.input;
@@ -253,8 +253,8 @@ Outcome check_with_points(const Options& open, const DiagramFile& file, const st
     }
     const Reproduction again(file, points, made, session);
     if (outcome.good())
-        outcome = again.compare({"domain", "certified-ratio", "certified-from", "certified-error", "fitted-error",
-                                 "value-error", "reference"});
+        outcome = again.compare(
+            {"domain", "certified-ratio", "certified-from", "certified-error", "fitted-error", "reference"});
     if (!outcome.good()) return outcome;
     if (by_scales && !cycles.empty()) outcome = compare_cycles(cycles, session.engine());
     if (!outcome.good()) return outcome;
@@ -333,8 +333,7 @@ Outcome check_with_mesh(const Options& open, const DiagramFile& file, const std:
     if (outcome.good()) outcome = check_claims(made, session.engine());
     if (!outcome.good()) return explain_refusal(file, outcome);
     const Reproduction again(file, cloud, made, session);
-    outcome = again.compare(
-        {"dim", "domain", "certified-ratio", "certified-from", "certified-error", "value-error", "reference"});
+    outcome = again.compare({"dim", "domain", "certified-ratio", "certified-from", "certified-error", "reference"});
     if (!outcome.good()) return outcome;
     add_report(session, run);
     run->checked->push_back(again.said() +

@@ -66,9 +66,18 @@ Outcome read_cycles(const DiagramClaim& claim, std::vector<CycleEntry>* cycles);
 Outcome cycle_refused(const DiagramClaim& claim, const std::vector<CycleEntry>& cycles, std::size_t at,
                       const std::string& why);
 
+// The cycles of the claim, if it comes with some, are born with their bars and die with them in this complex.
+Outcome judge_cycles(const DiagramClaim& claim, const FilteredComplex& complex, std::vector<std::string>* checked);
+// The bars of an alpha diagram are those of the alpha complex of these vertices, to the last bit, and the cells are
+// their Delaunay triangulation; `whose` it is, for messages. *is_too_large: nothing was looked at.
+Outcome judge_alpha(const DiagramClaim& claim, const MeshFiles& files, const std::string& whose, bool* is_too_large,
+                    std::vector<std::string>* checked);
+
 // The same computed by other code than the engine's (tools/opinion): on a mesh the filter's values, its certified ratio
-// and the ratios by scale from the Voronoi cells, on mesh or points (Rips, Cech) the pairs by a plain reduction, and
-// each cycle's birth and death. What was found to hold, and what is too large to be looked at, goes to run->checked.
+// and the ratios by scale from the Voronoi cells, the pairs by a plain reduction, and each cycle's birth and death. Of
+// exact diagrams (alpha, rips, cech, barycentric) every bar, to the last bit, in exact arithmetic: of few points by
+// brute force, of alpha of more points by the triangulation that the engine makes, which is checked; of yet more points
+// degree 0 alone, or a sample of it. What was found to hold, and what was not looked at, goes to run->checked.
 Outcome second_opinion_on_mesh(const DiagramClaim& claim, const MeshFiles& files, RunReport* run);
 Outcome second_opinion_on_points(const DiagramClaim& claim, const PointCloud& points, RunReport* run);
 

@@ -225,11 +225,9 @@ Outcome check_result(const Engine& engine, const std::vector<Bar>& bars, const S
     const netmesh_diagram_report diagram = engine.report().diagram;
     std::string complaint = diagram_complaint(bars, nullptr, diagram.filter == NETMESH_FILTER_FUNCTION);
     const bool cycles = diagram.representatives != 0;
-    const bool own_values = about(diagram.filter).source == NETMESH_SOURCE_MESH;
     const bool by_scales = about(diagram.filter).source == NETMESH_SOURCE_SCALES;
     if (complaint.empty() && cycles && by_scales) complaint = point_cycles_complaint(engine, complex, cloud);
-    if (complaint.empty() && cycles && !by_scales)
-        complaint = cycles_complaint(engine, complex, own_values ? 0 : radius_tolerance);
+    if (complaint.empty() && cycles && !by_scales) complaint = cycles_complaint(engine, complex, 0);
     if (complaint.empty()) return {};
     return {Exit::check, "netmesh: check failed: diagram: " + complaint};
 }

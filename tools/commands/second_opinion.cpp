@@ -38,6 +38,20 @@ Outcome cycle_refused(const DiagramClaim& claim, const std::vector<CycleEntry>& 
                       "check failed: bar " + bar_text(claim.file.bars, at) + " " + why, 0, Exit::check);
 }
 
+Outcome judge_cycles(const DiagramClaim& claim, const FilteredComplex& complex, std::vector<std::string>* checked) {
+    if (claim.cycles_path.empty()) return {};
+    std::vector<CycleEntry> cycles;
+    const Outcome outcome = read_cycles(claim, &cycles);
+    if (!outcome.good()) return outcome;
+    for (std::size_t i = 0; i < cycles.size(); i++) {
+        const std::string complaint = complex.cycle_complaint(cycles[i].simplices, cycles[i].bar);
+        if (!complaint.empty()) return cycle_refused(claim, cycles, i, complaint);
+    }
+    checked->push_back("second opinion: " + grouped_text(cycles.size()) +
+                       " cycles are closed, are born with their bars and die with them");
+    return {};
+}
+
 namespace {
 
 constexpr double cost_max = 1e9;  // some ten seconds
@@ -210,20 +224,6 @@ Outcome CellJury::judge(std::vector<std::string>* checked) {
     return {};
 }
 
-Outcome judge_cycles(const DiagramClaim& claim, const FilteredComplex& complex, std::vector<std::string>* checked) {
-    if (claim.cycles_path.empty()) return {};
-    std::vector<CycleEntry> cycles;
-    const Outcome outcome = read_cycles(claim, &cycles);
-    if (!outcome.good()) return outcome;
-    for (std::size_t i = 0; i < cycles.size(); i++) {
-        const std::string complaint = complex.cycle_complaint(cycles[i].simplices, cycles[i].bar);
-        if (!complaint.empty()) return cycle_refused(claim, cycles, i, complaint);
-    }
-    checked->push_back("second opinion: " + grouped_text(cycles.size()) +
-                       " cycles are closed, are born with their bars and die with them");
-    return {};
-}
-
 Outcome judge_pairs(const DiagramClaim& claim, const SimplexList& simplices, double slack,
                     std::vector<std::string>* checked) {
     if (!simplices) {
@@ -330,15 +330,10 @@ Outcome judge_function(const DiagramClaim& claim, const MeshFiles& files, RunRep
 }  // namespace
 
 Outcome second_opinion_on_mesh(const DiagramClaim& claim, const MeshFiles& files, RunReport* run) {
-    const std::uint32_t top = *claim.made.max_degree + 1;
     if (files.node.domain.empty()) {
-        bool is_flat = false;
-        const SimplexList simplices = alpha_complex(files, top, &is_flat);
-        if (!is_flat) return judge_pairs(claim, simplices, radius_tolerance, &*run->checked);
-        const std::string why = "a face of the complex is flat to the precision of its radii";
-        if (!claim.cycles_path.empty()) return usage_error("--representatives: " + why + ", which leaves cycles open");
-        run->checked->push_back("no second opinion on the pairs: " + why);
-        return {};
+        bool is_too_large = false;
+        const Outcome outcome = judge_alpha(claim, files, "of " + files.node.cloud.name, &is_too_large, &*run->checked);
+        return is_too_large ? judge_pairs(claim, {}, 0, &*run->checked) : outcome;
     }
     if (filter_of(claim.made) == NETMESH_FILTER_FUNCTION) return judge_function(claim, files, run);
     const double cost = opinion_cost(files);
@@ -353,20 +348,6 @@ Outcome second_opinion_on_mesh(const DiagramClaim& claim, const MeshFiles& files
     const Outcome outcome = jury.judge(&*run->checked);
     if (!outcome.good()) return outcome;
     return judge_mesh_pairs(claim, files, jury.values(), jury.slack(), &*run->checked);
-}
-
-Outcome second_opinion_on_points(const DiagramClaim& claim, const PointCloud& points, RunReport* run) {
-    const netmesh_filter filter = filter_of(claim.made);
-    if (about(filter).source == NETMESH_SOURCE_SCALES) return second_opinion_on_scales(claim, points, run);
-    if (filter != NETMESH_FILTER_RIPS && filter != NETMESH_FILTER_CECH) {
-        if (!claim.cycles_path.empty())
-            return usage_error("--representatives needs --mesh, or filter scales, rips or cech");
-        run->checked->push_back("no second opinion: the same code ran twice; for filters on a mesh --mesh gives one");
-        return {};
-    }
-    const bool rips = filter == NETMESH_FILTER_RIPS;
-    return judge_pairs(claim, complex_of_points(points, rips, *claim.made.max_degree + 1), radius_tolerance,
-                       &*run->checked);
 }
 
 Outcome second_opinion_on_complex(const DiagramClaim& claim, const SimplexList& simplices, RunReport* run) {

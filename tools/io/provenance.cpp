@@ -186,6 +186,7 @@ private:
     Outcome collect();
     Outcome take_options();
     Outcome check_names();
+    Outcome check_version();
     Outcome check_facts();
     Outcome check_options();
     Outcome fault(std::uint64_t line, const std::string& complaint) const { return line_error(file_, line, complaint); }
@@ -239,6 +240,9 @@ Outcome HeadReader::take_options() {
 
 // Every line that is due once, and no other. Which are due is what the writer says.
 Outcome HeadReader::check_names() {
+    if (const HeadLine* const old = found_.find("value-error"))
+        return fault(*old, "this file was made by netmesh 0.2.0 or before, whose births and deaths were not rounded to "
+                           "nearest; make the diagram again");
     constexpr const char* facts[] = {"version", "points", "certified-ratio", "reference"};
     Head due = option_head(found_.options);
     for (const char* fact : facts) due.push_back({fact, ""});
@@ -252,8 +256,8 @@ Outcome HeadReader::check_names() {
         if (find_line(found_.lines, line.name) != &line)
             return fault(line, "the head says that twice; leave one of the two lines out");
         if (find_line(due, line.name) != nullptr || line.name == "certified-from") continue;
-        constexpr const char* others[] = {"dim",  "duplicates",      "domain",       "input",
-                                          "mesh", "certified-error", "fitted-error", "value-error"};
+        constexpr const char* others[] = {"dim",  "duplicates",      "domain",      "input",
+                                          "mesh", "certified-error", "fitted-error"};
         if (!is_option(line.name) &&
             std::none_of(std::begin(others), std::end(others), [&](const char* other) { return line.name == other; }))
             return fault(line, "not a line of a head; comments of your own go behind the bars or before the head");
@@ -265,6 +269,28 @@ Outcome HeadReader::check_names() {
             return fault(first_, "the head lacks the line " + quoted("# " + line.name) +
                                      "; write the file anew, or take the head out and give options");
     }
+    return {};
+}
+
+// MAJOR.MINOR.PATCH, not after this program's own: a later one may mean something else by the same lines.
+Outcome HeadReader::check_version() {
+    const HeadLine& line = *found_.find("version");
+    std::uint64_t number[3] = {};
+    std::size_t parts = 0, at = 0;
+    bool good = true;
+    while (good && parts < 3) {
+        const std::size_t end = std::min(line.value.find('.', at), line.value.size());
+        const std::string digits = line.value.substr(at, end - at);
+        good = !digits.empty() && digits.size() < 5 && digits.find_first_not_of("0123456789") == std::string::npos &&
+               parse_unsigned(digits, &number[parts]) && (parts < 2) == (end < line.value.size());
+        at = end + 1;
+        parts++;
+    }
+    if (!good) return fault(line, "not a version, such as " + std::string(netmesh_version_text()));
+    constexpr std::uint64_t own[] = {NETMESH_VERSION_MAJOR, NETMESH_VERSION_MINOR, NETMESH_VERSION_PATCH};
+    if (std::lexicographical_compare(std::begin(own), std::end(own), std::begin(number), std::end(number)))
+        return fault(line, "made by a later version than this program, which is " +
+                               std::string(netmesh_version_text()) + "; use one that is not older than the file");
     return {};
 }
 
@@ -287,7 +313,7 @@ Outcome HeadReader::check_facts() {
     const HeadLine* const domain = found_.find("domain");
     if (domain != nullptr && !is_ball(domain->value, dim))
         return fault(*domain, "must be a centre of as many coordinates as # dim says, and a radius above 0");
-    for (const char* name : {"certified-ratio", "certified-from", "certified-error", "fitted-error", "value-error"}) {
+    for (const char* name : {"certified-ratio", "certified-from", "certified-error", "fitted-error"}) {
         const HeadLine* const line = found_.find(name);
         const double least = name == std::string_view("certified-ratio") ? 1 : 0;
         if (line != nullptr && !is_number(line->value, least))
@@ -314,6 +340,7 @@ Outcome HeadReader::read(std::optional<Provenance>* provenance) {
     if (!outcome.good() || first_ == 0) return outcome;
     outcome = take_options();
     if (outcome.good()) outcome = check_names();
+    if (outcome.good()) outcome = check_version();
     if (outcome.good()) outcome = check_facts();
     if (outcome.good()) outcome = check_options();
     if (outcome.good()) *provenance = std::move(found_);

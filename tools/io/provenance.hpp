@@ -7,7 +7,7 @@
 //   tau fit memory ratio
 //                       whole-cells focus from to eps theta max-degree all bounds seed
 //   of the input        dim points duplicates, input or mesh; of distances points and input
-//   of the result       domain certified-ratio certified-from certified-error fitted-error value-error reference
+//   of the result       domain certified-ratio certified-from certified-error fitted-error reference
 //
 // Options are what decides the bars, each with the value that was used, given or not: `netmesh persist POINTS` with all
 // of them, but tau where there is a ratio, makes the same file. `input` is the fingerprint of the coordinates, or of
@@ -15,8 +15,10 @@
 // values at the vertices of a mesh and of the vertices' coordinates; `domain` centre and radius of the ball that was
 // meshed; `reference` the function that the ratio is about, from the scale `certified-from` on; `certified-error`, of
 // the filter function, how far births and deaths are off at most, with --fit `fitted-error` the error that sizes of the
-// mesh were asked for, 0 for none; `value-error`, of alpha and filters on points, the share of themselves by which they
-// are.
+// mesh were asked for, 0 for none.
+//
+// Up to version 0.2.0 births and deaths of alpha and of filters on points were not rounded to nearest, and said in
+// `value-error` by how much they were off. Such files are not read as diagrams of this program.
 #pragma once
 #include <cstdint>
 #include <optional>
@@ -58,7 +60,8 @@ struct Provenance {
 };
 
 // Leaves *provenance empty where the file has no head. Exit::data with file and line for a line that is unknown,
-// unreadable, missing, there twice, or contradicted by another one.
+// unreadable, missing, there twice, or contradicted by another one; for a version that is none, or later than this
+// program; and for `value-error`.
 Outcome parse_head(std::string_view content, const std::string& file, std::optional<Provenance>* provenance);
 
 // Exit::usage when an option of a command line says something else than the file does.

@@ -1,13 +1,10 @@
 #include "tools/opinion/complexes.hpp"
 
 #include <algorithm>
-#include <cmath>
-#include <limits>
-#include <map>
 #include <set>
 
 #include "tools/opinion/clipped_nerve.hpp"
-#include "tools/opinion/spheres.hpp"
+#include "tools/opinion/exact_spheres.hpp"
 
 namespace netmesh::tool {
 
@@ -32,18 +29,6 @@ bool faces_of(const CellTable& cells, std::uint32_t top, std::set<Vertices>* fac
         if (faces->size() > opinion_simplices_max) return false;
     }
     return true;
-}
-
-// As files have it: the largest double stands for radii above it.
-double written(Real radius) { return static_cast<double>(std::min<Real>(radius, std::numeric_limits<double>::max())); }
-
-std::vector<Place> places_of(const PointCloud& cloud, const Vertices& vertices) {
-    std::vector<Place> places;
-    for (const std::uint32_t v : vertices) {
-        const double* const x = cloud.coordinates.data() + std::size_t{v} * cloud.dim;
-        places.emplace_back(x, x + cloud.dim);
-    }
-    return places;
 }
 
 }  // namespace
@@ -75,88 +60,198 @@ SimplexList mesh_complex(const MeshFiles& files, const std::vector<double>& valu
     return list;
 }
 
-SimplexList alpha_complex(const MeshFiles& files, std::uint32_t top, bool* is_flat) {
-    const PointCloud& cloud = files.node.cloud;
-    std::set<Vertices> faces;
-    if (!faces_of(files.cells, cloud.dim, &faces)) return {};
-    std::vector<FilteredSimplex> list;
-    for (std::size_t size = cloud.dim + 1; size > 0; size--) {
-        // Spheres of the faces of one dimension.
-        std::map<Vertices, Sphere> spheres;
-        for (const Vertices& face : faces) {
-            if (face.size() != size || smallest_circumsphere(places_of(cloud, face), &spheres[face])) continue;
-            if (is_flat != nullptr) *is_flat = true;
-            return {};
+namespace {
+
+// A face of a simplex that has its value, and the vertex that the simplex has besides.
+struct FaceOf {
+    Vertices vertices;
+    std::uint32_t other;
+    double value;
+};
+
+// One entry for each face, with the value at which it enters, of faces sorted by vertices. False where a face is flat.
+bool add_alpha_values(const std::vector<FaceOf>& faces, const std::vector<ExactPlace>& places,
+                      std::vector<FilteredSimplex>* level) {
+    for (std::size_t first = 0, last; first < faces.size(); first = last) {
+        const Vertices& vertices = faces[first].vertices;
+        std::vector<const ExactPlace*> corners;
+        for (const std::uint32_t v : vertices) corners.push_back(&places[v]);
+        const ExactSphere sphere(corners);
+        if (!sphere.is_independent()) return false;
+        double least = faces[first].value;
+        bool is_attached = false;
+        for (last = first; last < faces.size() && faces[last].vertices == vertices; last++) {
+            least = std::min(least, faces[last].value);
+            // No other point is inside the sphere of radius 0.
+            is_attached = is_attached || (vertices.size() > 1 && sphere.side(places[faces[last].other]) < 0);
         }
-        // The remaining vertex of each cofacet, which has its value already, against them.
-        std::map<Vertices, Real> first;
-        std::set<Vertices> attached, doubtful;
-        for (const FilteredSimplex& cofacet : list) {
-            if (cofacet.vertices.size() != size + 1) continue;
-            for (std::size_t i = 0; i <= size; i++) {
-                Vertices face = cofacet.vertices;
-                const std::uint32_t other = face[i];
-                face.erase(face.begin() + static_cast<std::ptrdiff_t>(i));
-                const Sphere& sphere = spheres[face];
-                const auto [at, added] = first.emplace(face, cofacet.value);
-                if (!added) at->second = std::min<Real>(at->second, cofacet.value);
-                const int inside = sphere.holds(places_of(cloud, {other})[0]);
-                if (inside > 0) attached.insert(face);
-                if (inside == 0) doubtful.insert(face);
-            }
-        }
-        for (const auto& [face, sphere] : spheres) {
-            // Rounding must not let a face enter after its cofacet.
-            Real value = sphere.radius;
-            const auto cofacet = first.find(face);
-            if (cofacet != first.end()) value = std::min(value, cofacet->second);
-            if (attached.count(face) != 0) {
-                value = cofacet->second;
-            } else if (doubtful.count(face) != 0 && cofacet->second > value * (1 + radius_tolerance / 8)) {
-                if (is_flat != nullptr) *is_flat = true;
-                return {};
-            }
-            list.push_back({face, written(value)});
-        }
+        level->push_back({vertices, is_attached ? least : sphere.radius()});
     }
-    list.erase(
-        std::remove_if(list.begin(), list.end(), [&](const FilteredSimplex& s) { return s.vertices.size() > top + 1; }),
-        list.end());
+    return true;
+}
+
+}  // namespace
+
+SimplexList alpha_complex(const MeshFiles& files, std::uint32_t top, std::size_t most) {
+    const std::vector<ExactPlace> places = exact_places(files.node.cloud);
+    const std::size_t columns = files.cells.columns;
+    // A facet is of at most two cells.
+    if (files.cells.lines.size() > 2 * most / (columns + 2)) return {};
+    std::vector<FilteredSimplex> list, level;
+    for (std::size_t c = 0; c < files.cells.lines.size(); c++) {
+        Vertices cell;
+        std::vector<const ExactPlace*> corners;
+        for (std::size_t i = 0; i < columns; i++) cell.push_back(files.cells.entries[c * columns + i]);
+        std::sort(cell.begin(), cell.end());
+        for (const std::uint32_t v : cell) corners.push_back(&places[v]);
+        const ExactSphere sphere(corners);
+        if (!sphere.is_independent()) return {};
+        level.push_back({cell, sphere.radius()});
+    }
+    std::size_t seen = level.size();
+    for (std::size_t size = columns; size > 0; size--) {
+        std::vector<FaceOf> faces;
+        for (const FilteredSimplex& s : level) {
+            if (size <= top + 1) list.push_back(s);
+            for (std::size_t i = 0; i < size && size > 1; i++) {
+                Vertices rest = s.vertices;
+                rest.erase(rest.begin() + static_cast<std::ptrdiff_t>(i));
+                faces.push_back({std::move(rest), s.vertices[i], s.value});
+            }
+        }
+        std::sort(faces.begin(), faces.end(), [](const FaceOf& a, const FaceOf& b) { return a.vertices < b.vertices; });
+        level.clear();
+        if (!add_alpha_values(faces, places, &level)) return {};
+        seen += level.size();
+        if (seen > most) return {};
+    }
     return list;
 }
 
 std::vector<Place> different_places(const PointCloud& cloud) {
+    const PointCloud different = different_points(cloud);
     std::vector<Place> places;
-    std::set<Place> seen;
-    for (std::size_t row = 0; row < cloud.rows(); row++) {
-        const Place place = places_of(cloud, {static_cast<std::uint32_t>(row)})[0];
-        if (seen.insert(place).second) places.push_back(place);
+    for (std::size_t row = 0; row < different.rows(); row++) {
+        const auto first = different.coordinates.begin() + static_cast<std::ptrdiff_t>(row * cloud.dim);
+        places.emplace_back(first, first + cloud.dim);
     }
     return places;
 }
 
-SimplexList complex_of_points(const PointCloud& cloud, bool rips, std::uint32_t top, std::size_t most) {
-    const std::vector<Place> places = different_places(cloud);
-    std::vector<Vertices> level;  // all sets of one size
-    for (std::uint32_t v = 0; v < places.size(); v++) level.push_back({v});
-    std::vector<FilteredSimplex> list;
-    for (std::uint32_t d = 0; d <= top; d++) {
-        std::vector<Vertices> next;
-        for (const Vertices& set : level) {
-            std::vector<Place> corners;
-            for (const std::uint32_t v : set) corners.push_back(places[v]);
-            Real value = 0;
-            for (const Place& a : corners) {
-                for (const Place& b : corners) value = std::max(value, std::sqrt(distance2(a, b)) / 2);
-            }
-            list.push_back({set, written(rips ? value : enclosing_radius(corners))});
-            for (std::uint32_t v = set.back() + 1; v < places.size() && d < top; v++) {
-                next.push_back(set);
-                next.back().push_back(v);
-            }
-            if (list.size() + next.size() > most) return {};
+namespace {
+
+// Radii of sets of points from those of their facets, which are in the order of their vertices.
+class SetRadii {
+public:
+    SetRadii(const PointCloud& cloud, bool rips) : cloud_(cloud), rips_(rips) {
+        if (!rips) places_ = exact_places(cloud);
+    }
+    // Half of the longest edge, or the radius of the smallest enclosing ball: that of the set's own sphere if its
+    // centre is strictly inside, or else the largest of the facets'. A largest one of rounded values is the rounded
+    // largest one.
+    double operator()(const Vertices& set, const std::vector<FilteredSimplex>& facets) const {
+        if (set.size() == 1) return 0;
+        if (set.size() == 2) return half_distance(row(set[0]), row(set[1]), cloud_.dim);
+        if (!rips_ && set.size() <= cloud_.dim + 1) {
+            std::vector<const ExactPlace*> corners;
+            for (const std::uint32_t v : set) corners.push_back(&places_[v]);
+            const ExactSphere sphere(corners);
+            if (sphere.is_independent() && sphere.is_centred()) return sphere.radius();
         }
-        level.swap(next);
+        double most = 0;
+        for (std::size_t i = 0; i < set.size(); i++) {
+            Vertices facet = set;
+            facet.erase(facet.begin() + static_cast<std::ptrdiff_t>(i));
+            const auto before = [](const FilteredSimplex& a, const Vertices& b) { return a.vertices < b; };
+            most = std::max(most, std::lower_bound(facets.begin(), facets.end(), facet, before)->value);
+        }
+        return most;
+    }
+
+private:
+    const double* row(std::uint32_t v) const { return cloud_.coordinates.data() + std::size_t{v} * cloud_.dim; }
+
+    const PointCloud& cloud_;
+    bool rips_;
+    std::vector<ExactPlace> places_;
+};
+
+}  // namespace
+
+PointCloud different_points(const PointCloud& cloud) {
+    PointCloud different;
+    different.name = cloud.name;
+    different.dim = cloud.dim;
+    std::set<std::vector<double>> seen;
+    for (std::size_t row = 0; row < cloud.rows(); row++) {
+        std::vector<double> x;
+        for (std::size_t k = 0; k < cloud.dim; k++) x.push_back(cloud.coordinates[row * cloud.dim + k] + 0.0);
+        if (seen.insert(x).second) different.coordinates.insert(different.coordinates.end(), x.begin(), x.end());
+    }
+    return different;
+}
+
+double count_of_sets(std::size_t members, std::uint32_t size) {
+    double sum = 0, choose = 1;
+    for (std::size_t s = 1; s <= size && s <= members; s++) {
+        choose = choose * static_cast<double>(members - s + 1) / static_cast<double>(s);
+        sum += choose;
+    }
+    return sum;
+}
+
+SimplexList complex_of_points(const PointCloud& given, bool rips, std::uint32_t top, std::size_t most) {
+    const PointCloud cloud = different_points(given);
+    if (count_of_sets(cloud.rows(), top + 1) > static_cast<double>(most)) return {};
+    const SetRadii radius(cloud, rips);
+    std::vector<FilteredSimplex> list, facets, level;
+    for (std::uint32_t v = 0; v < cloud.rows(); v++) level.push_back({{v}, 0});
+    while (!level.empty()) {
+        list.insert(list.end(), level.begin(), level.end());
+        facets.swap(level);
+        level.clear();
+        if (facets[0].vertices.size() > top) break;
+        for (const FilteredSimplex& s : facets) {
+            Vertices set = s.vertices;
+            set.push_back(0);
+            for (std::uint32_t v = s.vertices.back() + 1; v < cloud.rows(); v++) {
+                set.back() = v;
+                level.push_back({set, radius(set, facets)});
+            }
+        }
+    }
+    return list;
+}
+
+SimplexList nerve_of_sets(const PointCloud& given, std::uint32_t k, bool rips, double factor, std::uint32_t top,
+                          std::size_t most) {
+    const PointCloud cloud = different_points(given);
+    const std::uint32_t n = static_cast<std::uint32_t>(cloud.rows());
+    if (n < k || n > 16) return {};  // 2^n sets have radii
+    const SimplexList sets = complex_of_points(given, rips, n - 1, std::size_t{1} << n);
+    std::vector<double> radius(std::size_t{1} << n);
+    std::vector<std::uint32_t> members;
+    for (const FilteredSimplex& s : *sets) {
+        std::uint32_t mask = 0;
+        for (const std::uint32_t v : s.vertices) mask |= 1u << v;
+        radius[mask] = s.value;
+        if (s.vertices.size() == k) members.push_back(mask);
+    }
+    if (count_of_sets(members.size(), top + 1) > static_cast<double>(most)) return {};
+    std::vector<FilteredSimplex> list;
+    std::vector<std::uint32_t> unions;  // of the members of each
+    for (std::uint32_t m = 0; m < members.size(); m++) {
+        list.push_back({{m}, radius[members[m]] * factor});
+        unions.push_back(members[m]);
+    }
+    for (std::size_t at = 0; at < list.size(); at++) {
+        if (list[at].vertices.size() > top) break;
+        for (std::uint32_t m = list[at].vertices.back() + 1; m < members.size(); m++) {
+            Vertices more = list[at].vertices;
+            more.push_back(m);
+            unions.push_back(unions[at] | members[m]);
+            list.push_back({std::move(more), radius[unions.back()] * factor});
+        }
     }
     return list;
 }

@@ -83,7 +83,9 @@ void add_to_diagram(Json& json, const RunReport& run, std::string_view path) {
     if (path == "diagram.certified_ratio") {
         json.entry("reference", reference_name(*run.engine));
     } else if (path == "diagram.from") {
-        json.entry("units", run.engine->input.dim == 0 && !run.options->distances ? "value" : "radius");
+        const bool by_values = run.engine->diagram.filter == NETMESH_FILTER_FUNCTION ||
+                               (run.engine->input.dim == 0 && !run.options->distances);
+        json.entry("units", by_values ? "value" : "radius");
         json.entry("field", "Z/2");
     } else if (path == "diagram.scales.extended_ball") {
         json.entry("extended_ball_needed", 2.0);

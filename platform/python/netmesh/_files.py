@@ -1,5 +1,6 @@
 """Diagrams in files."""
 import os
+import warnings
 from typing import Union
 
 import numpy as np
@@ -11,6 +12,9 @@ from ._options import number_text
 from .errors import InvalidArgument
 
 MARKER = "# netmesh diagram 1: degree birth death"
+# Said of files with a line `# value-error`.
+BEFORE_ROUNDING = ("made by netmesh 0.2.0 or before, whose births and deaths were not rounded to nearest; make the "
+                   "diagram again")
 
 
 def head_of(diagram):
@@ -68,7 +72,10 @@ def save(diagram, path):
 
 
 def load(path: Union[str, os.PathLike]) -> Diagram:
-    """Reads a .pers file, of this package or of the tool. Bounds are not read: ``netmesh.check`` makes them anew."""
+    """Reads a .pers file, of this package or of the tool. Bounds are not read: ``netmesh.check`` makes them anew.
+
+    Warns of files of version 0.2.0 and before whose births and deaths were not rounded to nearest.
+    """
     head, rows = [], []
     with open(path, encoding="utf-8") as file:
         for number, line in enumerate(file):
@@ -86,6 +93,8 @@ def load(path: Union[str, os.PathLike]) -> Diagram:
                 name, _, value = line[1:].strip().partition(" ")
                 head.append((name, value.strip()))
     lines = dict(head)
+    if "value-error" in lines:
+        warnings.warn("%s: this file was %s" % (path, BEFORE_ROUNDING), stacklevel=2)
     if lines.get("filter") not in FILTERS:
         head, lines = [], {}
     rows.sort()
@@ -93,8 +102,7 @@ def load(path: Union[str, os.PathLike]) -> Diagram:
     top = int(lines.get("max-degree", max(degrees, default=0)))
     starts = np.searchsorted(degrees, np.arange(top + 2)).tolist()
     facts = {"filter": lines.get("filter", ""), "fingerprint": "", "reference": lines.get("reference", "")}
-    for name, default in (("certified-ratio", np.inf), ("certified-from", 0), ("certified-error", 0),
-                          ("value-error", 0)):
+    for name, default in (("certified-ratio", np.inf), ("certified-from", 0), ("certified-error", 0)):
         facts[name.replace("-", "_")] = float(lines.get(name, default))
     intervals = np.array([row[1:] for row in rows]).reshape(len(rows), 2)
     diagram = Diagram(intervals, starts, facts)
