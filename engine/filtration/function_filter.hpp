@@ -4,7 +4,8 @@
 // A vertex v gets a value t(v), a simplex the largest value of its vertices. Let lo_v <= F <= hi_v on all of v's
 // Voronoi cell for the function F whose sublevel sets are meant. The union of the cells with t <= b contains the
 // sublevel set at b / c and is contained in the one at c b, c = max over v of max(hi_v / t_v, t_v / lo_v), and the
-// cells' nerve is the filtration (8.6.1): the diagrams are within ln c on the log scale. The best values reach c* = max
+// cells' nerve is the filtration (8.6.1; of cospherical vertices the nerve of the cells of mesh_filter.hpp, on which lo
+// and hi hold as well): the diagrams are within ln c on the log scale. The best values reach c* = max
 // sqrt(hi_v / lo_v), see mesh_filter.hpp; the function's own values reach 1 / (1 - c t eps) on an eps-refined mesh
 // (8.6.3).
 //
