@@ -179,3 +179,69 @@ TEST_CASE("a class that ends beyond the largest double ends at infinity, and has
         }
     }
 }
+
+namespace {
+
+// Meshes with scales of interest, and whether they are what was asked for.
+class Focused {
+public:
+    explicit Focused(const inputs::Points& points, bool whole) : points_(points), session_(2) {
+        session_.request.whole_cells = whole;
+    }
+    bool make(double from, double to) {
+        ask(from, to);
+        return session_.mesh(points_, NETMESH_PURPOSE_PERSIST) == NETMESH_OK;
+    }
+    bool has(double from, double to) {
+        ask(from, to);
+        return session_.check() == NETMESH_OK;
+    }
+
+private:
+    void ask(double from, double to) { session_.request.certificate = {4, 1.7, from, to}; }
+
+    const inputs::Points& points_;
+    Session session_;
+};
+
+// The place between `good` and `bad` where has(x) changes, to the last place: the good side.
+template <class Has> double last_good(double good, double bad, Has has) {
+    for (;;) {
+        const double middle = good + (bad - good) / 2;
+        if (middle == good || middle == bad) return good;
+        (has(middle) ? good : bad) = middle;
+    }
+}
+
+}  // namespace
+
+// A cell's bounds are rounded outwards, and may reach scales of interest that they did not reach while it was refined.
+TEST_CASE("scales of interest that end within roundings of a cell's bounds") {
+    int ends = 0;
+    for (std::uint64_t seed = 1; seed <= 24; ++seed)
+        for (const bool whole : {false, true}) {
+            CAPTURE(seed);
+            CAPTURE(whole);
+            const inputs::Points points = inputs::uniform(2, 4 + seed % 7, seed);
+            Focused mesh(points, whole);
+            double from = 0.3 + 0.01 * static_cast<double>(seed), to = 100;
+            for (int step = 0; step < 4; ++step) {
+                REQUIRE(mesh.make(from, to));
+                CHECK(mesh.has(from, to));
+                if (mesh.has(from / 64, to)) break;
+                // A cell's hi, from just above which on nothing is wrong; a bit lower, but not by what rounds it.
+                from = last_good(from, from / 64, [&](double x) { return mesh.has(x, to); }) * (1 - 0x1p-41);
+                ++ends;
+            }
+            from = 0.02;
+            to = 0.1 + 0.01 * static_cast<double>(seed);
+            for (int step = 0; step < 4; ++step) {
+                REQUIRE(mesh.make(from, to));
+                CHECK(mesh.has(from, to));
+                if (mesh.has(from, 64 * to)) break;
+                to = last_good(to, 64 * to, [&](double x) { return mesh.has(from, x); }) * (1 + 0x1p-42);
+                ++ends;
+            }
+        }
+    CHECK(ends > 20);
+}
