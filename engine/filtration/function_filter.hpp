@@ -81,10 +81,14 @@ Status function_filter(const AnyMesh& mesh, const netmesh_function& function, Fi
                        Evaluation* out);
 
 // How far a clipped cell may reach whose vertex has the value f, for an additive error of E. A hair less than the bound
-// needs, for its rounding outwards. +infinity where L = 0.
+// needs, for its rounding outwards, and some units in the last place of values. +infinity where L = 0, 0 where doubles
+// do not resolve E.
 inline double wanted_reach(const netmesh_function& function, double error, double f) {
+    if (!(function.lipschitz > 0)) return infinity;
     const double most = f - function.cut > error ? f - function.cut : error;
-    return function.lipschitz > 0 ? most / function.lipschitz * (1 - 0x1p-16) : infinity;
+    const double units = 0x1p-49 * (absolute(f) + absolute(function.cut));
+    if (most <= units && units < infinity) return 0;
+    return (units < most ? most - units : most) / function.lipschitz * (1 - 0x1p-16);  // f may be no number
 }
 
 struct LipschitzBounds {

@@ -245,3 +245,56 @@ TEST_CASE("scales of interest that end within roundings of a cell's bounds") {
         }
     CHECK(ends > 20);
 }
+
+namespace {
+
+// The distance from the middle of a square, and a number that may be far larger.
+struct Raised {
+    double offset, width, error;
+    netmesh_function function;
+
+    Raised(double from, double side, double least) : offset(from), width(side), error(least) {
+        netmesh_function_init(&function, sizeof function);
+        function.evaluate = [](void* user, const double* x) {
+            const Raised& self = *static_cast<const Raised*>(user);
+            return self.offset + std::hypot(x[0] - self.width / 2, x[1] - self.width / 2);
+        };
+        function.user = this;
+        function.lipschitz = 1;
+        function.cut = offset + 0.6 * width;
+    }
+};
+
+}  // namespace
+
+TEST_CASE("a mesh for an error certifies it, however large the function is beside it") {
+    for (const double width : {1.0, 1e-4})
+        for (const double offset : {0.0, 1e3, 1e9, -1e9, 1e10, -1e10}) {
+            if (width < 1 && std::fabs(offset) > 1e9) continue;  // beyond what its digits resolve
+            for (const double share : {0.1, 0.3}) {
+                CAPTURE(width);
+                CAPTURE(offset);
+                CAPTURE(share);
+                Raised raised(offset, width, share * width);
+                inputs::Points points = inputs::uniform(2, 10, 7);
+                for (double& x : points) x *= width;
+                Session session(2);
+                session.request.domain_factor = 2;
+                session.request.sizes.user = &raised;
+                session.request.sizes.size = [](void* user, const double* x) {
+                    const Raised& self = *static_cast<const Raised*>(user);
+                    return netmesh_size_for_error(&self.function, self.error, x);
+                };
+                REQUIRE(session.mesh(points, NETMESH_PURPOSE_PERSIST) == NETMESH_OK);
+                netmesh_persist_request request = persist_by(NETMESH_FILTER_FUNCTION, 0, NETMESH_VALUES_THESIS);
+                request.function = &raised.function;
+                REQUIRE(session.persist(request) == NETMESH_OK);
+                const double certified = session.report().diagram.certified_error;
+                CHECK(certified <= raised.error);
+                CHECK(certified > 0.7 * raised.error);
+            }
+        }
+    const double origin[] = {0, 0};
+    const Raised large(1e10, 1, 1e-6);
+    CHECK(netmesh_size_for_error(&large.function, large.error, origin) == 0);
+}

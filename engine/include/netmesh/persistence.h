@@ -103,8 +103,8 @@ void netmesh_function_init(netmesh_function* function, size_t function_bytes);
 
 /* The size at x[D] of a mesh on which FUNCTION, with VALUES_THESIS, has a certified_error of at most `error` > 0: a
  * caller's netmesh_size hands it on, `error` being the caller's own (3.7). Close to error / lipschitz where f <= cut +
- * error, (f - cut) / lipschitz beyond; 0, which a mesh refuses, where the arguments are not as said. Calls evaluate
- * once. */
+ * error, (f - cut) / lipschitz beyond; 0, which a mesh refuses, where the arguments are not as said, or error is below
+ * some units in the last place of f and cut. Calls evaluate once. */
 double netmesh_size_for_error(const netmesh_function* function, double error, const double* x);
 
 typedef struct netmesh_persist_request {
