@@ -86,7 +86,7 @@ Status function_filter(const AnyMesh& mesh, const netmesh_function& function, Fi
 inline double wanted_reach(const netmesh_function& function, double error, double f) {
     if (!(function.lipschitz > 0)) return infinity;
     const double most = f - function.cut > error ? f - function.cut : error;
-    const double units = 0x1p-49 * (absolute(f) + absolute(function.cut));
+    const double units = 0x1p-51 * (absolute(f) + absolute(function.cut));
     if (most <= units && units < infinity) return 0;
     return (units < most ? most - units : most) / function.lipschitz * (1 - 0x1p-16);  // f may be no number
 }
