@@ -19,7 +19,8 @@ Status bound_diagram(netmesh_context* context, const netmesh_function* function,
         filter != nullptr && (filter->source == FilterSource::delaunay || filter->source == FilterSource::points);
     if (!has_cells || (filter->has(filter_trait::needs_function) && function == nullptr))
         return bound_bars_by_ratio({diagram.certified_ratio, is_rounded,
-                                    diagram.filter == NETMESH_FILTER_FUNCTION ? diagram.certified_error : -1},
+                                    diagram.filter == NETMESH_FILTER_FUNCTION ? diagram.certified_error : -1,
+                                    diagram.k <= 1},
                                    request.bars, work, bars);
     return bound_bars(filtered_mesh_of(*context), request, work, bars);
 }

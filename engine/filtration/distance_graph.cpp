@@ -54,10 +54,11 @@ Status read_all(const DistanceSource& source, double threshold, const Work& work
         if (fault->flaw != DistanceFlaw::none) return Status::invalid_argument;
         for (std::uint32_t j = 0; j < i; ++j) {
             if (polls.stop(i)) return Status::cancelled;
-            const double half = source.half(i, j);
-            *fault = fault_at(source, i, j, half);
+            const HalfDistance rounded = source.rounded_half(i, j);
+            *fault = fault_at(source, i, j, rounded.half);
             if (fault->flaw != DistanceFlaw::none) return Status::invalid_argument;
-            fingerprint.add(half);
+            fingerprint.add(rounded.half);
+            const double half = joins_at(rounded, threshold);
             if (half > most[i]) most[i] = half;
             if (half > most[j]) most[j] = half;
             f(half);
@@ -158,7 +159,7 @@ Status sparse_graph(const DistanceEntries& from, double threshold, const Work& w
         if (e % 64 == 0 && work.monitor.advance(e, 20)) return Status::cancelled;
         const std::uint32_t end_before = end, entry = ends[e];
         end = static_cast<std::uint32_t>(value[e]);
-        const double distance = from.entries[entry].distance, half = distance / 2 + 0.0;
+        const double distance = from.entries[entry].distance;
         const bool is_again = e > 0 && end == end_before;
         if (is_again && from.entries[entry_before].distance != distance) {
             *fault = {DistanceFlaw::asymmetric, entry, entry_before};
@@ -167,7 +168,9 @@ Status sparse_graph(const DistanceEntries& from, double threshold, const Work& w
         entry_before = entry;
         if (is_again) continue;
         fingerprint.add(std::uint64_t{end});
-        fingerprint.add(half);
+        const HalfDistance rounded = halved(distance);
+        fingerprint.add(rounded.half);
+        const double half = joins_at(rounded, threshold);
         if (!(half < infinity)) continue;
         value[edges] = half;
         ends[edges++] = end;

@@ -10,8 +10,23 @@
 
 namespace netmesh {
 
+// Half a distance, to nearest, which rounds below the normal range alone.
+struct HalfDistance {
+    double half;
+    bool is_less;  // than half the distance
+};
+
 // Of a negative number itself: the half of the least one rounds to zero, and has to be refused.
-inline double halved(double distance) { return distance < 0 ? distance : distance / 2 + 0.0; }
+inline HalfDistance halved(double distance) {
+    if (distance < 0) return {distance, false};
+    const double half = distance / 2 + 0.0;
+    return {half, half + half < distance};
+}
+
+// When points join that are joined within twice the threshold: infinity, never, where rounding alone took them there.
+inline double joins_at(HalfDistance d, double threshold) {
+    return d.is_less && d.half == threshold ? infinity : d.half;
+}
 
 // Half the distance of points i and j < i.
 struct DistanceSource {
@@ -23,16 +38,18 @@ struct DistanceSource {
     netmesh_distance_function evaluate;
     void* user;
 
-    double half(std::uint32_t i, std::uint32_t j) const {
+    double half(std::uint32_t i, std::uint32_t j) const { return rounded_half(i, j).half; }
+    HalfDistance rounded_half(std::uint32_t i, std::uint32_t j) const {
         const std::size_t n = count;
         switch (kind) {
         case Kind::full: return halved(numbers[i * n + j]);
         case Kind::lower: return halved(numbers[triangle(i) + j]);
-        case Kind::halves: return numbers[triangle(i) + j];
+        case Kind::halves: return {numbers[triangle(i) + j], false};
         case Kind::function: return halved(distance_at(evaluate, user, i, j));
         case Kind::points: break;
         }
-        return half_distance(static_cast<int>(dim), numbers + i * std::size_t{dim}, numbers + j * std::size_t{dim});
+        const double *const a = numbers + i * std::size_t{dim}, *const b = numbers + j * std::size_t{dim};
+        return {half_distance(static_cast<int>(dim), a, b), false};
     }
     // half(i, j) where it is below `near`; else a number that is not, and within `limit` where half(i, j) is.
     double half_if_below(std::uint32_t i, std::uint32_t j, double near, double limit) const {

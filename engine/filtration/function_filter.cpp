@@ -52,10 +52,13 @@ namespace {
 
 // Away from 0 by a hair, or towards it.
 double raised(double x) { return x * (x > 0 ? up : down); }
-double lowered(double x) { return x * (x > 0 ? down : up); }
-// f and a change, which may be none.
-double more(double f, double change) { return change > 0 ? raised(f + change) : f; }
-double less(double f, double change) { return change > 0 ? lowered(f - change) : f; }
+// f and a change, which may be none and is rounded outwards itself: the sum is off by less than a unit in the last
+// place, however much larger than the change f is.
+double more(double f, double change) {
+    const double sum = f + change;
+    return change > 0 && sum < infinity ? next_up(sum) : sum;
+}
+double less(double f, double change) { return change > 0 ? -more(-f, change) : f; }
 
 // The intervals of F = min(f, cut) on the cells of a mesh, from f at its vertices.
 class FunctionRange {

@@ -4,7 +4,8 @@
 // A vertex v gets a value t(v), a simplex the largest value of its vertices. Let lo_v <= F <= hi_v on all of v's
 // Voronoi cell for the function F whose sublevel sets are meant. The union of the cells with t <= b contains the
 // sublevel set at b / c and is contained in the one at c b, c = max over v of max(hi_v / t_v, t_v / lo_v), and the
-// cells' nerve is the filtration (8.6.1): the diagrams are within ln c on the log scale. The best values reach c* = max
+// cells' nerve is the filtration (8.6.1; of cospherical vertices the nerve of the cells of mesh_filter.hpp, on which lo
+// and hi hold as well): the diagrams are within ln c on the log scale. The best values reach c* = max
 // sqrt(hi_v / lo_v), see mesh_filter.hpp; the function's own values reach 1 / (1 - c t eps) on an eps-refined mesh
 // (8.6.3).
 //
@@ -80,10 +81,14 @@ Status function_filter(const AnyMesh& mesh, const netmesh_function& function, Fi
                        Evaluation* out);
 
 // How far a clipped cell may reach whose vertex has the value f, for an additive error of E. A hair less than the bound
-// needs, for its rounding outwards. +infinity where L = 0.
+// needs, for its rounding outwards, and some units in the last place of values. +infinity where L = 0, 0 where doubles
+// do not resolve E.
 inline double wanted_reach(const netmesh_function& function, double error, double f) {
+    if (!(function.lipschitz > 0)) return infinity;
     const double most = f - function.cut > error ? f - function.cut : error;
-    return function.lipschitz > 0 ? most / function.lipschitz * (1 - 0x1p-16) : infinity;
+    const double units = 0x1p-51 * (absolute(f) + absolute(function.cut));
+    if (most <= units && units < infinity) return 0;
+    return (units < most ? most - units : most) / function.lipschitz * (1 - 0x1p-16);  // f may be no number
 }
 
 struct LipschitzBounds {

@@ -10,7 +10,8 @@
 //
 // The ball lies in W and meets no cell outside W nor another clump's ball, so the sets grow with b, the ball is a
 // component of its own that retracts to its part of Vor(p) (7.5.6), and the nerve is the lower-star filtration of t,
-// inputs entering alone at 0. A point x of W with d_P(x) < t / c and nearest input p is in the ball when t <= c r_p,
+// inputs entering alone at 0; of cospherical vertices by the cells of mesh_filter.hpp, which the balls, smaller than
+// r_p, lie in as well. A point x of W with d_P(x) < t / c and nearest input p is in the ball when t <= c r_p,
 // and when its nearest input is another one then d_P(x) >= r_p. With F = min(d_P, rho) as in mesh_filter.hpp, hi(W) >=
 // F on W, and lo, hi of the other cells as there, the diagrams are within ln c on the log scale,
 //

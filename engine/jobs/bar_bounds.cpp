@@ -165,25 +165,33 @@ namespace {
 double down(double x) { return x > 0 && x < infinity ? double_of_bits(bits_of(x) - 1) : x; }
 double up(double x) { return x < infinity ? double_of_bits(bits_of(x) + 1) : x; }
 
+// Is 0 the true birth? A point enters there; another simplex may be told to, being too small for a double.
+bool is_born_at_zero(const Pair& bar, const UniformBound& bound) {
+    return bar.birth == 0 && (!bound.rounded || (bar.degree == 0 && bound.has_points));
+}
+
 // Ends that are true ones rounded to nearest: within half a unit in the last place, and different only where the true
-// ones are. A vertex enters at 0; another simplex may be told to, being too small for a double.
-BarBounds by_rounding(const Pair& bar) {
-    const bool vertex = bar.degree == 0 && bar.birth == 0;
-    const double latest = vertex ? 0 : up(bar.birth);
+// ones are.
+BarBounds by_rounding(const Pair& bar, const UniformBound& bound) {
+    const double latest = is_born_at_zero(bar, bound) ? 0 : up(bar.birth);
     return {down(bar.birth), latest, down(bar.death), up(bar.death), latest, bar.death > bar.birth ? 1u : 0u, 0};
 }
 
 // By the ratio and the slack s for rounding: phi and psi of the head are x c s, and a bar is real when its death is
-// after c^2 s^2 times its birth.
-BarBounds by_ratio(const Pair& bar, double ratio, double slack) {
-    const bool zero = bar.birth == 0;  // whatever the ratio: 0 times infinity is no number
-    const double most = ratio * slack;
-    const double real_after = zero ? 0 : bar.birth * ratio * most * slack;
-    return {zero ? 0 : bar.birth / most,
-            zero ? 0 : bar.birth * most,
-            bar.death < infinity ? bar.death / most : infinity,
-            bar.death > 0 ? bar.death * most : 0,
-            zero ? 0 : real_after * slack,
+// after c^2 s^2 times its birth. Below the normal range the roundings of a value, and of a bound, are less than four
+// times the least double together.
+BarBounds by_ratio(const Pair& bar, const UniformBound& bound) {
+    const bool zero = is_born_at_zero(bar, bound);  // whatever the ratio: 0 times infinity is no number
+    const double slack = bound.rounded ? 1 + 0x1p-50 : 1, least = bound.rounded ? 0x1p-1072 : 0;
+    const double most = bound.ratio * slack;
+    const auto before = [=](double x) { return x / most >= least ? x / most - least : 0; };
+    const auto after = [=](double x) { return (x + least) * most + least; };
+    const double latest = zero ? 0 : after(bar.birth), real_after = zero ? 0 : after(latest) * slack;
+    return {before(bar.birth),
+            latest,
+            bar.death < infinity ? before(bar.death) : infinity,
+            bar.death > 0 || bound.rounded ? after(bar.death) : 0,
+            real_after,
             bar.death > real_after ? 1u : 0u,
             0};
 }
@@ -210,14 +218,14 @@ void narrow(const Pair& bar, double e, BarBounds* bounds) {
 
 Status bound_by_ratio(const UniformBound& bound, const BarList& bars, Arena& arena, BarBounds* bounds,
                       ScaleCurve* curve) {
-    const double ratio = bound.ratio, slack = bound.rounded ? 1 + 0x1p-50 : 1;
+    const double ratio = bound.ratio;
     const bool is_additive = bound.error >= 0, has_ratio = ratio < infinity || !is_additive;
     double from = 0;
     for (std::uint64_t i = 0; i < bars.count;)
         for (const std::uint64_t piece = arena.piece(i, bars.count, 80); i < piece; ++i) {
             bounds[i] = !has_ratio ? BarBounds{-infinity, infinity, -infinity, infinity, infinity, 0, 0}
-                        : bound.rounded && ratio == 1 ? by_rounding(bars[i])
-                                                      : by_ratio(bars[i], ratio, slack);
+                        : bound.rounded && ratio == 1 ? by_rounding(bars[i], bound)
+                                                      : by_ratio(bars[i], bound);
             if (is_additive) narrow(bars[i], bound.error, &bounds[i]);
             if (bars[i].birth < from) from = bars[i].birth;
         }

@@ -3,8 +3,8 @@
 //
 // With lo_v <= F <= hi_v on the cell (or clump) of v and t_v the filter's value, the cover at scale b lies in the
 // sublevel set of F at phi(b) = max(b, hi_v over t_v <= b), and the sublevel set at a in the cover at psi(a) = max(a,
-// t_v over lo_v <= a): the arguments of mesh_filter.hpp, function_filter.hpp and tight_filter.hpp with each cell's own
-// bounds. Hence the true birth is in [psi^-(b), phi(b)], psi^-(b) = min(b, lo_v over t_v >= b), the true death
+// t_v over lo_v <= a): mesh_filter.hpp, and by the same arguments function_filter.hpp and tight_filter.hpp, each with
+// its own cover. Hence the true birth is in [psi^-(b), phi(b)], psi^-(b) = min(b, lo_v over t_v >= b), the true death
 // likewise, and a bar of the filter stands for a class of F when its death is after psi(phi(birth)). A bad cell spoils
 // only the scales from its value to its hi.
 //
@@ -90,11 +90,13 @@ Status bound_in_join(const FilterBounds& filter, const BarList& bars, const Join
 struct UniformBound {
     double ratio;
     bool rounded = false;
-    double error = -1;  // negative: none
+    double error = -1;       // negative: none
+    bool has_points = true;  // what is born in degree 0 at 0 is; false: they are sets of points, rounded as all is
 };
 
 // The same from one bound. Neither the rounding nor the additive bound is in the curve, which begins at 0 or, for
-// negative values, the least birth. Deaths at infinity are exact. out_of_memory.
+// negative values, the least birth. Deaths at infinity are exact; true ones beyond the largest double count as
+// infinite. out_of_memory.
 Status bound_by_ratio(const UniformBound& bound, const BarList& bars, Arena& arena, BarBounds* bounds,
                       ScaleCurve* curve);
 

@@ -2,9 +2,10 @@
 // classes that a cover within the offsets has and a cover around them keeps.
 //
 // With lo_v <= F <= hi_v on each cell let X_a be the union of the cells with hi_v <= a and Y_a that of the cells with
-// lo_v <= a, inputs' balls before as in mesh_filter.hpp. Then X_a, F's sublevel set P_a and Y_a contain each other in
-// this order: where x in P_a has its cell's (clump's) lo_v > a, the cell is an input's and x in the ball of radius a.
-// Both are filtrations of the same Delaunay triangulation. Now let scales b_0 < b_1 < ... be such that no cell has lo_v
+// lo_v <= a, both with the balls of the other inputs, of radius min(a, lo_v) as in mesh_filter.hpp (min(a, just under
+// r_p) as in tight_filter.hpp). Then X_a, F's sublevel set P_a and Y_a contain each other in this order: where x in P_a
+// has its cell's (clump's) lo_v > a, the cell is an input's and x in the ball of radius a. Both are filtrations of the
+// same Delaunay triangulation. Now let scales b_0 < b_1 < ... be such that no cell has lo_v
 // <= b_i and hi_v > b_{i+1}:
 //
 //     X_0 c P_0 c Y_0 c X_1 c P_1 c Y_1 c ...            (X_i for X_{b_i}, ...)

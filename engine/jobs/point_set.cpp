@@ -8,8 +8,9 @@
 namespace netmesh {
 namespace {
 
-constexpr double fourth_root_of_two = 0x1.306fe0a31b716p0;  // rounded up
-constexpr double root_of_two = 0x1.6a09e667f3bcdp0;         // rounded up
+// The fourth root of 2, rounded up; and above that by more than the roundings of a radius and of its product add.
+constexpr double values_factor = 0x1.306fe0a31b716p0, certified_ratio = 0x1.306fe0a31b718p0;
+constexpr double root_of_two = 0x1.6a09e667f3bcdp0;  // rounded up
 
 bool is_approximate(const PointsFilter& filter) { return has_edges(filter.filter) && is_barycentric(filter.filter); }
 
@@ -70,11 +71,11 @@ bool is_barycentric(netmesh_filter filter) { return find_filter(filter)->has(fil
 bool has_edges(netmesh_filter filter) { return find_filter(filter)->has(filter_trait::made_of_edges); }
 
 double factor_of(const PointsFilter& filter) {
-    return is_approximate(filter) && filter.values == FilterValues::certified ? fourth_root_of_two : 1;
+    return is_approximate(filter) && filter.values == FilterValues::certified ? values_factor : 1;
 }
 double ratio_of(const PointsFilter& filter) {
     if (!is_approximate(filter)) return 1;
-    return filter.values == FilterValues::certified ? fourth_root_of_two : root_of_two;
+    return filter.values == FilterValues::certified ? certified_ratio : root_of_two;
 }
 
 Status list_sets(const PointSet& set, netmesh_filter filter, std::uint32_t dimension, const Work& work,

@@ -10,8 +10,9 @@ Status persist_tree(const DistanceSource& source, double threshold, bool keep_ze
     if (status != Status::ok) return status;
     work.monitor.begin(NETMESH_STAGE_REDUCE, 0);
     PairPolls polls(work.monitor, source.cost() + 3);
-    const auto half = [&source](std::uint32_t i, std::uint32_t j, double near, double limit) {
-        const double h = source.half_if_below(i, j, near, limit);
+    const auto half = [&source, threshold](std::uint32_t i, std::uint32_t j, double near, double limit) {
+        const double h = source.kind == DistanceSource::Kind::points ? source.half_if_below(i, j, near, limit)
+                                                                     : joins_at(source.rounded_half(i, j), threshold);
         return h >= 0 ? h : infinity;  // what is no distance the second time
     };
     const auto stop = [&polls](std::uint32_t v) { return polls.stop(v); };

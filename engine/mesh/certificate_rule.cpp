@@ -53,7 +53,8 @@ public:
     static constexpr bool keeps_input_distances = true;
 
     CertificateRule(Store<D>& store, const MeshRequest& request, const Work& work, MeshResult<D>& result)
-        : Base(store, request, work, result), goal_(request.goal), bound_(goal_.ratio),
+        : Base(store, request, work, result), goal_(request.goal), from_(goal_.from * (1 - tau_margin)),
+          to_(goal_.to * (1 + tau_margin)), bound_(goal_.ratio),
           focus_(goal_.focus > 0 && goal_.focus < goal_.ratio ? goal_.focus : goal_.ratio),
           least_reach2_(
               lesser(lesser(bound_.reach2, bound_.input_reach2), lesser(focus_.reach2, focus_.input_reach2))) {}
@@ -125,6 +126,8 @@ private:
 #endif
 
     const RatioGoal goal_;
+    // A hair beyond the scales of interest: what a certificate, rounded outwards, counts to them is of interest here.
+    const double from_, to_;
     const Bound bound_, focus_;
     const double least_reach2_;  // least_bad2 over local_distance2 is no less
     double cut2_ = 0;            // squared enclosing radius
@@ -159,7 +162,7 @@ template <int D> double CertificateRule<D>::choose_domain() {
 // from < hi <= c^2 d or else it is bad anyhow.
 template <int D> const Bound& CertificateRule<D>::bound_at(const Vertex<D>& vertex) const {
     if (!(goal_.focus > 0) || vertex.marker == Marker::input) return bound_;
-    const double above = goal_.from / bound_.ratio2, below = 2 * goal_.to, d2 = local_distance2(vertex);
+    const double above = from_ / bound_.ratio2, below = 2 * to_, d2 = local_distance2(vertex);
     return d2 > above * above && d2 < below * below ? focus_ : bound_;
 }
 
@@ -265,15 +268,14 @@ template <int D> bool CertificateRule<D>::is_bad(VertexId v, const CellView& vie
     if (vertex.marker == Marker::input) return 2 * hi > bound_.input * d;
     const double lo = least_distance(d, square_root(view.farthest.distance2), as_computed);
     if (hi > bound_.ratio2 * lo) return true;
-    return hi > focus_.ratio2 * lo && hi > goal_.from && lo < goal_.to;
+    return hi > focus_.ratio2 * lo && hi > from_ && lo < to_;
 }
 
 // A larger hi makes v's cell bad when its lo is this.
 template <int D> double CertificateRule<D>::largest_good(const Vertex<D>& vertex, double lo) const {
     if (vertex.marker == Marker::input) return bound_.input * lo;
-    const double most = bound_.ratio2 * lo,
-                 in_focus = focus_.ratio2 * lo > goal_.from ? focus_.ratio2 * lo : goal_.from;
-    return lo < goal_.to && in_focus < most ? in_focus : most;
+    const double most = bound_.ratio2 * lo, in_focus = focus_.ratio2 * lo > from_ ? focus_.ratio2 * lo : from_;
+    return lo < to_ && in_focus < most ? in_focus : most;
 }
 
 // Makes the view of v's cell that has just been taken one of its corners in the ball and of the points where its edges

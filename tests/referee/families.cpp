@@ -104,18 +104,71 @@ Points grid(int dim, std::size_t n, Random& random) {
     return points;
 }
 
-// A grid whose coordinates are moved by an ulp or a few.
-Points bent_grid(int dim, std::size_t n, Random& random) {
-    Points points = grid(dim, n, random);
+// Coordinates are moved by an ulp or a few.
+Points bent(Points points, int dim, Random& random) {
     const std::uint32_t most = 1 + random.below(4);
-    const double corner = random.below(2) == 0 ? 1 : 0x1p-1;
     for (Point& x : points)
-        for (int k = 0; k < dim; k++) {
-            x[k] += corner;
+        for (int k = 0; k < dim; k++)
             for (std::uint32_t steps = random.below(most + 1); steps > 0; steps--)
                 x[k] = std::nextafter(x[k], random.below(2) == 0 ? -INFINITY : INFINITY);
-        }
     return points;
+}
+
+Points bent_grid(int dim, std::size_t n, Random& random) {
+    Points points = grid(dim, n, random);
+    const double corner = random.below(2) == 0 ? 1 : 0x1p-1;
+    for (Point& x : points)
+        for (int k = 0; k < dim; k++) x[k] += corner;
+    return bent(points, dim, random);
+}
+
+// Regular polygons, one or two about the same place, and the prisms and cross polytopes over them: what is equal in
+// them differs by the rounding of coordinates.
+Points bent_polytope(int dim, std::size_t n, Random& random) {
+    Points points;
+    const std::size_t corners = 3 + random.below(6), turns = 1 + random.below(2);
+    const bool cross = random.below(2) == 0;
+    const double shift = random.below(2) == 0 ? 0 : 1;
+    for (std::size_t i = 0; i < corners * turns; i++) {
+        const double t = 6.283185307179586 * static_cast<double>(i) / static_cast<double>(corners),
+                     r = i < corners ? 1 : 0.5;
+        points.push_back({shift + r * std::cos(t), r * std::sin(t)});
+    }
+    for (int k = 2; k < dim; k++) {
+        const std::size_t below = points.size();
+        if (cross)
+            for (const double end : {-1., 1.}) {
+                Point x = {shift};
+                x[k] = end;
+                points.push_back(x);
+            }
+        for (std::size_t i = 0; !cross && i < below; i++) {
+            points.push_back(points[i]);
+            points.back()[k] = 1;
+        }
+    }
+    if (points.size() > n) points.resize(n);
+    return bent(points, dim, random);
+}
+
+// Clusters as far from the others as scales are parted for theta = 1 / 10 or 1 / 20, but for an ulp or a few: three
+// points in a line, the middle one chosen first; and the same about its end, at a larger scale.
+Points parted(int dim, std::size_t n, Random& random) {
+    const double parts = random.below(2) == 0 ? 10 : 20;
+    const std::size_t axis = random.below(static_cast<std::size_t>(dim));
+    Points points = {{}};
+    double scale = random.below(2) == 0 ? 1 : random.between(1, 2);
+    while (points.size() < n) {
+        Point near = {}, far = {};
+        near[axis] = scale;
+        far[axis] = random.below(3) == 0 ? scale * (parts + 1) : -scale * (parts - 1);
+        points.push_back(near);
+        points.push_back(far);
+        if (random.below(2) == 0) points.push_back(ball_point(dim, random));
+        scale *= 4 * parts * parts;
+    }
+    if (points.size() > n) points.resize(n);
+    return bent(points, dim, random);
 }
 
 // Exactly cospherical: signs and permutations of a few integers; or rounded points of a sphere.
@@ -203,6 +256,8 @@ const std::vector<Family>& families() {
         {"repeated points", repeated},
         {"pairs", pairs},
         {"random", in_ball},
+        {"polytopes bent by ulps", bent_polytope},
+        {"scales parted by ulps", parted},
     };
     return all;
 }

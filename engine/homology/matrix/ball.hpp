@@ -11,7 +11,8 @@
 namespace netmesh {
 
 // All faces of dimensions 0..dimension of a triangulated `dim`-ball, as Faces<D> lists them. A value is never below
-// those of the face's facets; vertices have the same value, and no edge has that.
+// those of the face's facets; vertices have the same value. Edges may have it, too, where they are too short for half
+// of them to be a double, and values may be infinite.
 struct FilteredBall {
     struct Simplices {
         std::uint32_t count;   // < 2^31

@@ -55,10 +55,11 @@ void netmesh_distances_request_init(netmesh_distances_request* request, size_t r
 size_t netmesh_plan_distances(const netmesh_distances_request* request);
 
 /* Persistent homology over Z/2 in degrees 0..max_degree of the flag complexes in which points are joined within a
- * distance. Values are radii, half of distances, as netmesh_persist_points has them with RIPS. The complex ends at the
- * threshold, where what lives on is essential, or where one point is joined to all others: it is a cone from there on,
- * and nothing is born any more. With max_degree 0 nothing is built but a tree. Points at distance 0 stay two points.
- * The report's filter is RIPS, and its dimension 0. Replaces what the context held, also on failure.
+ * distance. Values are radii, half of distances (rounded to nearest, which makes a difference below 2^-1022 alone), as
+ * netmesh_persist_points has them with RIPS. The complex ends at the threshold, where what lives on is essential, or
+ * where one point is joined to all others: it is a cone from there on, and nothing is born any more. With max_degree 0
+ * nothing is built but a tree. Points at distance 0 stay two points. The report's filter is RIPS, and its dimension 0.
+ * Replaces what the context held, also on failure.
  * INVALID_ARGUMENT, of field NUMBERS at row index_a and column index_b, of field ENTRIES at entry index_a: a distance
  * is negative or NaN, differs from the one the other way round, or is not 0 for a point and itself; MAX_DEGREE: more
  * simplices than 62 bits can number. OUT_OF_MEMORY, CANCELLED. */

@@ -103,8 +103,8 @@ void netmesh_function_init(netmesh_function* function, size_t function_bytes);
 
 /* The size at x[D] of a mesh on which FUNCTION, with VALUES_THESIS, has a certified_error of at most `error` > 0: a
  * caller's netmesh_size hands it on, `error` being the caller's own (3.7). Close to error / lipschitz where f <= cut +
- * error, (f - cut) / lipschitz beyond; 0, which a mesh refuses, where the arguments are not as said. Calls evaluate
- * once. */
+ * error, (f - cut) / lipschitz beyond; 0, which a mesh refuses, where the arguments are not as said, or error is below
+ * some units in the last place of f and cut. Calls evaluate once. */
 double netmesh_size_for_error(const netmesh_function* function, double error, const double* x);
 
 typedef struct netmesh_persist_request {
@@ -177,7 +177,8 @@ size_t netmesh_plan_auto(const netmesh_auto_request* request);
  * does not fit either), CANCELLED. */
 netmesh_status netmesh_persist_auto(netmesh_context* context, const netmesh_auto_request* request);
 
-/* Pairs sorted by degree, birth, death; death is +infinity for an essential class. O(1). */
+/* Pairs sorted by degree, birth, death; death is +infinity for an essential class, and for one that ends beyond the
+ * largest double, as classes of points may that have no mesh. O(1). */
 typedef struct netmesh_pair {
     uint32_t struct_bytes;
     uint32_t degree;
@@ -197,18 +198,19 @@ void netmesh_bounds_request_init(netmesh_bounds_request* request, size_t request
 /* For each bar where the true one surely is, from the bounds of every cell instead of one ratio; whether the bar surely
  * stands for a class of the true diagram; and the ratio as a function of scale. Where a filter's bounds_by_scale is
  * 1: by scale, and by covers within and around the sublevel sets, at the cost of up to eight more diagrams; of FUNCTION
- * with the request's function alone. Else by the certified ratio and certified_error, and half a unit in the last place;
- * of SCALES by scale where its request asked for that. The numbers stay
- * with the diagram, and are not made again: 48 bytes a bar. Scratch: about 110 bytes a vertex, 120 a bar, and what a
- * diagram takes; netmesh_plan_mesh does not count it. The diagram stays whole on failure. NO_RESULT (no diagram),
- * INVALID_ARGUMENT (FUNCTION: not the one of the diagram), OUT_OF_MEMORY, CANCELLED. */
+ * with the request's function alone. Else by the certified ratio and certified_error, and half a unit in the last
+ * place; of SCALES by scale where its request asked for that. The numbers stay with the diagram, and are not made
+ * again: 48 bytes a bar. Scratch: about 110 bytes a vertex, 120 a bar, and what a diagram takes; netmesh_plan_mesh does
+ * not count it. The diagram stays whole on failure. NO_RESULT (no diagram), INVALID_ARGUMENT (FUNCTION: not the one of
+ * the diagram), OUT_OF_MEMORY, CANCELLED. */
 netmesh_status netmesh_bound_bars(netmesh_context* context, const netmesh_bounds_request* request);
 
 typedef struct netmesh_bar_bounds {
     uint32_t struct_bytes;
     uint32_t certain; /* 1: surely real: all bars with 1 belong to different true bars within their bounds. Surely so
                          when death > certain_after, often for other reasons */
-    double birth_low, birth_high, death_low, death_high; /* contain the true birth and death of a bar that is matched */
+    double birth_low, birth_high, death_low, death_high; /* contain the true birth and death of a bar that is matched;
+                                                            what is beyond the largest double counts as infinite */
     double certain_after; /* a bar of this birth that dies later is surely real; not below birth_high */
 } netmesh_bar_bounds;
 /* Of the pair of that index, after netmesh_bound_bars. O(1). */
@@ -245,9 +247,10 @@ netmesh_status netmesh_represent(netmesh_context* context, const netmesh_represe
 
 /* A representative of pair `pair`: a set of simplices of the pair's degree whose boundary is zero, the last of which
  * enters at the pair's birth, and which is a boundary from the pair's death on. In degree 0: a vertex and, when the
- * pair dies, an older one that it is then connected to. get_cycle tells the number of simplices, get_cycle_simplex
- * one of them, in no particular order; O(1) and O(degree^2). Of SCALES simplices are sets of points, and what holds is
- * said at netmesh_scales_request. NO_RESULT when no representatives were asked for. */
+ * pair dies (it may do so beyond the largest double), an older one that it is then connected to. get_cycle tells the
+ * number of simplices, get_cycle_simplex one of them, in no particular order; O(1) and O(degree^2). Of SCALES simplices
+ * are sets of points, and what holds is said at netmesh_scales_request. NO_RESULT when no representatives were asked
+ * for. */
 typedef struct netmesh_simplex {
     uint32_t struct_bytes;
     uint32_t degree;

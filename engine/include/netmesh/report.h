@@ -95,7 +95,8 @@ typedef struct netmesh_diagram_report {
     uint32_t k;                                 /* of filters with needs_k, else 0 */
     uint32_t representatives;                   /* 1: there is a cycle for each pair */
     uint64_t pairs[NETMESH_DEGREE_MAX + 1];     /* per degree, essential ones included */
-    uint64_t essential[NETMESH_DEGREE_MAX + 1]; /* per degree: the Betti numbers of the whole complex */
+    uint64_t essential[NETMESH_DEGREE_MAX + 1]; /* per degree: the Betti numbers of the complex up to the largest
+                                                   double, which as a rule is all of it */
     uint64_t simplices; /* of the filtered complex; RIPS: of dimension up to max(1, max_degree) */
     /* c >= 1: log-bottleneck distance to the diagram of the offsets (of the sublevel sets of the function of KNN,
      * KDISTANCE and FUNCTION) is at most ln c. 1: each birth and death is the exact one, rounded to nearest. */
