@@ -204,7 +204,7 @@ inline std::string difference(Bars expected, Bars got) {
 
 // Above this many bits in differences of coordinates netmesh_persist may say that an alpha complex is out of range: the
 // figures of its header, where it has none for a dimension that of the next one.
-inline std::size_t alpha_bits(int dim) { return dim == 2 ? 1670 : dim == 3 ? 1190 : 640; }
+inline std::size_t alpha_bits(int dim) { return dim == 2 ? 2766 : dim == 3 ? 2075 : 1185; }
 
 // What is wrong with an answer; empty: nothing. Of an alpha complex it may be that there is none.
 inline std::string fault_of(const Answer& answer, const Bars& expected) {
