@@ -8,27 +8,11 @@
 #include "platform/memory.hpp"
 #include "tools/commands/output.hpp"
 #include "tools/io/numbers.hpp"
+#include "tools/opinion/exact_spheres.hpp"
 
 namespace netmesh::tool {
 
 namespace {
-
-// The Euclidean distance, off by less than (D + 8) / 2 units in the last place: differences are scaled by a power of
-// two, so that no square that counts is rounded by underflow.
-double distance(const PointCloud& cloud, std::uint32_t i, std::uint32_t j) {
-    const double* const a = cloud.coordinates.data() + std::size_t{i} * cloud.dim;
-    const double* const b = cloud.coordinates.data() + std::size_t{j} * cloud.dim;
-    double most = 0;
-    for (std::uint32_t k = 0; k < cloud.dim; k++) most = std::max(most, std::fabs(a[k] - b[k]));
-    if (most == 0) return 0;
-    const int exponent = std::ilogb(most);
-    double sum = 0;
-    for (std::uint32_t k = 0; k < cloud.dim; k++) {
-        const double x = std::ldexp(a[k] - b[k], -exponent);
-        sum += x * x;
-    }
-    return std::ldexp(std::sqrt(sum), exponent);
-}
 
 // A triangle of distances that is forgotten while the engine reads it, row by row, into its own edges.
 struct ReleasedTriangle {
@@ -83,17 +67,19 @@ using Pair = std::pair<std::uint32_t, std::uint32_t>;
 std::map<Pair, double> edges_of(const RipsInput& input, const Options& options) {
     std::map<Pair, double> edges;
     const double most = options.threshold.value_or(HUGE_VAL);
-    const auto add = [&](std::uint32_t i, std::uint32_t j, double d) {
-        if (i != j && d / 2 <= most && d < HUGE_VAL) edges[{std::min(i, j), std::max(i, j)}] = d / 2;
+    const auto add = [&](std::uint32_t i, std::uint32_t j, double half) {
+        if (i != j && half <= most && half < HUGE_VAL) edges[{std::min(i, j), std::max(i, j)}] = half;
     };
-    for (const netmesh_distance_entry& entry : input.file.entries) add(entry.i, entry.j, entry.distance);
+    for (const netmesh_distance_entry& entry : input.file.entries) add(entry.i, entry.j, entry.distance / 2);
     if (!input.of_points() && input.file.layout == NETMESH_DISTANCES_SPARSE) return edges;
     const std::uint64_t n = input.count();
+    const PointCloud& cloud = input.cloud;
+    const auto place = [&cloud](std::uint32_t i) { return cloud.coordinates.data() + std::size_t{i} * cloud.dim; };
     for (std::uint32_t i = 0; i < n; i++)
         for (std::uint32_t j = 0; j < i; j++) {
             const std::uint64_t at =
                 input.file.layout == NETMESH_DISTANCES_FULL ? i * n + j : std::uint64_t{i} * (i - 1) / 2 + j;
-            add(i, j, input.of_points() ? distance(input.cloud, i, j) : input.file.numbers[at]);
+            add(i, j, input.of_points() ? half_distance(place(i), place(j), cloud.dim) : input.file.numbers[at] / 2);
         }
     return edges;
 }
