@@ -127,10 +127,9 @@ private:
     Found judge(CellId c, const Centre& centre, VertexId v, const HalfSpace& half) const;
     Found judge_from_outside(VertexId v, const HalfSpace& half) const;
     // The feet of `origin` (from v) on the faces of v's cell, or of its cut with the plane, no farther from it than the
-    // root of bound2: calls visit(foot, its square) for those that are the cell's own. False: a face is so flat that
-    // its foot is not known.
+    // root of bound2: calls visit(foot) for those that are the cell's own, so that each is a point of it.
     template <class Visit>
-    bool visit_feet(VertexId v, const AnyCellList& star, const HalfSpace* plane, const double* origin, double bound2,
+    void visit_feet(VertexId v, const AnyCellList& star, const HalfSpace* plane, const double* origin, double bound2,
                     Visit&& visit) const;
     bool is_own(VertexId v, const double* y, const AnyCellList& star) const;
 
@@ -236,11 +235,11 @@ template <class Number>
 }
 
 template <class Visit>
-[[gnu::cold]] bool Reach::visit_feet(VertexId v, const AnyCellList& star, const HalfSpace* plane, const double* origin,
+[[gnu::cold]] void Reach::visit_feet(VertexId v, const AnyCellList& star, const HalfSpace* plane, const double* origin,
                                      double bound2, Visit&& visit) const {
-    // Squares of the part of a normal that others leave of it, over the whole: less is known to no digit, or 0.
-    constexpr double least_known = 0x1p-80, most_zero = 0x1p-180;
-    bool is_known = true;
+    // Normals that others leave less of, by squares, than this of the whole count as dependent: an angle of 2^-60.
+    // Frames have some that are so but for a rounding of coordinates, 2^-53.
+    constexpr double least = 0x1p-120;
     for (std::uint32_t s = 0; s < star.size(); ++s) {
         const AnyCell cell = store_.cell(star[s]);
         store_.arena.pass(4u << dim);
@@ -274,11 +273,8 @@ template <class Visit>
                         level = level - common * along[j];
                     }
                 for (int k = 0; k < dim; ++k) rest2 = rest2 + n[k] * n[k];
-                proper = rest2.high > least_known * length2.high;
-                if (!proper) {
-                    is_known = is_known && !(rest2.high > most_zero * length2.high);
-                    break;
-                }
+                proper = rest2.high > least * length2.high;
+                if (!proper) break;
                 const DoubleDouble rest = {square_root(rest2.high), 0};
                 for (int k = 0; k < dim; ++k) n[k] = n[k] / rest;
                 along[size] = level / rest;
@@ -296,7 +292,6 @@ template <class Visit>
             if (is_own(v, foot, star)) visit(foot);
         }
     }
-    return is_known;
 }
 
 // v is outside of the half-space, and what that leaves of its cell reaches beyond the limit. Is the point of it nearest
@@ -313,13 +308,13 @@ template <class Visit>
     const double limit2 = request_.limit2[v], radius2 = half.radius * half.radius;
     const double nothing[dimension_max] = {};
     bool found = false;
-    const bool near_known = visit_feet(v, star, &half, nothing, limit2, [&](const double*) { found = true; });
+    visit_feet(v, star, &half, nothing, limit2, [&](const double*) { found = true; });
     if (found) return Found::beyond;
     double away2 = 0, nearest2 = infinity, reach2 = 0;
     for (int k = 0; k < dim; ++k) away2 += half.centre[k] * half.centre[k];
-    if (away2 <= radius2) return near_known ? Found::within : Found::undecided;
+    if (away2 <= radius2) return Found::within;
     const double inside2 = radius2 * (1 - cell_slack);
-    const bool ball_known = visit_feet(v, star, nullptr, half.centre, inside2, [&](const double* foot) {
+    visit_feet(v, star, nullptr, half.centre, inside2, [&](const double* foot) {
         double x2 = 0, y2 = 0;
         for (int k = 0; k < dim; ++k) {
             x2 += (foot[k] - half.centre[k]) * (foot[k] - half.centre[k]);
@@ -329,8 +324,7 @@ template <class Visit>
         nearest2 = x2;
         reach2 = y2;
     });
-    if (nearest2 < infinity && reach2 > limit2) return Found::beyond;
-    return near_known && ball_known ? Found::within : Found::undecided;
+    return nearest2 < infinity && reach2 > limit2 ? Found::beyond : Found::within;
 }
 
 [[gnu::cold]] Status Reach::find_beyond(std::uint32_t* beyond) {
