@@ -26,8 +26,8 @@ struct ReachRequest {
 //
 // Corners come from vertices, neighbour words and coordinates alone, relative to a vertex, by elimination in numbers of
 // 106 bits, in 1,024 bits where those leave a corner or its side of the plane open. What 1,024 bits leave open as well,
-// an exactly flat cell for one, is not decided: no honest mesh has it. No vertex with a finite limit may be on the hull. A
-// compact store with room for the star of a vertex in its gap. O(cells).
+// an exactly flat cell for one, is not decided: no honest mesh has it. No vertex with a finite limit may be on the
+// hull. A compact store with room for the star of a vertex in its gap. O(cells).
 Status check_reach(const AnyStore& store, const ReachRequest& request, std::uint32_t* beyond);
 
 }  // namespace netmesh

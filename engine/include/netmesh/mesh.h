@@ -31,9 +31,9 @@ typedef struct netmesh_delaunay_request {
     size_t point_stride_bytes;         /* from one of them to the next; 0: packed */
 } netmesh_delaunay_request;
 
-/* Defaults for dimension dim. Writes request_bytes = sizeof *request. Every number is kept as the dimension; of one that
- * is not NETMESH_DIM_MIN..NETMESH_DIM_MAX the job says INVALID_ARGUMENT and names the field dim before it reads anything
- * else, and the plan is 0. So do all requests that have a dimension. */
+/* Defaults for dimension dim. Writes request_bytes = sizeof *request. Every number is kept as the dimension; of one
+ * that is not NETMESH_DIM_MIN..NETMESH_DIM_MAX the job says INVALID_ARGUMENT and names the field dim before it reads
+ * anything else, and the plan is 0. So do all requests that have a dimension. */
 void netmesh_delaunay_request_init(netmesh_delaunay_request* request, size_t request_bytes, uint32_t dim);
 
 /* Bytes of block to plan for: enough for uniform points, an estimate for others; at most 1.2 times what the call takes
@@ -179,9 +179,9 @@ size_t netmesh_plan_mesh(const netmesh_mesh_request* request);
  * units, and with scales of interest focus_from must be 64 / k units, k = focus_ratio^2 / 2 - 1, or (focus_ratio^2 - 1)
  * / (focus_ratio^2 + 1) when focus_ratio is at most sqrt 2 (INVALID_ARGUMENT, FOCUS_FROM). Replaces what the context
  * held, also on failure. INVALID_ARGUMENT, NOT_FINITE, OUT_OF_RANGE, TOO_CLOSE, CHECK_FAILED (CAGES_THESIS: a cell at
- * the outermost shell is above tau whatever the radius of that; seven are tried, and never was it seen that all failed),
- * OUT_OF_MEMORY, CANCELLED; on the last two the context holds a valid Delaunay mesh of what was inserted so far
- * (report.complete is 0). */
+ * the outermost shell is above tau whatever the radius of that; seven are tried, and never was it seen that all
+ * failed), OUT_OF_MEMORY, CANCELLED; on the last two the context holds a valid Delaunay mesh of what was inserted so
+ * far (report.complete is 0). */
 netmesh_status netmesh_mesh(netmesh_context* context, const netmesh_mesh_request* request);
 
 /* A mesh made elsewhere, or read from a file. */
