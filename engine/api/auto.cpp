@@ -134,6 +134,7 @@ netmesh_status netmesh_persist_auto(netmesh_context* context, const netmesh_auto
         return status;
     }
     context->arena.raise_peak(peak);
+    if (why == NETMESH_WHY_MEMORY) context->arena.use_all();
     context->diagram.why = why;
     context->diagram.tried_points = allowance.points_tried;
     context->diagram.tried_cells = allowance.cells_made;

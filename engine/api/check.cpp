@@ -67,6 +67,24 @@ ReachRequest whole_cells(const AnyStore& store, const ReachRequest& reach, doubl
     return {ball, limit2};
 }
 
+// What the mesher measures of clipped cells, against what is promised; check_reach is the second opinion.
+Status check_measured(Context& context, const AnyStore& store, const Promises& promises, CheckResult* why) {
+    double worst;
+    std::uint32_t vertex;
+    const AnyDomain domain = domain_of(context);
+    recompute_balls(store);
+    Status status = worst_aspect_ratio(store, domain, context.arena, &worst, &vertex);
+    if (status == Status::ok && !(worst <= promises.tau * (1 + ratio_tolerance)))
+        *why = {aspect_violation_of(context), vertex};
+    const bool is_sized = built::sizes && promises.sizes.asks();
+    if (status != Status::ok || why->violation != nullptr || !is_sized) return status;
+    SizeRatio sized;
+    status = worst_size_ratio(store, {domain, context.input.distinct, promises.sizes}, context.arena, &sized);
+    if (status == Status::ok && !(sized.worst <= 1 + ratio_tolerance))
+        *why = {"a clipped Voronoi cell is larger than the size asked for", sized.vertex};
+    return status;
+}
+
 // Quality by definition 4.5 where there are cages, of each clipped cell and its size where there are none.
 Status check_quality(Context& context, const AnyStore& store, const Promises& promises, CheckResult* why) {
     const AnyDomain domain = domain_of(context);
@@ -95,6 +113,9 @@ Status check_quality(Context& context, const AnyStore& store, const Promises& pr
     if (why->violation == nullptr)
         *why = check_domain(store, domain, cages == 0 ? nullptr : domains, context.complete, promises.net);
     if (why->violation != nullptr) return Status::check_failed;
+    Status status = cages == 0 ? check_measured(context, store, promises, why) : Status::ok;
+    if (status != Status::ok || why->violation != nullptr)
+        return why->violation != nullptr ? Status::check_failed : status;
     recomputed_nearest2(store, limit2);
     const double most = 0.5 * promises.tau * (1 + ratio_tolerance);
     for (std::uint32_t v = 0; v < vertices;)
@@ -106,7 +127,7 @@ Status check_quality(Context& context, const AnyStore& store, const Promises& pr
     ReachRequest reach = {domain, limit2, cages_of(context), cages == 0 ? nullptr : domains};
     if (cages > 0 && context.mesh.cage_kind == CageKind::thesis) reach = whole_cells(store, reach, most, limit2);
     std::uint32_t beyond;
-    Status status = check_reach(store, reach, &beyond);
+    status = check_reach(store, reach, &beyond);
     if (status == Status::ok && beyond != none) *why = {aspect_violation_of(context), beyond};
     if (status == Status::ok && why->violation == nullptr && cages == 0 && promises.sizes.asks()) {
         status = find_limits(store, context.input.distinct, promises.sizes, arena, limit2);

@@ -245,15 +245,26 @@ extern "C" netmesh_status netmesh_fit(netmesh_context* context, const netmesh_fi
     const FitRun run(context, request, filter);
     const double coarsest = request.ratio != 0 ? request.ratio : coarsest_ratio;
     Status status;
+    // Of all tries: each begins with an arena anew. Where one runs out of memory the result is the block's.
+    std::size_t peak = 0;
+    bool is_limited = false;
+    const auto noted = [&](Status tried) {
+        if (context->arena.bytes_peak() > peak) peak = context->arena.bytes_peak();
+        is_limited |= tried == Status::out_of_memory;
+        return tried;
+    };
     if (request.by_error != 0) {
-        status = fit(ErrorLadder(), [&](double error, Climbed* climbed) { return run.make(error, climbed); });
+        status = fit(ErrorLadder(), [&](double error, Climbed* climbed) { return noted(run.make(error, climbed)); });
     } else if (request.longer_than != 0) {
-        status = decide(FocusPath(coarsest, request.longer_than),
-                        [&](const RatioGoal& goal, Decided* decided) { return run.make_bounded(goal, decided); });
+        status = decide(FocusPath(coarsest, request.longer_than), [&](const RatioGoal& goal, Decided* decided) {
+            return noted(run.make_bounded(goal, decided));
+        });
     } else {
         const RatioLadder ladder(coarsest, request.focus_from, request.focus_to);
-        status = fit(ladder, [&](const RatioGoal& goal, Climbed* climbed) { return run.make(goal, climbed); });
+        status = fit(ladder, [&](const RatioGoal& goal, Climbed* climbed) { return noted(run.make(goal, climbed)); });
     }
+    context->arena.raise_peak(peak);
+    if (is_limited) context->arena.use_all();
     if (status != Status::ok) clear(context);  // a mesh or a diagram of which a part is missing is no answer
     return static_cast<netmesh_status>(status);
 }

@@ -38,6 +38,8 @@ bool are_markers_valid(const Arena& arena, const uint8_t* markers, size_t count,
 }
 
 Complaint complaint_about_load(const netmesh_load_request& request, const Arena& arena, std::uint32_t* inputs) {
+    const Complaint dim = complaint_about_dim(request.dim);
+    if (dim.text != nullptr) return dim;
     if (request.vertices == nullptr) return {NETMESH_FIELD_VERTICES, "vertices is null"};
     if (request.vertex_count == 0) return {NETMESH_FIELD_VERTEX_COUNT, "there are no vertices"};
     if (request.vertex_count > NETMESH_POINTS_MAX) return {NETMESH_FIELD_VERTEX_COUNT, "more than 2^28 vertices"};
@@ -47,8 +49,7 @@ Complaint complaint_about_load(const netmesh_load_request& request, const Arena&
     if (request.cells == nullptr) return {NETMESH_FIELD_CELLS, "cells is null"};
     if (request.cell_count == 0) return {NETMESH_FIELD_CELL_COUNT, "there are no cells"};
     if (request.cell_count > Store<2>::slots_max) return {NETMESH_FIELD_CELL_COUNT, "more than 2^29 cells"};
-    const Complaint dim = complaint_about_dim(request.dim);
-    if (dim.text != nullptr || request.domain == nullptr) return dim;
+    if (request.domain == nullptr) return {};
     for (std::uint32_t k = 0; k <= request.dim; ++k)
         if (!is_finite(request.domain[k]) || (k == request.dim && !(request.domain[k] > 0)))
             return {NETMESH_FIELD_DOMAIN, "bad domain ball"};

@@ -25,8 +25,11 @@ void keep_input(netmesh_context* context, std::uint32_t dim, const InputReport& 
 // Cancelled, or out of memory: what there is by then stays. Anything else leaves nothing.
 netmesh_status finish_points(netmesh_context* context, Status status, const InputReport& input) {
     const bool stays = status == Status::ok || status == Status::cancelled || status == Status::out_of_memory;
+    const char* const text = status == Status::check_failed
+                                 ? "no mesh with cages of the thesis was found whose ratios are within tau"
+                                 : nullptr;
     return stays && context->mesh.present ? finish(context, status, nullptr, input.row_a, input.row_b)
-                                          : fail_and_clear(context, status, nullptr, input.row_a, input.row_b);
+                                          : fail_and_clear(context, status, text, input.row_a, input.row_b);
 }
 
 // Aspect ratio and sizes of a mesh that was just made, as far as it goes.
@@ -43,6 +46,9 @@ netmesh_status finish_points(netmesh_context* context, Status status, const Inpu
     mesh.aspect_ratio_max = quality.worst;
     if (status == Status::ok) status = measured;
     if (status == Status::ok && quality.encroached.violation != nullptr) status = Status::internal;
+    // Whole cells: nothing else bounds those at the outermost shell.
+    if (status == Status::ok && mesh.cage_kind == CageKind::thesis && !(quality.worst <= mesh.tau))
+        status = Status::check_failed;
     return status == Status::ok ? measure_sizes(context, store, sizes) : status;
 }
 

@@ -52,11 +52,12 @@ Complaint complaint_about_layout(const GivenRows& given) {
 }
 
 Complaint complaint_about_rows(const GivenRows& given, std::uint32_t dim_max) {
-    if (given.points == nullptr) return {NETMESH_FIELD_POINTS, "points is null"};
-    Complaint complaint = complaint_about_point_count(given.count);
-    if (complaint.text != nullptr) return complaint;
+    // The dimension first: how many points there are is often computed with it.
     const bool is_large = given.dim > NETMESH_DIM_MAX && given.dim <= dim_max;
-    if (!is_large) complaint = complaint_about_dim(given.dim);
+    Complaint complaint = is_large ? Complaint{} : complaint_about_dim(given.dim);
+    if (complaint.text != nullptr) return complaint;
+    if (given.points == nullptr) return {NETMESH_FIELD_POINTS, "points is null"};
+    complaint = complaint_about_point_count(given.count);
     if (complaint.text != nullptr) return complaint;
     if (given.dim > SIZE_MAX / 32 / given.count)
         return {NETMESH_FIELD_POINT_COUNT, "so many coordinates do not fit an address space"};
@@ -119,8 +120,10 @@ Complaint read_promises(const netmesh_mesh_request* mesh, std::uint32_t dim, Pro
     netmesh_mesh_request request;
     const netmesh_field fault = read_struct(mesh, &request, sizeof request);
     if (fault != NETMESH_FIELD_NONE) return complaint_about_struct(fault);
+    Complaint complaint = complaint_about_dim(request.dim);
+    if (complaint.text != nullptr) return complaint;
     if (request.dim != dim) return {NETMESH_FIELD_MESH, "the mesh request is of another dimension"};
-    const Complaint complaint = complaint_about_promises(request);
+    complaint = complaint_about_promises(request);
     if (complaint.text != nullptr) return complaint;
     promises->tau = promises->net.tau = tau_of(dim, request.tau);
     promises->net.spacing = request.net_spacing;
@@ -132,18 +135,14 @@ Complaint read_promises(const netmesh_mesh_request* mesh, std::uint32_t dim, Pro
 
 namespace {
 
-std::uint32_t clamped(std::uint32_t dim) {
-    return dim < NETMESH_DIM_MIN ? NETMESH_DIM_MIN : dim > NETMESH_DIM_MAX ? NETMESH_DIM_MAX : dim;
-}
-
 template <class Request> void start(const Request& defaults, Request* request, std::size_t bytes) {
     start_struct(&defaults, sizeof defaults, request, bytes);
 }
 
-// Requests on points.
+// Requests on points. A dimension that is none is kept: the job that gets the request refuses it, and a plan is 0.
 template <class Request> Request points_defaults(std::uint32_t dim) {
     Request defaults = {};
-    defaults.dim = clamped(dim);
+    defaults.dim = dim;
     defaults.seed = 1;
     return defaults;
 }
@@ -186,7 +185,7 @@ double netmesh_tau(const netmesh_mesh_request* from) {
 
 void netmesh_load_request_init(netmesh_load_request* request, size_t request_bytes, uint32_t dim) {
     netmesh_load_request defaults = {};
-    defaults.dim = clamped(dim);
+    defaults.dim = dim;
     start(defaults, request, request_bytes);
 }
 
@@ -251,8 +250,7 @@ void netmesh_scales_request_init(netmesh_scales_request* request, size_t request
 void netmesh_points_request_init(netmesh_points_request* request, size_t request_bytes, uint32_t dim,
                                  netmesh_filter filter) {
     netmesh_points_request defaults = {};
-    const bool is_large = in_range(filter, NETMESH_FILTER_RIPS, NETMESH_FILTER_RIPS) && dim > NETMESH_DIM_MAX;
-    defaults.dim = !is_large ? clamped(dim) : dim < NETMESH_RIPS_DIM_MAX ? dim : NETMESH_RIPS_DIM_MAX;
+    defaults.dim = dim;
     keep(filter, &defaults.filter);
     defaults.k = 1;
     defaults.max_degree = 1;
@@ -270,7 +268,7 @@ void netmesh_distances_request_init(netmesh_distances_request* request, size_t r
 void netmesh_points_vineyard_request_init(netmesh_points_vineyard_request* request, size_t request_bytes, uint32_t dim,
                                           netmesh_filter filter) {
     netmesh_points_vineyard_request defaults = {};
-    defaults.dim = clamped(dim);
+    defaults.dim = dim;
     keep(filter, &defaults.filter);
     defaults.k_first = defaults.k_last = 1;
     defaults.max_degree = 1;

@@ -36,7 +36,8 @@ void AnyStore::compact(std::size_t offset) {
 }
 
 AnyCellList::AnyCellList(const AnyStore& store)
-    : store_(store), end_(store.list_top()), capacity_(store.list_capacity()), stamp_(store.new_stamp()) {}
+    : store_(store), end_(store.list_top()), capacity_(store.list_capacity()), below_(store.arena.bytes_used()),
+      stamp_(store.new_stamp()) {}
 
 bool AnyCellList::add(CellId c) {
     std::uint32_t& mark = store_.cell(c).mark;

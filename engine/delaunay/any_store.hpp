@@ -142,6 +142,9 @@ using AnyStore = Store<any_dimension>;
 class AnyCellList {
 public:
     explicit AnyCellList(const AnyStore& store);
+    ~AnyCellList() { store_.arena.raise_peak(below_ + size_ * sizeof(CellId)); }
+    AnyCellList(const AnyCellList&) = delete;
+    AnyCellList& operator=(const AnyCellList&) = delete;
     bool add(CellId c);
     bool has(CellId c) const { return store_.cell(c).mark == stamp_; }
     std::uint32_t size() const { return size_; }
@@ -150,7 +153,7 @@ public:
 private:
     const AnyStore& store_;
     CellId* const end_;
-    const std::size_t capacity_;
+    const std::size_t capacity_, below_;
     const std::uint32_t stamp_;
     std::uint32_t size_ = 0;
 };

@@ -12,7 +12,11 @@ namespace netmesh {
 template <int D> class CellList {
 public:
     [[gnu::always_inline]] explicit CellList(Store<D>& store)
-        : store_(store), end_(store.list_top()), capacity_(store.list_capacity()), stamp_(store.new_stamp()) {}
+        : store_(store), end_(store.list_top()), capacity_(store.list_capacity()), below_(store.arena.bytes_used()),
+          stamp_(store.new_stamp()) {}
+    ~CellList() { store_.arena.raise_peak(below_ + size_ * sizeof(CellId)); }
+    CellList(const CellList&) = delete;
+    CellList& operator=(const CellList&) = delete;
 
     // Lists c unless it is listed already. False when the gap has no room for it.
     bool add(CellId c) {
@@ -34,7 +38,7 @@ public:
 private:
     Store<D>& store_;
     CellId* const end_;
-    const std::size_t capacity_;
+    const std::size_t capacity_, below_;  // what is used beside the list
     const std::uint32_t stamp_;
     std::uint32_t size_ = 0;
 };

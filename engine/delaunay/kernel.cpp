@@ -390,6 +390,8 @@ template <int D> bool Kernel<D>::find_cavity(const double* q, VertexId id, CellI
                 }
             }
         }
+        // As if the search had asked for its last lines, also where it had tables instead.
+        store_.arena.use_gap(static_cast<std::size_t>((count > facets ? count : facets) + D + 1) * sizeof(Line));
         *cavity = {static_cast<std::uint32_t>(count), static_cast<std::uint32_t>(facets), stamp, has_tables};
         return true;
     }

@@ -71,6 +71,7 @@ bool PlanarCavity<D>::find(Kernel<D>& kernel, const double* q, VertexId id, Cell
         if (waiting == 0) break;
         facet = end[-(--waiting)].waiting;
     }
+    store.arena.use_gap(static_cast<std::size_t>(count + 2) * sizeof(PlanarLine));
     *cavity = {static_cast<std::uint32_t>(count), static_cast<std::uint32_t>(facets), 0, false};
     return true;
 }

@@ -142,7 +142,7 @@ template <int D> bool PlaneRun<D>::has_room(std::size_t cells, std::size_t lines
         return false;
     }
     // Of points on a circle half of the cells are ghosts, which the end does not have, and a list may be as long.
-    arena_.raise_peak(arena_.bytes_used() + needed);
+    arena_.use_gap(needed);
     return true;
 }
 
@@ -302,6 +302,7 @@ template <int D> bool PlaneRun<D>::find_cavity(CellId first) {
         edge = cross(from, to);
     }
     state_.in_ball_counts.calls[0] += sure;
+    arena_.use_gap(static_cast<std::size_t>(count + 3) * sizeof(PlaneLine));
     facets_ = facets;
     return true;
 }

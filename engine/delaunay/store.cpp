@@ -68,7 +68,10 @@ bool has_room_for(Arena& arena, const StoreState& state, const StoreNeeds& needs
         return false;
     }
     const std::size_t bytes = fresh * needs.cell_bytes + needs.other_bytes + Arena::alignment;
-    if (bytes <= arena.bytes_free()) return true;
+    if (bytes <= arena.bytes_free()) {
+        arena.use_gap(bytes);
+        return true;
+    }
     arena.refuse(bytes);
     return false;
 }

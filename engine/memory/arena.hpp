@@ -93,8 +93,9 @@ public:
     std::size_t bytes() const { return size_; }
     std::size_t bytes_free() const { return sweep_refuses() ? 0 : high_ - low_; }
     std::size_t bytes_used() const { return low_ + (size_ - high_); }
-    // Largest bytes_used() so far; bytes_wanted: the largest total that a refused request asked for, 0 if none.
-    std::size_t bytes_peak() const { return peak_; }
+    // The size of the smallest block that all requests so far fit: a multiple of the alignment, as what a block has
+    // beyond one is not used. bytes_wanted: the largest total that a refused request asked for, 0 if none.
+    std::size_t bytes_peak() const { return (peak_ + alignment - 1) & ~(alignment - 1); }
     std::size_t bytes_wanted() const { return wanted_; }
 
     // count objects of T, uninitialised, at the low (high) end, 16-byte aligned; nullptr when the gap is too small,
@@ -109,7 +110,6 @@ public:
         std::size_t need;
         if (!fits(bytes, 1, 0, &need)) return false;
         low_ += bytes;
-        note_peak();
         return true;
     }
     bool extend_high(std::size_t bytes) {
@@ -117,13 +117,16 @@ public:
         std::size_t need;
         if (!fits(bytes, 1, 0, &need)) return false;
         high_ -= bytes;
-        note_peak();
         return true;
     }
-    // Counts what is used without being taken, or was used by the same call before the arena was adopted anew.
+    // Counts what a larger block would have been needed for, without being taken: bytes in the gap that were asked for
+    // or written to; in all what the same call used before the arena was adopted anew.
     void raise_peak(std::size_t bytes) {
         if (bytes > peak_) peak_ = bytes;
     }
+    void use_gap(std::size_t bytes) { raise_peak(bytes_used() + bytes); }
+    // What is done depends on how large the block is, so nothing smaller does the same.
+    void use_all() { peak_ = size_; }
     // Remembers a request that was found not to fit without being made.
     void refuse(std::size_t bytes) {
         const std::size_t total = bytes_used() + bytes;
@@ -156,7 +159,6 @@ private:
         std::size_t need;
         if (sweep_refuses() || !fits(count, item_bytes, start - low_, &need)) return nullptr;
         low_ = start + need;
-        note_peak();
         return base_ + start;
     }
     unsigned char* take_items_high(std::size_t count, std::size_t item_bytes) {
@@ -164,7 +166,6 @@ private:
         std::size_t need;
         if (sweep_refuses() || !fits(count, item_bytes, high_ - end, &need)) return nullptr;
         high_ = (end - need) & ~(alignment - 1);
-        note_peak();
         return base_ + high_;
     }
     bool fits(std::size_t count, std::size_t item_bytes, std::size_t padding, std::size_t* need) {
@@ -173,14 +174,13 @@ private:
             return false;
         }
         *need = count * item_bytes;
-        if (*need + padding + alignment <= high_ - low_) return true;
+        if (*need + padding + alignment <= high_ - low_) {
+            use_gap(*need + padding + alignment);
+            return true;
+        }
         refuse(*need + padding + alignment);
         return false;
     }
-    void note_peak() {
-        if (bytes_used() > peak_) peak_ = bytes_used();
-    }
-
     unsigned char* base_;
     std::size_t size_, low_, high_, peak_, wanted_;
     Monitor* monitor_ = nullptr;

@@ -22,6 +22,8 @@ Status BallLists::open(int dim, Arena& arena, std::uint32_t inputs) {
             first_of_input_[p] = none;
             ply_[p] = stamp_[p] = touches_[p] = 0;
         }
+    // How long the lists may become is a share of the block.
+    arena.use_all();
     std::size_t entries = arena.bytes_free() / 4 / sizeof(Entry);
     const std::size_t enough = (std::size_t{inputs} + 256) << (2 * dim);
     if (entries > enough) entries = enough;

@@ -40,6 +40,7 @@ struct MeshRequest {
     RatioGoal goal = {};          // certificate
     bool finish = false;          // hierarchy: FinishMesh (4.7.6), release all cages and refine what they kept apart
     CageKind cages = CageKind::compact;  // hierarchy
+    double outermost_scale = 1;          // cages of the thesis: radius of the outermost one over the least, >= 1
     bool audit_location = false;         // quality, hierarchy: see observers.hpp
     bool audit_quality = false;          // all but reference
     std::uint64_t seed = 0;

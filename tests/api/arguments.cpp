@@ -538,11 +538,6 @@ TEST_CASE("another floating-point mode is refused") {
     CHECK(netmesh_init(block, sizeof block, &context) == NETMESH_OK);
 }
 
-TEST_CASE("dimensions that there are not") {
-    CHECK(netmesh::requests::Mesh(0).dim == NETMESH_DIM_MIN);
-    CHECK(netmesh::requests::Mesh(100).dim == NETMESH_DIM_MAX);
-}
-
 TEST_CASE("points beyond what lists can number") {
     // More points than a graph of edges is made for, and more simplices than 62 bits number: both are listed, one by
     // one, until stopped.

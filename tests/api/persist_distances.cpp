@@ -364,8 +364,7 @@ TEST_CASE("only Rips complexes take points of more than six coordinates") {
     Session s(2);
     const inputs::Points points(14, 0.5);
     netmesh_points_request r = netmesh::requests::Points(7, NETMESH_FILTER_CECH);
-    CHECK(r.dim == NETMESH_DIM_MAX);
-    r.dim = 7;
+    CHECK(r.dim == 7);
     r.points = points.data();
     r.point_count = 2;
     CHECK(netmesh_persist_points(s.context, &r) == NETMESH_INVALID_ARGUMENT);
@@ -378,7 +377,7 @@ TEST_CASE("only Rips complexes take points of more than six coordinates") {
     r.dim = NETMESH_RIPS_DIM_MAX + 1;
     CHECK(netmesh_persist_points(s.context, &r) == NETMESH_INVALID_ARGUMENT);
     CHECK(s.detail().field == NETMESH_FIELD_DIM);
-    CHECK(netmesh::requests::Points(1u << 30, NETMESH_FILTER_RIPS).dim == NETMESH_RIPS_DIM_MAX);
+    CHECK(netmesh_plan_points(&r) == 0);
 }
 
 TEST_CASE("a function is asked for each distance once, row by row") {

@@ -72,16 +72,22 @@ inputs::Points on_curve(int dim, std::size_t n) {
     return points;
 }
 
-// The triangulation of points and of a frame around them, unrefined, as a mesh has it.
+// The triangulation of points and of a frame around them, unrefined, as a mesh has it. away: how many radii its
+// vertices are from the centre, 4 by themselves; given, they stand beside the axes.
 template <int D> struct Framed {
-    explicit Framed(const inputs::Points& points) : block(std::size_t{1} << 26), store(block.arena, state) {
+    explicit Framed(const inputs::Points& points, const std::vector<double>& away = {})
+        : block(std::size_t{1} << 26), store(block.arena, state) {
         const std::uint32_t n = static_cast<std::uint32_t>(points.size() / D);
         smallest_enclosing_ball<D>(points.data(), n, domain.centre, &domain.radius);
         domain.enclosing_radius = domain.radius;
         inputs::Points all = points;
         for (int i = 0; i < 2 * D; ++i)
-            for (int k = 0; k < D; ++k)
-                all.push_back(domain.centre[k] + (k == i / 2 ? (i % 2 == 0 ? 4 : -4) * domain.radius : 0));
+            for (int k = 0; k < D; ++k) {
+                const double far = away.empty() ? 4 : away[static_cast<std::size_t>(i)];
+                const double beside = away.empty() ? 0 : 0.01 * ((5 * i + 3 * k) % 7 - 3);
+                all.push_back(domain.centre[k] +
+                              (k == i / 2 ? (i % 2 == 0 ? far : -far) : far * beside) * domain.radius);
+            }
         Monitor monitor;
         InputReport input;
         REQUIRE(triangulate<D>(store, all.data(), n + 2 * D, 1, monitor, &input) == Status::ok);
@@ -138,6 +144,81 @@ TEST_CASE_TEMPLATE_DEFINE("measured and checked reach agree with sampling, on ce
     }
 }
 TEST_CASE_TEMPLATE_APPLY(agree, Dimensions<>);
+
+TEST_CASE_TEMPLATE_DEFINE("checked reach of cells whose corners are as far away as a file likes", T, far_away) {
+    constexpr int D = T::value;
+    inputs::Random random(3);
+    for (int run = 0; run < (D < 4 ? 30 : 8); ++run) {
+        // Of two inputs the far corners are beside the middle of the ball, which 106 bits do not tell.
+        const std::size_t n = run % 2 == 0 ? 2 : 3 + static_cast<std::size_t>(run % 4);
+        std::vector<double> away;
+        const double together = std::pow(10, (n == 2 ? 35 : 2) + 20 * random.uniform());
+        for (int i = 0; i < 2 * D; ++i)
+            away.push_back(run % 4 < 2 ? together : std::pow(10, 2 + 50 * random.uniform()));
+        const Framed<D> m(inputs::uniform(D, n, 100 + static_cast<unsigned>(run)), away);
+        Domain<D> ball = m.domain;
+        ball.radius *= 10;
+        const std::vector<double> sampled2 = sampled_reach2<D>(m.store, ball, 4000);
+        std::vector<double> limit2(m.state.vertex_count, infinity);
+        std::uint32_t beyond;
+        INFO("run " << run);
+        for (std::uint32_t v = 0; v < n; ++v) {
+            if (sampled2[v] == 0) continue;
+            limit2[v] = sampled2[v] * (1 - 1e-9);
+            REQUIRE(check_reach(m.store, {ball, limit2.data()}, &beyond) == Status::ok);
+            CHECK(beyond == v);
+            // The ball's diameter is as far as anything reaches.
+            limit2[v] = 4.1 * ball.radius * ball.radius;
+            REQUIRE(check_reach(m.store, {ball, limit2.data()}, &beyond) == Status::ok);
+            CHECK(beyond == none);
+        }
+    }
+}
+TEST_CASE_TEMPLATE_APPLY(far_away, Dimensions<2, 4>);
+
+TEST_CASE_TEMPLATE_DEFINE("a corner that no digits tell is not within anything", T, no_corner) {
+    constexpr int D = T::value;
+    Framed<D> m(inputs::uniform(D, 8, 5));
+    std::vector<double> limit2(m.state.vertex_count, infinity);
+    const CellId c = m.store.vertex(0).cell;
+    limit2[0] = 1e6 * m.domain.radius * m.domain.radius;
+    std::uint32_t beyond;
+    REQUIRE(check_reach(m.store, {m.domain, limit2.data()}, &beyond) == Status::ok);
+    CHECK(beyond == none);
+    // Two of its vertices in one place.
+    const VertexId other = m.store.cell(c).vertex[m.store.cell(c).vertex[0] == 0 ? 1 : 0];
+    copy<D>(D, m.store.point(0), m.store.vertex(other).x);
+    REQUIRE(check_reach(m.store, {m.domain, limit2.data()}, &beyond) == Status::ok);
+    CHECK(beyond == 0);
+}
+TEST_CASE_TEMPLATE_APPLY(no_corner, Dimensions<>);
+
+TEST_CASE_TEMPLATE_DEFINE("a vertex far outside of the ball reaches what its cell has in it", T, from_outside) {
+    constexpr int D = T::value;
+    // One input in the middle, others around the ball: its own cell is what the ball is cut to.
+    for (const double far : {1.2, 2.0, 3.5}) {
+        inputs::Points points(D, 0.0);
+        for (int i = 0; i < 2 * D; ++i)
+            for (int k = 0; k < D; ++k) points.push_back(k == i / 2 ? (i % 2 == 0 ? far : -far) : 0.001 * (i + k));
+        const Framed<D> m(points);
+        Domain<D> ball = {};
+        ball.radius = 1;
+        const std::vector<double> sampled2 = sampled_reach2<D>(m.store, ball, 20000);
+        std::vector<double> limit2(m.state.vertex_count, infinity);
+        std::uint32_t beyond;
+        for (std::uint32_t v = 1; v <= 2 * D; ++v) {
+            INFO("far " << far << ", vertex " << v);
+            // Beyond all of the ball, in the middle of it, before it.
+            for (const double limit : {0.25 * (far - 1), 0.5 * (far - 1) + 0.5 * std::sqrt(sampled2[v]), far + 2}) {
+                limit2[v] = limit * limit;
+                REQUIRE(check_reach(m.store, {ball, limit2.data()}, &beyond) == Status::ok);
+                CHECK((beyond == v) == (limit * limit < sampled2[v]));
+            }
+            limit2[v] = infinity;
+        }
+    }
+}
+TEST_CASE_TEMPLATE_APPLY(from_outside, Dimensions<2, 4>);
 
 TEST_CASE_TEMPLATE_DEFINE("a point that reaches a distance is at it, in the ball and in the cell", T, reaching) {
     constexpr int D = T::value;

@@ -10,6 +10,7 @@
 #include "common/block.hpp"
 #include "common/dimensions.hpp"
 #include "common/inputs.hpp"
+#include "common/meshed.hpp"
 #include "hierarchical.hpp"
 
 using namespace netmesh;
@@ -225,6 +226,30 @@ TEST_CASE("finishing keeps meshes with cages of the thesis of bounded quality") 
 
 // Of three points the third stands where a shell vertex of the cage of the first two has its place, a little beside it:
 // in eight positions, as the order decides who comes last and is yielded to.
+TEST_CASE("a mesh whose outermost shell leaves a cell above tau is made again") {
+    const inputs::Points five = {3e7, 0.8, 0.7, 1.7e6, 0.037, 0.44, 3e6, 0.9, 1, 4e7, 0.4, 0.2, 8e7, 0.5, 0.9};
+    constexpr double tau = 3.4;
+    // The first outermost cage leaves one.
+    CHECK(ThesisMesh<3>(five, tau, false, nullptr, 1, 1).status == Status::check_failed);
+    MeshRequest request;
+    request.method = MeshMethod::hierarchy;
+    request.cages = CageKind::thesis;
+    request.tau = tau;
+    request.seed = 1;
+    for (const bool finish : {false, true}) {
+        request.finish = finish;
+        Meshed<3> m(five, request);
+        REQUIRE(m.status == Status::ok);
+        REQUIRE(m.result.hierarchy.cages > 0);
+        HierarchyRequest judged = {m.result.cages, m.result.hierarchy.cages, m.result.domain};
+        judged.kind = CageKind::thesis;
+        HierarchyQuality found;
+        REQUIRE(measure_hierarchy(m.store, judged, m.block.arena, &found) == Status::ok);
+        CHECK(found.worst <= tau);
+        CHECK(found.encroached.violation == nullptr);
+    }
+}
+
 TEST_CASE("shells of cages of the thesis yield to inputs") {
     std::uint32_t yielded = 0;
     for (std::uint64_t seed = 0; seed < 3; ++seed) {

@@ -374,8 +374,9 @@ Outcome check_diagram(const Options& options, RunReport* run) {
         outcome = refuse_options(options, {"--representatives", "--memory", "--columns", "--delimiter", "--skip"},
                                  "nothing says how " + file.name + " was made, so nothing is made again");
         if (!outcome.good()) return outcome;
-        run->checked->push_back(file.name + " carries no certificate: it does not say how it was made, nor do options");
-        return {};
+        // What can be made again by nobody cannot be checked, whatever points stand beside it.
+        return file_error(file.name, "carries no certificate: it does not say how it was made, nor do options",
+                          Exit::check);
     }
     const Options made = making_of(options, file);
     if (!file.head) outcome = check_use_in_diagram(made);

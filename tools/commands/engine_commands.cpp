@@ -336,6 +336,20 @@ void tell_highest_degree(const Options& options, const std::string& name, const 
                   std::to_string(diagram.max_degree) + ": there is nothing of higher degree");
 }
 
+// One line where tau is so near 2 that spread points take long, before the work begins. The figures are those of
+// netmesh_mesh in netmesh/mesh.h.
+void tell_cost(const Options& options, const PointCloud& cloud) {
+    constexpr double near = 0.25;
+    const double above = options.tau.value_or(0) - 2;
+    if (!(above > 0 && above < near) || cloud.dim > 4) return;
+    double each = 8;
+    for (std::uint32_t d = 1; d < cloud.dim; ++d) each *= 5 / above;
+    tell_note(options, cloud.name,
+              "--tau " + number_text(*options.tau) +
+                  " is near 2: for every factor of ten between distances a mesh takes " + "some " +
+                  grouped_text(static_cast<std::uint64_t>(each)) + " vertices around each cluster");
+}
+
 Outcome run_one(const Options& from) {
     if (from.threshold) return run_distances(from);
     const Outcome apart = check_apart(from);
@@ -356,6 +370,7 @@ Outcome run_one(const Options& from) {
     Measured measured;
     if (options.vertex_function) outcome = settle_mesh(options, &input.mesh, &session);
     if (!outcome.good()) return outcome;
+    tell_cost(options, cloud);
     const auto all_work = [&](Session& s) { return work(s, options, input, &measured); };
     outcome = session.run(plan_of(options, cloud), cloud, all_work);
     if (outcome.good() && persists(options)) outcome = check_error(options, session.engine());

@@ -169,6 +169,10 @@ typedef struct netmesh_complex_report {
     uint64_t reserved[2];
 } netmesh_complex_report;
 
+/* peak_bytes: the least block, a multiple of 16, for what was called since the context last held nothing: in one of
+ * that size the same calls end alike and leave the same results, byte for byte. It is the whole block where these
+ * depend on its size: of netmesh_fit that went as far as memory allowed, of netmesh_persist_auto that took a mesh for
+ * want of memory, of audits of location. */
 typedef struct netmesh_memory_report {
     uint64_t block_bytes, peak_bytes, used_bytes;
     uint64_t reserved[2];
