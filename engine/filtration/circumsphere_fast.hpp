@@ -17,7 +17,6 @@ namespace netmesh {
 // numbers of sum at most K have a product of at most (K / (K-1))^(K-1) < e.
 // Pivoting makes |r| <= |e_i| / |q_j| <= 1 for the coefficients r of row i, e_i as it then is; lengths do not grow.
 //  1. Rows. A step changes row i by at most 2 u l_i besides what it should do, the first difference by u l_i. So
-//  exactly
 //     e_i + F_i = sum of r_ij q_j with |F_i| <= 2 K u l_i; and b_i + g_i = sum of r_ij b_j with
 //     |g_i| <= (D + 2 + 2 K) u l_i R, since b_i = l_i^2 / 2 <= l_i R.
 //  2. Angles. r is off by (2 D + 2) u |e_i| / |q_j|, so row i after its step is at right angles to q_j up to
@@ -39,23 +38,22 @@ namespace netmesh {
 //     as e_i . e_i = 2 e_i . z and the sum of beta_i e_i is z. What differs from R^2 is of second order: with 3 and 4
 //     at most 3 a^2 P^2 L^2. The products e_i . (e_i - 2 x) themselves are at most 2 l_i |x - z|: rounding them, and
 //     their sum, costs (K + 2) K u 2 Z a P L < a^2 P^2 L^2, as a > 2 K (K + 2) u. Both: 4 a^2 P^2 L^2, and 5 for 4.
-//  6. Its digits. Let m be the sum of |2 x_d|, which is between 2 R and 2 sqrt(D) R up to a factor of 1.01. Coordinates
-//  of
-//     e_i and of 2 x are cut by adding 1.05 2^27 m, and taking it away: at multiples of a q between 1.04 2^-26 m and
-//     1.05 2^-25 m, of which another one may be twice as large. |e_i| and |e_i - 2 x| are at most 2 R, less than
-//     2^26 q, so by Cauchy products of upper parts, and sums of them, are below 2^53 q^2: exact. The rest of a product,
-//     upper part times lower and lower times whole, is at most q sqrt(D) (|e_i| + |e_i - 2 x| / 2 + q) < 1.6 sqrt(D) q
-//     m and takes D + 5 <= 2 D + 3 roundings: it is off by (2 D + 3) 1.7 sqrt(D) u 2^-25 m^2 at most, times |b_i|; and
-//     |2 x|^2, with the sum of all, by no more.
-//  7. A closer look, where that is not enough. Products are computed exactly, but for terms of third order, and summed
-//  in
-//     twice the digits, so that each e_i . (e_i - 2 x) is off by 32 D u^2 l_i 2 R at most; times |b_i|, |b_i| l_i
-//     <= 1.01 Z, all are off by less than 65 D K u^2 L^2 < 2^-94 L^2. They are -2 e_i . (x - z): so what of x - z is in
-//     the span of the e_i is at most sqrt(e) P times the root of the sum of their squares over 4 l_i^2, and as much of
-//     the next digits, which the 2^-94 has room for. What is not, where K < D, is at most (2 K sqrt(e K) P + K
-//     sqrt(K)) 1.05 u R, by 1 and the sum of 3. The sum of (b_i - beta_i) e_i is x - z and what x is beside the sum of
-//     the b_i e_i, which is computed to (K + 2) (K + 1) u L. With X for |x - z|^2 and Y for twice the sum of squares of
-//     the other two, 5 is off by 4 X + Y at most, and by the rounding of products as they are.
+//  6. Its digits. Let m be the sum of |2 x_d|, which is between 2 R and 2 sqrt(D) R up to a factor of 1.01.
+//     Coordinates of e_i and of 2 x are cut by adding 1.05 2^27 m, and taking it away: at multiples of a q between
+//     1.04 2^-26 m and 1.05 2^-25 m, of which another one may be twice as large. |e_i| and |e_i - 2 x| are at most
+//     2 R, less than 2^26 q, so by Cauchy products of upper parts, and sums of them, are below 2^53 q^2: exact. The
+//     rest of a product, upper part times lower and lower times whole, is at most q sqrt(D) (|e_i| + |e_i - 2 x| /
+//     2 + q) < 1.6 sqrt(D) q m and takes D + 5 <= 2 D + 3 roundings: it is off by (2 D + 3) 1.7 sqrt(D) u 2^-25 m^2
+//     at most, times |b_i|; and |2 x|^2, with the sum of all, by no more.
+//  7. A closer look, where that is not enough. Products are computed exactly, but for terms of third order, and
+//     summed in twice the digits, so that each e_i . (e_i - 2 x) is off by 32 D u^2 l_i 2 R at most; times |b_i|,
+//     |b_i| l_i <= 1.01 Z, all are off by less than 65 D K u^2 L^2 < 2^-94 L^2. They are -2 e_i . (x - z): so what
+//     of x - z is in the span of the e_i is at most sqrt(e) P times the root of the sum of their squares over 4
+//     l_i^2, and as much of the next digits, which the 2^-94 has room for. What is not, where K < D, is at most (2
+//     K sqrt(e K) P + K sqrt(K)) 1.05 u R, by 1 and the sum of 3. The sum of (b_i - beta_i) e_i is x - z and what x
+//     is beside the sum of the b_i e_i, which is computed to (K + 2) (K + 1) u L. With X for |x - z|^2 and Y for
+//     twice the sum of squares of the other two, 5 is off by 4 X + Y at most, and by the rounding of products as
+//     they are.
 // Sizes within 2^+-200 and P <= 2^12 keep what underflows below 2^-300 of all this.
 struct CircumsphereBounds {
     double centre_error, beta_error, digit_error;  // a, beta_error and the factor of m^2 in 6
