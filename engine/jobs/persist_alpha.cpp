@@ -83,7 +83,7 @@ Status diagram_of(const AlphaFiltration<D>& filtration, DiagramRequest request, 
         if (value[k] == nullptr || faces.count[k] > 0x7FFFFFFFu) return Status::out_of_memory;
         total += faces.count[k];
     }
-    work.monitor.begin(NETMESH_STAGE_FILTER, 2 * total);
+    work.monitor.begin(NETMESH_STAGE_FILTER, total);
     status = alpha_values(faces, points.coordinates, points.stride_bytes, work, value);
     if (status != Status::ok) return status;
     work.arena.release_high(high);
