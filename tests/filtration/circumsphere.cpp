@@ -91,14 +91,20 @@ ExactSphere exact_sphere(const Points& points) {
 void check_exact_stage(const Points& points, const Truth& truth) {
     static std::vector<std::uint64_t> scratch(ExactSphere::room(6));
     const ExactSphere sphere = exact_sphere(points);
-    REQUIRE(sphere.in_range());
+    const bool always = points[0].size() <= 3;  // the range of doubles is in that of the table of primes
+    if (!sphere.in_range()) {
+        CHECK(!always);
+        return;
+    }
     std::uint32_t within = 99;
     CHECK(sphere.find_within(scratch.data(), &within) == !truth.flat);
     if (truth.flat) return;
     CHECK(within == truth.within);
     double radius = -1;
-    REQUIRE(sphere.find_radius(scratch.data(), &radius));
-    CHECK(is_nearest_root(radius, truth.squared));
+    if (sphere.find_radius(scratch.data(), &radius))
+        CHECK(is_nearest_root(radius, truth.squared));
+    else
+        CHECK(points[0].size() >= 3);
 }
 
 // A batch of simplices of one kind through both ways of the float stage.

@@ -25,8 +25,8 @@ Listed persist(std::uint32_t dim, const inputs::Points& points, const PointsFilt
     Block block(std::size_t{1} << 22);
     Monitor monitor;
     PointsDiagram out;
-    const PointsRequest request = {filter, points.data(), static_cast<std::uint32_t>(points.size() / dim),
-                                   dim,    false,         representatives};
+    const PointsRequest request = {
+        filter, points.data(), static_cast<std::uint32_t>(points.size() / dim), dim, HUGE_VAL, false, representatives};
     REQUIRE(persist_points(request, {block.arena, monitor}, &out) == Status::ok);
     Listed listed = {{}, {}, out.ratio, out.distinct};
     const PairList& pairs = out.diagram.pairs;

@@ -87,8 +87,8 @@ void equals_separate_runs(int dim, const inputs::Points& points, netmesh_filter 
         Monitor monitor;
         PointsDiagram one;
         const std::uint32_t count = static_cast<std::uint32_t>(points.size() / static_cast<std::size_t>(dim));
-        const PointsRequest request = {{kind, values, k, degree},       points.data(), count,
-                                       static_cast<std::uint32_t>(dim), false,         false};
+        const PointsRequest request = {
+            {kind, values, k, degree}, points.data(), count, static_cast<std::uint32_t>(dim), HUGE_VAL, false, false};
         REQUIRE(persist_points(request, {block.arena, monitor}, &one) == Status::ok);
         std::vector<Bar> expected;
         for (std::uint64_t i = 0; i < one.diagram.pairs.count; ++i) {

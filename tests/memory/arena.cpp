@@ -117,7 +117,8 @@ private:
         CHECK(arena.low_mark() <= arena.high_mark());
         CHECK(arena.bytes_free() == gap());
         CHECK(arena.bytes_used() == arena.bytes() - gap());
-        CHECK(arena.bytes_peak() == peak_);
+        CHECK(arena.bytes_peak() >= peak_);  // with what requests leave free at either side
+        CHECK(arena.bytes_peak() <= peak_ + 48);
     }
 
     inputs::Random random_;
