@@ -240,6 +240,7 @@ template <> struct Figures_of<netmesh_analysis> {
 #undef WHOLE_ARRAY
 #undef ARRAY
 #undef ONE
+#undef IF_IS
 #undef IF_BIT
 #undef IF
 #undef AT

@@ -162,8 +162,8 @@ Status bound_in_join(const FilterBounds& filter, const BarList& bars, const Join
 
 namespace {
 
-double down(double x) { return x > 0 && x < infinity ? double_of_bits(bits_of(x) - 1) : x; }
-double up(double x) { return x < infinity ? double_of_bits(bits_of(x) + 1) : x; }
+double double_below(double x) { return x > 0 && x < infinity ? double_of_bits(bits_of(x) - 1) : x; }
+double double_above(double x) { return x < infinity ? double_of_bits(bits_of(x) + 1) : x; }
 
 // Is 0 the true birth? A point enters there; another simplex may be told to, being too small for a double.
 bool is_born_at_zero(const Pair& bar, const UniformBound& bound) {
@@ -173,8 +173,9 @@ bool is_born_at_zero(const Pair& bar, const UniformBound& bound) {
 // Ends that are true ones rounded to nearest: within half a unit in the last place, and different only where the true
 // ones are.
 BarBounds by_rounding(const Pair& bar, const UniformBound& bound) {
-    const double latest = is_born_at_zero(bar, bound) ? 0 : up(bar.birth);
-    return {down(bar.birth), latest, down(bar.death), up(bar.death), latest, bar.death > bar.birth ? 1u : 0u, 0};
+    const double latest = is_born_at_zero(bar, bound) ? 0 : double_above(bar.birth);
+    return {double_below(bar.birth),         latest, double_below(bar.death), double_above(bar.death), latest,
+            bar.death > bar.birth ? 1u : 0u, 0};
 }
 
 // By the ratio and the slack s for rounding: phi and psi of the head are x c s, and a bar is real when its death is
