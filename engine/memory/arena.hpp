@@ -126,7 +126,7 @@ public:
     }
     void use_gap(std::size_t bytes) { raise_peak(bytes_used() + bytes); }
     // What is done depends on how large the block is, so nothing smaller does the same.
-    void use_all() { peak_ = size_; }
+    void use_all() { peak_ = size_ & ~(alignment - 1); }
     // Remembers a request that was found not to fit without being made.
     void refuse(std::size_t bytes) {
         const std::size_t total = bytes_used() + bytes;
