@@ -14,7 +14,7 @@ bool centre_in_long_digits(int dim, const double* const* p, double shape_factor,
     for (int i = 0; i < dim; ++i) {
         double largest = 0;
         for (int j = 0; j < dim; ++j) {
-            edge[i][j] = two_difference(p[i + 1][j], p[0][j]);
+            edge[i][j] = exact_difference(p[i + 1][j], p[0][j]);
             const double size = __builtin_fabs(edge[i][j].high);
             if (size > largest) largest = size;
         }

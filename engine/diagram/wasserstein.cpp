@@ -42,7 +42,7 @@ struct Markets {
 class PositiveSum {
 public:
     void add(double x) {
-        const DoubleDouble sum = two_sum(high_, x);
+        const DoubleDouble sum = exact_sum(high_, x);
         high_ = sum.high;
         low_ += sum.low;
     }

@@ -101,7 +101,7 @@ void ScalesJoin::copy_points(double* x) const {
     for (std::uint32_t i = 0; i < n;)
         for (const std::uint64_t piece = arena_.piece(i, n, 12 * points_.dim); i < piece; ++i) {
             for (std::size_t k = 0; k < dim; ++k) {
-                const DoubleDouble d = two_difference(points_.point(partition_.chosen()[i])[k], first[k]);
+                const DoubleDouble d = exact_difference(points_.point(partition_.chosen()[i])[k], first[k]);
                 exact = exact && d.low == 0;
                 x[i * dim + k] = d.high;
             }

@@ -19,7 +19,7 @@ template <class Number> struct Digits;
 template <> struct Digits<DoubleDouble> {
     static constexpr double least_pivot = 0x1p-40;
     static DoubleDouble of(double a) { return {a, 0}; }
-    static DoubleDouble difference(double a, double b) { return two_difference(a, b); }
+    static DoubleDouble difference(double a, double b) { return exact_difference(a, b); }
     static double rounded(DoubleDouble a) { return a.high; }
     static DoubleDouble times_power(DoubleDouble a, int exponent) { return scaled(a, power_of_two(exponent)); }
 };
@@ -259,7 +259,7 @@ template <class Visit>
                 DoubleDouble level = {i < 0 ? plane->level : 0, 0}, length2 = {0, 0}, rest2 = {0, 0};
                 for (int k = 0; k < dim; ++k) {
                     n[k] = i < 0 ? DoubleDouble{plane->slope[k], 0}
-                                 : two_difference(store_.point(cell.vertex[i])[k], store_.point(v)[k]);
+                                 : exact_difference(store_.point(cell.vertex[i])[k], store_.point(v)[k]);
                     length2 = length2 + n[k] * n[k];
                 }
                 if (i >= 0) level = scaled(length2, 0.5);

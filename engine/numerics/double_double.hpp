@@ -2,13 +2,11 @@
 // Relative error of +, -, * below 2^-102, of / below 2^-100, as long as nothing overflows or underflows: magnitudes
 // (and those of products) between 2^-900 and 2^990 are safe. Dekker 1971, Knuth TAOCP 2, Joldes et al. 2017.
 #pragma once
-#include "numerics/square_root.hpp"
+#include "numerics/lanes.hpp"
 
 namespace netmesh {
 
-struct DoubleDouble {
-    double high, low;
-};
+using DoubleDouble = TwoLanes<double>;
 
 // Requires |a| >= |b| or a == 0.
 inline DoubleDouble quick_two_sum(double a, double b) {
@@ -16,29 +14,11 @@ inline DoubleDouble quick_two_sum(double a, double b) {
     return {s, b - (s - a)};
 }
 
-inline DoubleDouble two_sum(double a, double b) {
-    const double s = a + b, t = s - a;
-    return {s, (a - (s - t)) + (b - t)};
-}
-
-// a - b exactly.
-inline DoubleDouble two_difference(double a, double b) { return two_sum(a, -b); }
-
-// a * b exactly.
-inline DoubleDouble two_product(double a, double b) {
-    const double splitter = 134217729.0;  // 2^27 + 1
-    const double p = a * b;
-    const double sa = splitter * a, sb = splitter * b;
-    const double ah = sa - (sa - a), bh = sb - (sb - b);
-    const double al = a - ah, bl = b - bh;
-    return {p, ((ah * bh - p) + ah * bl + al * bh) + al * bl};
-}
-
 inline DoubleDouble operator-(DoubleDouble a) { return {-a.high, -a.low}; }
 
 inline DoubleDouble operator+(DoubleDouble a, DoubleDouble b) {
-    DoubleDouble s = two_sum(a.high, b.high);
-    const DoubleDouble t = two_sum(a.low, b.low);
+    DoubleDouble s = exact_sum(a.high, b.high);
+    const DoubleDouble t = exact_sum(a.low, b.low);
     s = quick_two_sum(s.high, s.low + t.high);
     return quick_two_sum(s.high, s.low + t.low);
 }
@@ -46,7 +26,7 @@ inline DoubleDouble operator+(DoubleDouble a, DoubleDouble b) {
 inline DoubleDouble operator-(DoubleDouble a, DoubleDouble b) { return a + -b; }
 
 inline DoubleDouble operator*(DoubleDouble a, DoubleDouble b) {
-    const DoubleDouble p = two_product(a.high, b.high);
+    const DoubleDouble p = exact_product(a.high, b.high);
     return quick_two_sum(p.high, p.low + (a.high * b.low + a.low * b.high));
 }
 
@@ -68,7 +48,7 @@ inline DoubleDouble scaled(DoubleDouble a, double power_of_two) {
 inline double square_root(DoubleDouble a) {
     if (!(a.high > 0)) return 0;
     const double s = square_root(a.high);
-    const DoubleDouble rest = a - two_product(s, s);
+    const DoubleDouble rest = a - exact_product(s, s);
     return s + rest.high / (2 * s);
 }
 

@@ -26,13 +26,13 @@ TEST_CASE("products and sums of two doubles are exact") {
     for (int i = 0; i < 20000; ++i) {
         const auto a = static_cast<std::int64_t>(random.bits() >> random.below(40) >> 11);
         const auto b = static_cast<std::int64_t>(random.bits() >> random.below(40) >> 11);
-        const DoubleDouble p = two_product(static_cast<double>(a), static_cast<double>(b));
+        const DoubleDouble p = exact_product(static_cast<double>(a), static_cast<double>(b));
         CHECK(std::fabs(p.low) <= std::fabs(p.high) * 0x1p-53);
         // Both sides modulo 2^64; the high part is an integer of at most 106 bits.
         const auto high = static_cast<std::uint64_t>(std::fmod(p.high, 0x1p64));
         const auto low = static_cast<std::uint64_t>(static_cast<std::int64_t>(p.low));
         CHECK(high + low == static_cast<std::uint64_t>(a) * static_cast<std::uint64_t>(b));
-        const DoubleDouble s = two_sum(static_cast<double>(a) * 0x1p40, static_cast<double>(b));
+        const DoubleDouble s = exact_sum(static_cast<double>(a) * 0x1p40, static_cast<double>(b));
         CHECK(s.high == static_cast<double>(a) * 0x1p40 + static_cast<double>(b));
         const double rest = (s.high - static_cast<double>(a) * 0x1p40);
         CHECK(s.low == static_cast<double>(b) - rest);
@@ -57,7 +57,7 @@ TEST_CASE("square roots of squares come back") {
     Random random;
     for (int i = 0; i < 20000; ++i) {
         const double a = random.unit() + 0x1p-40;
-        CHECK(square_root(two_product(a, a)) == a);
+        CHECK(square_root(exact_product(a, a)) == a);
     }
     CHECK(square_root({0, 0}) == 0);
     CHECK(square_root({2, 0}) == 1.4142135623730951);
