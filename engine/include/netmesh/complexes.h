@@ -124,12 +124,12 @@ void netmesh_points_request_init(netmesh_points_request* request, size_t request
  * when it does not fit a size_t, 0 on an invalid request. RIPS with representatives takes as much as CECH. */
 size_t netmesh_plan_points(const netmesh_points_request* request);
 
-/* Persistent homology over Z/2 in degrees 0..max_degree. Values are radii; of RIPS, CECH and BARYCENTRIC_CECH each is the
- * exact one, rounded to the nearest double, ties to even, beyond the largest double infinite: an edge of that value is
- * not there. Exact duplicates are merged, counted and not counted as neighbours. Replaces what the context held, also on failure. The number of simplices grows as
- * n^(max_degree + 2), of nested sets as n^(k + max_degree + 1): ask netmesh_plan_points first.
- * INVALID_ARGUMENT (K: 0, or above the number of different points), NOT_FINITE, OUT_OF_RANGE (of balls, as of ALPHA),
- * OUT_OF_MEMORY, CANCELLED. */
+/* Persistent homology over Z/2 in degrees 0..max_degree. Values are radii; of all but BARYCENTRIC_RIPS each is the exact
+ * one, rounded to the nearest double, ties to even, beyond the largest infinite: no edge. Exact duplicates are merged,
+ * counted and not counted as neighbours. Replaces what the context held, also on failure. Simplices are some
+ * n^(max_degree + 2), nested sets n^(k + max_degree + 1): ask netmesh_plan_points first. INVALID_ARGUMENT (K: 0, or
+ * above the number of different points), NOT_FINITE, OUT_OF_RANGE (of balls, as of ALPHA), OUT_OF_MEMORY,
+ * CANCELLED. */
 netmesh_status netmesh_persist_points(netmesh_context* context, const netmesh_points_request* request);
 
 /* A barycentric filter for a range of k, with the maps between consecutive k (8.5). */

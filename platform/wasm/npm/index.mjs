@@ -320,8 +320,8 @@ function vineyardOf(job, filter) {
 }
 
 // With a second coordinate, as the engine's points have two at least.
-const planar = read => read.dim > 1 ? read
-    : { ...read, dim: 2, array: Float64Array.from({ length: 2 * read.count }, (_, i) => i % 2 ? 0 : read.array[i / 2]) };
+const planar = read => read.dim > 1 ? read : { ...read, dim: 2,
+    array: Float64Array.from({ length: 2 * read.count }, (_, i) => i % 2 ? 0 : read.array[i / 2]) };
 
 const rangeOf = k => {
     if (!Array.isArray(k) || k.length !== 2) refuse('k', '[first, last]');
