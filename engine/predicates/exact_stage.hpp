@@ -25,11 +25,16 @@ inline ScaledInteger scaled_integer(double x, int quantum) {
 
 constexpr int scaled_power_max = (971 + 1074) / 61;
 
+// r: the residue of |x|.
+inline std::uint64_t with_sign_of(const ScaledInteger& x, std::uint64_t r, const ResiduePrime& prime) {
+    return x.negative && r != 0 ? prime.value - r : r;
+}
+
 // power[k]: 2^(61 k) modulo the prime.
 inline std::uint64_t residue_of(const ScaledInteger& x, const std::uint64_t* power, const ResiduePrime& prime) {
     std::uint64_t r = multiply(x.mantissa, std::uint64_t{1} << x.shift, prime);
     if (x.power != 0) r = multiply(r, power[x.power], prime);
-    return x.negative && r != 0 ? prime.value - r : r;
+    return with_sign_of(x, r, prime);
 }
 
 // The powers 2^(61 k), k <= scaled_power_max, modulo a prime, by the bits of k: a fifth of a table of them. Most
@@ -59,7 +64,7 @@ private:
 
 inline std::uint64_t residue_of(const ScaledInteger& x, const PowersByBits& powers, const ResiduePrime& prime) {
     const std::uint64_t r = powers.times(multiply(x.mantissa, std::uint64_t{1} << x.shift, prime), x.power, prime);
-    return x.negative && r != 0 ? prime.value - r : r;
+    return with_sign_of(x, r, prime);
 }
 
 // The least b for which 2^b is at least D^(D/2), or (D+1) D^(1+D/2) for lifted points: compared by squares.
