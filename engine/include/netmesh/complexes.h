@@ -124,9 +124,9 @@ void netmesh_points_request_init(netmesh_points_request* request, size_t request
  * when it does not fit a size_t, 0 on an invalid request. RIPS with representatives takes as much as CECH. */
 size_t netmesh_plan_points(const netmesh_points_request* request);
 
-/* Persistent homology over Z/2 in degrees 0..max_degree. Values are radii; of all but BARYCENTRIC_RIPS each is the exact
- * one, rounded to the nearest double, ties to even, beyond the largest infinite: no edge. Exact duplicates are merged,
- * counted and not counted as neighbours. Replaces what the context held, also on failure. Simplices are some
+/* Persistent homology over Z/2 in degrees 0..max_degree. Values are radii; of all but BARYCENTRIC_RIPS each is the
+ * exact one, rounded to the nearest double, ties to even, beyond the largest infinite: no edge. Exact duplicates are
+ * merged, counted and not counted as neighbours. Replaces what the context held, also on failure. Simplices are some
  * n^(max_degree + 2), nested sets n^(k + max_degree + 1): ask netmesh_plan_points first. INVALID_ARGUMENT (K: 0, or
  * above the number of different points), NOT_FINITE, OUT_OF_RANGE (of balls, as of ALPHA), OUT_OF_MEMORY,
  * CANCELLED. */
