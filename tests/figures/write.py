@@ -107,7 +107,7 @@ def jobs(build):
     small = []
     for core in stack_run.cores():
         for dim in SMALL_DIMS:
-            folder = stack_run.build_engine(os.path.join(build, "stack"), core, dim)
+            folder = stack_run.build_engine(os.path.abspath(os.path.join(build, "stack")), core, dim)
             small.append((graph_in(folder, source=os.path.join(folder, "netmesh.cpp")), [dim]))
     text += [*macros(promises(small), SMALL_DIMS), "#endif", "/* clang-format on */"]
     put(JOB_HEADER, "stack", text, "/* %s */", "")
