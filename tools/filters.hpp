@@ -30,6 +30,10 @@ std::string reported_choice_text(const FilterChoice& choice);
 
 inline bool is_on_points(netmesh_filter filter) { return about(filter).source == NETMESH_SOURCE_POINTS; }
 // Nested sets of points (8.5).
+// Whether radii are rounded to infinity where they are beyond the largest double, and read like those of what never
+// dies.
+inline bool may_end_beyond(netmesh_filter filter) { return filter == NETMESH_FILTER_ALPHA || is_on_points(filter); }
+
 inline bool is_barycentric(netmesh_filter filter) { return is_on_points(filter) && about(filter).needs_k != 0; }
 // Over a range of k: on a mesh, or of nested sets.
 inline bool has_vineyard(const netmesh_filter_info& info) {

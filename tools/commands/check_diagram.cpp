@@ -63,7 +63,8 @@ Outcome read_diagram(const std::string& path, const Options& options, DiagramFil
     std::size_t at = 0;
     const Options& made = file->head ? file->head->options : options;
     const bool any_sign = filter_of(made) == NETMESH_FILTER_FUNCTION;
-    const std::string complaint = diagram_complaint(file->bars, &at, any_sign, goes_by_distances(made));
+    const std::string complaint =
+        diagram_complaint(file->bars, &at, any_sign, goes_by_distances(made) || may_end_beyond(filter_of(made)));
     if (!complaint.empty()) return file->wrong(file->line_of(at), complaint);
     return file->head ? check_with_head(*file) : Outcome{};
 }
@@ -368,8 +369,12 @@ Outcome check_diagram(const Options& options, RunReport* run) {
     Outcome outcome = read_diagram(options.positionals[0], options, &file);
     if (outcome.good() && file.head) outcome = check_contradiction(*file.head, file.name, options);
     if (!outcome.good()) return outcome;
-    run->checked->push_back(file.name + " has " + counted(file.bars.size(), "bar", "bars") +
-                            ", sorted, with one essential class");
+    const auto essential =
+        std::count_if(file.bars.begin(), file.bars.end(), [](const Bar& bar) { return !std::isfinite(bar.death); });
+    run->checked->push_back(
+        file.name + " has " + counted(file.bars.size(), "bar", "bars") + ", sorted, with " +
+        (essential == 1 ? "one essential class"
+                        : counted(static_cast<std::size_t>(essential), "essential class", "essential classes")));
     if (!file.head && !says_how(options)) {
         outcome = refuse_options(options, {"--representatives", "--memory", "--columns", "--delimiter", "--skip"},
                                  "nothing says how " + file.name + " was made, so nothing is made again");

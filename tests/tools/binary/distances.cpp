@@ -125,7 +125,10 @@ TEST_CASE("a threshold for points cuts their diagram, and leaves distances of an
         const double due_death = std::strtod(("2.5" + scale).c_str(), nullptr);
         CHECK(std::fabs(death - due_death) <= 1e-3 * due_death);
     }
-    CHECK(folder.run("persist - --filter rips --threshold 1", "0 0\n1e305 0\n").says("<stdin>:2: with --threshold"));
+    CHECK(bars_of(folder.run("persist - --filter rips --threshold 1 -q", "0 0\n1e305 0\n").out) ==
+          "0 0 inf\n0 0 inf\n");
+    CHECK(bars_of(folder.run("persist - --filter rips --threshold 1e305 -q", "0 0\n1e305 0\n").out) ==
+          "0 0 5e+304\n0 0 inf\n");
     CHECK(folder.run("persist p.csv --threshold 1").says("--threshold goes with --filter rips or --distances"));
 }
 

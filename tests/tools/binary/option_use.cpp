@@ -114,7 +114,6 @@ void fill(const Folder& folder) {
     folder.write("distances.txt", "1\n2 1\n3 2 1\n2 3 2 1\n");
     folder.write("a.pers", "0 0 1\n0 0 2.2\n0 0 inf\n1 1 2\n");
     folder.write("b.pers", "0 0 1.25\n0 0 2.1\n0 0 inf\n1 1 2.5\n");
-    folder.write("bare.pers", "0 0 1\n0 0 inf\n");
     for (const char* const line :
          {"mesh p.csv -o mesh.node", "persist p.csv --filter knn --k 2 -o knn.pers",
           "persist p.csv --filter rips -o "
@@ -163,8 +162,6 @@ std::vector<Base> bases() {
     for (const char* const shape : {"circle", "grid", "ball", "clifford"})
         list.push_back({Command::sample, std::string("sample ") + shape + " -n 10", {{"--seed", "7"}}});
     list.push_back({Command::size, "size --dim 3 --points 1000", {{"--points", "999"}}});
-    // Nothing says how it was made, which is said and no refusal.
-    list.push_back({Command::check, "check bare.pers", {{"--points", ""}, {"--mesh", ""}}});
     for (const char* const file : {"mesh.node", "knn.pers --points p.csv", "knn.pers", "rips.pers --points p.csv",
                                    "v.vines --points p.csv", "v.vines",
                                    "c.vines --complex complex.txt --values "
