@@ -30,7 +30,7 @@ Complaint complaint_about_complex(const netmesh_points_request& request) {
     if (with_k && request.k + request.max_degree > points_degree_max)
         return {NETMESH_FIELD_MAX_DEGREE, "k + max_degree is above 30"};
     if (!(request.threshold >= 0)) return {NETMESH_FIELD_THRESHOLD, "threshold is negative or NaN"};
-    if (request.threshold < infinity && dim_max_of(request) == NETMESH_DIM_MAX)
+    if (request.threshold > 0 && request.threshold < infinity && dim_max_of(request) == NETMESH_DIM_MAX)
         return {NETMESH_FIELD_THRESHOLD, "threshold is for the filter RIPS"};
     if (request.representatives != 0 && !filter->has(filter_trait::has_cycles))
         return {NETMESH_FIELD_REPRESENTATIVES, "there are no representatives of barycentric filtrations"};
@@ -62,7 +62,7 @@ netmesh_status netmesh_persist_points(netmesh_context* context, const netmesh_po
                                   rows_of(request),
                                   static_cast<std::uint32_t>(request.point_count),
                                   request.dim,
-                                  request.threshold,
+                                  request.threshold > 0 ? request.threshold : infinity,
                                   request.keep_zero_pairs != 0,
                                   request.representatives != 0};
     PointsDiagram made;

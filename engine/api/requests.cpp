@@ -254,7 +254,6 @@ void netmesh_points_request_init(netmesh_points_request* request, size_t request
     keep(filter, &defaults.filter);
     defaults.k = 1;
     defaults.max_degree = 1;
-    defaults.threshold = infinity;
     start(defaults, request, request_bytes);
 }
 

@@ -127,7 +127,7 @@ TEST_CASE("distances of points have the diagram of the points, in every layout")
         }
         // Half of a distance that there is, and what lies next to it.
         const double half = m.at(3, 1) / 2;
-        for (const double threshold : {0.0, std::nextafter(half, 0.0), half, std::nextafter(half, 1.0), 0.3}) {
+        for (const double threshold : {0x1p-1074, std::nextafter(half, 0.0), half, std::nextafter(half, 1.0), 0.3}) {
             CAPTURE(threshold);
             netmesh_distances_request r = request_of(m, NETMESH_DISTANCES_FULL, degree);
             netmesh_points_request p = by_points.points_request(points, NETMESH_FILTER_RIPS, 1, degree);

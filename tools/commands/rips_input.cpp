@@ -113,7 +113,7 @@ Outcome persist_points_within(const Options& options, const RipsInput& input, bo
     requests::Points request(std::max(cloud.dim, 2u), NETMESH_FILTER_RIPS);
     request.points = cloud.dim == 1 ? plane.data() : cloud.coordinates.data();
     request.point_count = cloud.rows();
-    request.threshold = options.threshold.value_or(HUGE_VAL);
+    if (options.threshold) request.threshold = std::max(*options.threshold, 0x1p-1074);  // 0 is no limit there
     request.max_degree = options.max_degree.value_or(1);
     request.keep_zero_pairs = options.all ? 1 : 0;
     request.representatives = cycles ? 1 : 0;

@@ -113,8 +113,8 @@ typedef struct netmesh_points_request {
                                  in input order after merging */
     netmesh_point_format point_format; /* of points; see there */
     size_t point_stride_bytes;         /* from one of them to the next; 0: packed */
-    double threshold; /* of RIPS, a radius as all values are: an edge of a larger value is not there. >= 0; init:
-                         infinity, and of the other filters */
+    double threshold; /* of RIPS, a radius as all values are: an edge of a larger value is not there. 0: no such limit,
+                         which the least double comes next to */
 } netmesh_points_request;
 
 void netmesh_points_request_init(netmesh_points_request* request, size_t request_bytes, uint32_t dim,

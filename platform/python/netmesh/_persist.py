@@ -168,7 +168,7 @@ def _on_points(session, options, read, threshold):
     if options.filter.needs_k:
         request.k = options.k
     request.representatives = options.representatives
-    request.threshold = threshold
+    request.threshold = threshold if threshold != 0 else 5e-324  # 0 is no limit there
     at = _prepared(session, request, read, options)
 
     def work():

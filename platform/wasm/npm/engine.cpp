@@ -234,7 +234,7 @@ netmesh::requests::Points points_request() {
     place(diagram(request));
     request.k = number(k);
     request.representatives = number(representatives);
-    request.threshold = options[threshold];
+    request.threshold = options[threshold] != 0 ? options[threshold] : 0x1p-1074;  // 0 is no limit there
     return request;
 }
 
