@@ -243,7 +243,7 @@ def spoken_options(text):
                     found |= set(OPTION.findall(re.sub(r"'[^']*'", "", part)))
     plain = BLOCK.sub("", text)
     for span in re.findall(r"`([^`]+)`", plain):
-        if span.startswith(("-", "netmesh ")) and not span.startswith(("-D", "-W", "-f", "-O", "-std")):
+        if span.startswith(("-", "netmesh ")) and not span.startswith(("-D", "-W", "-f", "-O", "-std", "-m")):
             found |= set(OPTION.findall(span))
     return found
 
