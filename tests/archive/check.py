@@ -494,7 +494,8 @@ def stack_of_jobs(graph, dims):
     """{(job, dim): (bytes, bytes in slices beside the job's record)}."""
     pausing = graph.pausing()
     entry = [t for t in graph.frame if JOB_ENTRY.match(graph.label[t])]
-    if len(entry) != 1 or PAUSE not in graph.frame or not graph.polls:
+    slices = bool(entry)  # a processor on which stacks are not switched has none
+    if slices and (len(entry) != 1 or PAUSE not in graph.frame or not graph.polls):
         sys.exit("FAULT jobs in slices: %d entries, %d polls" % (len(entry), len(graph.polls)))
     found = {}
     for job, calls in JOBS.items():
@@ -503,7 +504,7 @@ def stack_of_jobs(graph, dims):
             sys.exit("FAULT not in the archive: %s" % " ".join(sorted(set(calls) - set(roots))))
         for dim in dims:
             found[job, dim] = (max(graph.worst(t, dim)[0] for t in roots),
-                               max(pausing.worst(t, dim)[0] for t in roots) + graph.frame[entry[0]])
+                               max(pausing.worst(t, dim)[0] for t in roots) + graph.frame[entry[0]] if slices else 0)
     return found
 
 

@@ -86,9 +86,10 @@ def promises(graphs):
 def macros(promise, dims):
     text = []
     for job in graph_check.JOBS:
-        choice = "".join("(dim) == %d ? %d : " % (d, promise[job, d]) for d in dims)
+        choice = ["(dim) == %d ? %d :" % (d, promise[job, d]) for d in dims]
         text.append("#define NETMESH_STACK_BYTES_%s(dim) \\" % job)
-        text.append("    ((size_t)(%sNETMESH_STACK_BYTES(dim)))" % choice)
+        text.append("    ((size_t)(%s \\" % " ".join(choice[:3]))
+        text.append("              %s))" % " ".join(choice[3:] + ["NETMESH_STACK_BYTES(dim)"]))
     return text
 
 

@@ -47,17 +47,35 @@ extern "C" {
  * take NETMESH_STACK_BYTES. */
 #define NETMESH_STACK_BYTES_JOB ((size_t)(UINTPTR_MAX > 0xFFFFFFFFu ? 1024 : 512))
 /* figures: stack */
+/* clang-format off */
 #if UINTPTR_MAX > 0xFFFFFFFFu
-#define NETMESH_STACK_BYTES_DELAUNAY(dim) NETMESH_STACK_BYTES(dim)
-#define NETMESH_STACK_BYTES_ALPHA(dim) NETMESH_STACK_BYTES(dim)
-#define NETMESH_STACK_BYTES_CERTIFIED(dim) NETMESH_STACK_BYTES(dim)
-#define NETMESH_STACK_BYTES_RIPS(dim) NETMESH_STACK_BYTES(dim)
+#define NETMESH_STACK_BYTES_DELAUNAY(dim) \
+    ((size_t)((dim) == 2 ? 7680 : (dim) == 3 ? 9600 : (dim) == 4 ? 9600 : \
+              (dim) == 5 ? 9728 : (dim) == 6 ? 9856 : NETMESH_STACK_BYTES(dim)))
+#define NETMESH_STACK_BYTES_ALPHA(dim) \
+    ((size_t)((dim) == 2 ? 8000 : (dim) == 3 ? 9920 : (dim) == 4 ? 9920 : \
+              (dim) == 5 ? 9984 : (dim) == 6 ? 10112 : NETMESH_STACK_BYTES(dim)))
+#define NETMESH_STACK_BYTES_CERTIFIED(dim) \
+    ((size_t)((dim) == 2 ? 13696 : (dim) == 3 ? 13696 : (dim) == 4 ? 13696 : \
+              (dim) == 5 ? 13696 : (dim) == 6 ? 13696 : NETMESH_STACK_BYTES(dim)))
+#define NETMESH_STACK_BYTES_RIPS(dim) \
+    ((size_t)((dim) == 2 ? 6848 : (dim) == 3 ? 6848 : (dim) == 4 ? 6848 : \
+              (dim) == 5 ? 6848 : (dim) == 6 ? 6848 : NETMESH_STACK_BYTES(dim)))
 #else
-#define NETMESH_STACK_BYTES_DELAUNAY(dim) NETMESH_STACK_BYTES(dim)
-#define NETMESH_STACK_BYTES_ALPHA(dim) NETMESH_STACK_BYTES(dim)
-#define NETMESH_STACK_BYTES_CERTIFIED(dim) NETMESH_STACK_BYTES(dim)
-#define NETMESH_STACK_BYTES_RIPS(dim) NETMESH_STACK_BYTES(dim)
+#define NETMESH_STACK_BYTES_DELAUNAY(dim) \
+    ((size_t)((dim) == 2 ? 3328 : (dim) == 3 ? 3840 : (dim) == 4 ? 4736 : \
+              NETMESH_STACK_BYTES(dim)))
+#define NETMESH_STACK_BYTES_ALPHA(dim) \
+    ((size_t)((dim) == 2 ? 3584 : (dim) == 3 ? 4032 : (dim) == 4 ? 4992 : \
+              NETMESH_STACK_BYTES(dim)))
+#define NETMESH_STACK_BYTES_CERTIFIED(dim) \
+    ((size_t)((dim) == 2 ? 6208 : (dim) == 3 ? 7552 : (dim) == 4 ? 9088 : \
+              NETMESH_STACK_BYTES(dim)))
+#define NETMESH_STACK_BYTES_RIPS(dim) \
+    ((size_t)((dim) == 2 ? 4352 : (dim) == 3 ? 4352 : (dim) == 4 ? 4352 : \
+              NETMESH_STACK_BYTES(dim)))
 #endif
+/* clang-format on */
 /* end */
 
 typedef struct netmesh_job netmesh_job;
