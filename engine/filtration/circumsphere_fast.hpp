@@ -238,7 +238,8 @@ inline Certainty circumspheres_fast(DimensionOf<K> k, DimensionOf<D> dim, const 
     NearestRoot<Lanes> nearest = nearest_root(square.high, square.low,
                                               largest * (5 * bounds.centre_error * bounds.centre_error * spread) +
                                                   size * size * weights * bounds.digit_error);
-    if (any_lane(sure & ~nearest.known)) nearest = closer_look<Lanes>(k, dim, point, centre, weight, spread, largest);
+    if (any_lane<Lanes>(sure & ~nearest.known))
+        nearest = closer_look<Lanes>(k, dim, point, centre, weight, spread, largest);
     Certainty certain = {0, 0};
     for (int i = 0; i < lane_count<Lanes>; ++i) {
         std::uint32_t within = lane(first, i) < 0;

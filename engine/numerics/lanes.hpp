@@ -42,9 +42,9 @@ inline std::int64_t below(double a, double b) { return -static_cast<std::int64_t
 template <class Lanes> inline LaneMask<Lanes> same(Lanes a, Lanes b) { return a == b; }
 inline std::int64_t same(double a, double b) { return -static_cast<std::int64_t>(a == b); }
 
-template <class Mask> inline bool any_lane(Mask a) {
+template <class Lanes> inline bool any_lane(LaneMask<Lanes> a) {
     std::int64_t any = 0;
-    for (int i = 0; i < static_cast<int>(sizeof(Mask) / sizeof any); ++i) any |= mask_lane(a, i);
+    for (int i = 0; i < lane_count<Lanes>; ++i) any |= mask_lane(a, i);
     return any != 0;
 }
 
