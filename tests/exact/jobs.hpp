@@ -212,6 +212,11 @@ inline std::string fault_of(const Answer& answer, const Bars& expected) {
     const std::string found = difference(expected, answer.bars);
     return found.empty() ? answer.fault : found;
 }
+// Of balls it may be that their radii are out of range where those of an alpha complex may be.
+inline std::string fault_of_balls(const Answer& answer, const Bars& expected, const Cloud& cloud) {
+    if (answer.status == NETMESH_OUT_OF_RANGE && cloud.spread_bits() > alpha_bits(cloud.dim)) return "";
+    return fault_of(answer, expected);
+}
 inline std::string fault_of_alpha(const Answer& answer, const Bars& expected, const Cloud& cloud, const Balls& balls) {
     const bool is_flat = balls.rank < cloud.dim;
     if (is_flat != (answer.status == NETMESH_FLAT)) return is_flat ? "flat points are not refused" : "refused as flat";
@@ -365,10 +370,10 @@ inline std::vector<Finding> judge(const Block& block, int dim, const std::vector
 
     begin(cech);
     answer = ask_points(block, dim, x, NETMESH_FILTER_CECH, 1, top, &balls.cech);
-    note(cech, answer, balls_truth, fault_of(answer, balls_truth.bars));
+    note(cech, answer, balls_truth, fault_of_balls(answer, balls_truth.bars, cloud));
     begin(cech);
     answer = ask_points(block, dim, y, NETMESH_FILTER_CECH, 1, top);
-    note(cech, answer, balls_truth, fault_of(answer, balls_truth.bars), "permuted: ");
+    note(cech, answer, balls_truth, fault_of_balls(answer, balls_truth.bars, cloud), "permuted: ");
 
     const int k_last = std::min<int>(plan.k, static_cast<int>(n));
     const std::uint32_t degree = plan.nested_degree;
@@ -380,9 +385,9 @@ inline std::vector<Finding> judge(const Block& block, int dim, const std::vector
         const Truth nested = nerve_diagram(sets, balls.cech, degree);
         begin(nested_cech);
         answer = ask_points(block, dim, x, NETMESH_FILTER_BARYCENTRIC_CECH, k, degree);
-        note(nested_cech, answer, nested, fault_of(answer, nested.bars), how);
+        note(nested_cech, answer, nested, fault_of_balls(answer, nested.bars, cloud), how);
         const Answer& vine = vines[static_cast<std::size_t>(k) - 1];
-        note(vineyard, vine, nested, fault_of(vine, nested.bars), how);
+        note(vineyard, vine, nested, fault_of_balls(vine, nested.bars, cloud), how);
         const Truth edges = nerve_diagram(sets, balls.rips, degree);
         begin(nested_rips);
         answer = ask_points(block, dim, x, NETMESH_FILTER_BARYCENTRIC_RIPS, k, degree);
