@@ -165,7 +165,7 @@ size_t netmesh_plan_points_vineyard(const netmesh_points_vineyard_request* reque
  * together), of BARYCENTRIC_RIPS they are as close to them as the diagrams are, by the same ratio.
  * One complex for all k: nested sets of k_first to k_last + max_degree + 1 points that differ by at most max_degree
  * + 1. Replaces what the context held, also on failure. The vineyard's report has no transpositions. INVALID_ARGUMENT
- * (K_LAST: above the number of different points), NOT_FINITE, OUT_OF_MEMORY, CANCELLED. */
+ * (K_LAST: above the number of different points), NOT_FINITE, OUT_OF_RANGE (as of ALPHA), OUT_OF_MEMORY, CANCELLED. */
 netmesh_status netmesh_points_vineyard(netmesh_context* context, const netmesh_points_vineyard_request* request);
 
 /* Any filtered simplicial complex (6.2, 6.3). Simplex i has the vertices vertices[starts[i] .. starts[i + 1]), at
