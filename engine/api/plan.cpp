@@ -241,7 +241,7 @@ size_t netmesh_plan_alpha(const netmesh_alpha_request* from) {
     return whole_bytes(with_dimension(request.dim, [&](auto dimension) {
         constexpr int D = decltype(dimension)::value;
         constexpr PeakFigures f = DelaunayFiguresOf<D>::value.diagram;
-        return alpha_block<D>(f, static_cast<double>(request.point_count), D == 2 ? 0.42 : 0.8);
+        return alpha_block<D>(f, static_cast<double>(request.point_count), D == 2 ? 0.395 : 0.8);
     }));
 }
 

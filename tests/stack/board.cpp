@@ -164,7 +164,9 @@ netmesh_status read_cells(const void*, const void*) {
     return NETMESH_OK;
 }
 
-void prepare(Job job, Random& random, const netmesh_monitor& monitor) {
+// Of far apart points a mesh in space is too large for the block, unless they are few.
+void prepare(Job job, Kind kind, Random& random, const netmesh_monitor& monitor) {
+    const std::size_t meshed_max = DIM == 2 ? points_max : kind == wide ? 6 : 12;
     report.struct_bytes = sizeof report;
     pair.struct_bytes = sizeof pair;
     cell.struct_bytes = sizeof cell;
@@ -193,7 +195,7 @@ void prepare(Job job, Random& random, const netmesh_monitor& monitor) {
     default:
         netmesh_mesh_request_init(&request.mesh, sizeof request.mesh, DIM);
         request.mesh.points = points;
-        request.mesh.point_count = count = DIM == 2 || count < 12 ? count : 12;
+        request.mesh.point_count = count = count < meshed_max ? count : meshed_max;
         request.mesh.purpose = NETMESH_PURPOSE_PERSIST;
         if (random.below(4) == 0) {
             request.mesh.purpose = NETMESH_PURPOSE_MESH;
@@ -268,7 +270,7 @@ void run_clouds(Job job) {
         const Kind kind = static_cast<Kind>(i % kind_count);
         draw(kind, random);
         const Random choices = random;
-        prepare(job, random, {});
+        prepare(job, kind, random, {});
         paint_area();
         const netmesh_status done =
             run_job(job, [](const Call& call) { return call_on(top, call.function, call.first, call.second); });
@@ -288,7 +290,7 @@ void run_clouds(Job job) {
             NETMESH_OK)
             continue;  // ARMv6-M
         Random again = choices;
-        prepare(job, again, {netmesh_poll_pause, slices});
+        prepare(job, kind, again, {netmesh_poll_pause, slices});
         netmesh_status sliced;
         while ((sliced = netmesh_resume(slices)) == NETMESH_PAUSED) ++pauses;
         const std::size_t taken = netmesh_stack_used(slices);
