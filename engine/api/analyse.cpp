@@ -1,11 +1,11 @@
 // Analyses of the triangulation or mesh that the context holds, and orderings of its inputs.
-#include "analysis/fatness.hpp"
-#include "analysis/pacing.hpp"
-#include "analysis/size.hpp"
-#include "analysis/structure.hpp"
 #include "api/figures.hpp"
 #include "api/measure.hpp"
 #include "api/requests.hpp"
+#include "laboratory/fatness.hpp"
+#include "laboratory/pacing.hpp"
+#include "laboratory/size.hpp"
+#include "laboratory/structure.hpp"
 #include "mesh/input_tree.hpp"
 
 namespace netmesh {

@@ -11,7 +11,7 @@ namespace {
 constexpr double hard_work = 5;
 
 // What the cells of the block may hold: fewer bytes a cell than any alpha complex takes. A triangulation has D + 1
-// simplices a cell at least, each of 3 D + 14 bytes (persist_alpha.hpp).
+// simplices a cell at least, each of 3 D + 14 bytes (alpha_of_triangulation.hpp).
 template <int D> Allowance allowance_of(const Arena& arena, std::size_t points) {
     constexpr std::size_t cell_bytes = sizeof(Cell<D>) + (D + 1) * (3 * D + 14);
     const std::size_t vertices =

@@ -1,15 +1,15 @@
 // Independent checkers of what the context holds.
 #include "delaunay/check.hpp"
-#include "analysis/fatness.hpp"
-#include "analysis/size.hpp"
 #include "api/measure.hpp"
 #include "api/requests.hpp"
 #include "delaunay/any_kernel.hpp"
 #include "filtration/filters.hpp"
-#include "mesh/any_cage.hpp"
-#include "mesh/check_domain.hpp"
-#include "mesh/check_reach.hpp"
-#include "mesh/check_weighted_cells.hpp"
+#include "laboratory/fatness.hpp"
+#include "laboratory/size.hpp"
+#include "mesh/cages/any_cage.hpp"
+#include "mesh/check/check_domain.hpp"
+#include "mesh/check/check_reach.hpp"
+#include "mesh/check/check_weighted_cells.hpp"
 #include "mesh/sizing.hpp"
 
 namespace netmesh {

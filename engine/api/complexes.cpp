@@ -5,8 +5,8 @@
 #include "api/requests.hpp"
 #include "api/simplices.hpp"
 #include "filtration/filters.hpp"
-#include "jobs/persist_points.hpp"
-#include "jobs/persist_simplices.hpp"
+#include "jobs/diagram_of_points.hpp"
+#include "jobs/diagram_of_simplices.hpp"
 #include "numerics/real.hpp"
 
 namespace netmesh {
@@ -66,7 +66,7 @@ netmesh_status netmesh_persist_points(netmesh_context* context, const netmesh_po
                                   request.keep_zero_pairs != 0,
                                   request.representatives != 0};
     PointsDiagram made;
-    const Status status = watch.heed(persist_points(wanted, {context->arena, monitor}, &made));
+    const Status status = watch.heed(diagram_of_points(wanted, {context->arena, monitor}, &made));
     if (status != Status::ok) return fail_at_points(context, status, NETMESH_FIELD_K, made);
     KeptDiagram diagram;
     diagram.filter = request.filter;
@@ -102,7 +102,7 @@ netmesh_status netmesh_homology(netmesh_context* context, const netmesh_homology
     const SimplexList list = {request.vertices, request.starts, request.entries, request.simplex_count};
     const ComplexRequest wanted = {{request.max_degree, request.keep_zero_pairs != 0}, request.representatives != 0};
     SimplicesDiagram made;
-    const Status status = watch.heed(persist_simplices(list, wanted, {context->arena, monitor}, &made));
+    const Status status = watch.heed(diagram_of_simplices(list, wanted, {context->arena, monitor}, &made));
     if (status != Status::ok) return fail_at_simplex(context, status, made.listed.fault);
     KeptDiagram diagram;
     diagram.max_degree = made.max_degree;

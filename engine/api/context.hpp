@@ -13,7 +13,7 @@
 #include "jobs/bar_bounds.hpp"
 #include "jobs/k_vineyard.hpp"
 #include "memory/arena.hpp"
-#include "mesh/cage.hpp"
+#include "mesh/cages/cage.hpp"
 #include "mesh/mesh_request.hpp"
 
 namespace netmesh {

@@ -2,7 +2,7 @@
 #include "api/keep_complex.hpp"
 #include "api/plan.hpp"
 #include "api/requests.hpp"
-#include "jobs/persist_distances.hpp"
+#include "jobs/diagram_of_distances.hpp"
 #include "jobs/point_set.hpp"
 
 namespace netmesh {
@@ -105,7 +105,7 @@ netmesh_status netmesh_persist_distances(netmesh_context* context, const netmesh
     const Watch watch(context->arena, monitor);
     DistancesDiagram made;
     const DistancesRequest wanted = wanted_of(request);
-    const Status status = watch.heed(persist_distances(wanted, {context->arena, monitor}, &made));
+    const Status status = watch.heed(diagram_of_distances(wanted, {context->arena, monitor}, &made));
     if (status != Status::ok) return fail_at_distance(context, status, made.fault, is_sparse(request));
     KeptDiagram diagram;
     diagram.filter = NETMESH_FILTER_RIPS;

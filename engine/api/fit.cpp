@@ -105,8 +105,8 @@ private:
     // Ends what has been made: it stays only if netmesh_check, which takes more than a diagram does, has room in the
     // block. Of a vertex: value, interval, limit of its cell; of a cell: whether it is in the ball, and its faces; of
     // an input of a mesh that promises a tau: its place in the well-paced order; and the largest star, corner by
-    // corner, as analysis/fat_cell.cpp and the fatness of clipped cells take it (at most so much was seen). What is
-    // left out are the boxes of analysis/feature_integral.cpp, 2,200 of 8 D + 1 bytes, which meshes by an error alone
+    // corner, as laboratory/fat_cell.cpp and the fatness of clipped cells take it (at most so much was seen). What is
+    // left out are the boxes of laboratory/feature_integral.cpp, 2,200 of 8 D + 1 bytes, which meshes by an error alone
     // are checked with: small blocks would fit no function.
     Status ended(Status status) const {
         if (status != Status::ok) return status;

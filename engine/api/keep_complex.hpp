@@ -2,7 +2,7 @@
 #pragma once
 #include "api/call.hpp"
 #include "complex/listed_complex.hpp"
-#include "jobs/persist_complex.hpp"
+#include "jobs/diagram_of_complex.hpp"
 
 namespace netmesh {
 

@@ -2,8 +2,8 @@
 #pragma once
 #include "api/call.hpp"
 #include "filtration/any_mesh.hpp"
-#include "mesh/hierarchy_quality.hpp"
-#include "mesh/quality.hpp"
+#include "mesh/check/hierarchy_quality.hpp"
+#include "mesh/check/quality.hpp"
 #include "mesh/sizing.hpp"
 #include "vocabulary/features.hpp"
 

@@ -1,9 +1,9 @@
 // What is measured of each Voronoi cell and of each D-ball.
-#include "analysis/fat_cell.hpp"
-#include "analysis/structure.hpp"
 #include "api/measure.hpp"
 #include "delaunay/any_kernel.hpp"
-#include "mesh/weighted_cells.hpp"
+#include "laboratory/fat_cell.hpp"
+#include "laboratory/structure.hpp"
+#include "laboratory/weighted_cells.hpp"
 
 namespace netmesh {
 namespace {

@@ -1,7 +1,7 @@
 #include "api/mesh_rules.hpp"
 
 #include "filtration/tight_filter.hpp"
-#include "mesh/cage_template.hpp"
+#include "mesh/cages/cage_template.hpp"
 #include "vocabulary/features.hpp"
 
 namespace netmesh {

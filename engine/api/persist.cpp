@@ -2,7 +2,7 @@
 #include "api/measure.hpp"
 #include "api/requests.hpp"
 #include "delaunay/check.hpp"
-#include "jobs/persist_filter.hpp"
+#include "jobs/diagram_of_mesh.hpp"
 #include "vocabulary/features.hpp"
 
 namespace netmesh {
@@ -75,7 +75,7 @@ extern "C" netmesh_status netmesh_persist(netmesh_context* context, const netmes
         if (monitor.has_stopped()) return finish(context, Status::cancelled);
     }
     FilterDiagram diagram;
-    const Status found = persist_filter(filtered_mesh_of(*context), wanted, {context->arena, monitor}, &diagram);
+    const Status found = diagram_of_mesh(filtered_mesh_of(*context), wanted, {context->arena, monitor}, &diagram);
     const Status status = watch.heed(found);
     if (status == Status::ok) {
         keep_mesh_diagram(context, wanted, request.values, diagram);

@@ -5,7 +5,7 @@
 #include "api/call.hpp"
 #include "certificate/certificate.hpp"
 #include "filtration/filter.hpp"
-#include "mesh/check_domain.hpp"
+#include "mesh/check/check_domain.hpp"
 #include "mesh/mesh_request.hpp"
 #include "mesh/sizing.hpp"
 #include "numerics/input_rows.hpp"

@@ -2,7 +2,7 @@
 #include "api/keep_complex.hpp"
 #include "api/requests.hpp"
 #include "delaunay/triangulate.hpp"
-#include "jobs/persist_scales.hpp"
+#include "jobs/diagram_of_scales.hpp"
 #include "vocabulary/features.hpp"
 
 namespace netmesh {
@@ -69,7 +69,7 @@ Status persist(netmesh_context* context, const netmesh_scales_request& request, 
     Status status = take_input(points, rows_of(request), request.point_count, request.seed, monitor, input, &order);
     context->arena.release_low(context->start);  // the order
     if (status != Status::ok) return status;
-    status = persist_scales(points, state.vertex_count, wanted, {context->arena, monitor}, result);
+    status = diagram_of_scales(points, state.vertex_count, wanted, {context->arena, monitor}, result);
     if (status != Status::ok) return status;
     points.truncate_vertices(0);
     return status;

@@ -25,10 +25,10 @@
 // value of the face is right, and copied instead of being compared.
 #include "filtration/alpha.hpp"
 
-#include "filtration/circumsphere_exact.hpp"
-#include "filtration/circumsphere_fast.hpp"
-#include "filtration/half_distance.hpp"
 #include "filtration/point_records.hpp"
+#include "geometry/circumsphere_exact.hpp"
+#include "geometry/circumsphere_fast.hpp"
+#include "geometry/half_distance.hpp"
 #include "numerics/bits.hpp"
 #include "numerics/real.hpp"
 #include "vocabulary/dimension.hpp"

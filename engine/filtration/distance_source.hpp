@@ -3,7 +3,7 @@
 #include <cstddef>
 #include <cstdint>
 
-#include "filtration/half_distance.hpp"
+#include "geometry/half_distance.hpp"
 #include "include/netmesh.h"
 #include "vocabulary/callback.hpp"
 #include "vocabulary/monitor.hpp"

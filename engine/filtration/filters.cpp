@@ -2,10 +2,10 @@
 
 #include <type_traits>
 
-#include "filtration/clipped_nerve.hpp"
 #include "filtration/function_filter.hpp"
 #include "filtration/mesh_filter.hpp"
 #include "filtration/tight_filter.hpp"
+#include "mesh/clip/clipped_nerve.hpp"
 #include "vocabulary/features.hpp"
 
 namespace netmesh {

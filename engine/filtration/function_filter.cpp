@@ -2,7 +2,7 @@
 
 #include "certificate/cells.hpp"
 #include "certificate/certificate.hpp"
-#include "mesh/clipped_reach.hpp"
+#include "mesh/clip/clipped_reach.hpp"
 #include "vocabulary/callback.hpp"
 #include "vocabulary/dimension.hpp"
 

@@ -33,7 +33,7 @@
 // mesh, of radius r about c, and that the sublevel sets of f from cut on are contractible; for a general f the clipping
 // argument of 7.4.4 is an assumption. F is L-Lipschitz as f is, it is cut outside the ball, and has the diagram of f:
 // all of space is contractible, as the sublevel sets of f from cut on are. On the cell of v, whose out-radius is R and
-// whose points in the ball are within R' of v (mesh/clipped_reach.hpp),
+// whose points in the ball are within R' of v (mesh/clip/clipped_reach.hpp),
 //   - F <= min(f(v) + L R, cut);
 //   - F >= f(v) - L R', as F = cut outside the ball; f(v) as it is, not cut;
 //   - F >= cut - L b where no point of the cell is more than b below the ball's sphere, and b <= r always;

@@ -1,7 +1,7 @@
 #include "filtration/mesh_filter.hpp"
 
 #include "certificate/cells.hpp"
-#include "mesh/clipped_reach.hpp"
+#include "mesh/clip/clipped_reach.hpp"
 #include "vocabulary/dimension.hpp"
 #include "vocabulary/features.hpp"
 

@@ -35,7 +35,7 @@
 //
 // A cell whose unclipped out-radius is at most (tau/2) nn(v) has hi <= (2 + tau) lo and hi <= tau s, s the thesis's
 // value: for a Steiner vertex R_v <= (tau/2) d, so hi <= d + R_v <= tau d, and lo >= d/2; for an input hi <= tau lo, s
-// = lo. Refinement with `certify_filter` (mesh/quality_rule.hpp) brings every other cell there too. So c* <=
+// = lo. Refinement with `certify_filter` (mesh/loop/quality_rule.hpp) brings every other cell there too. So c* <=
 // sqrt(2 + tau), and with the thesis's values c <= tau.
 #pragma once
 #include "filtration/any_mesh.hpp"

@@ -1,8 +1,8 @@
 #include "filtration/point_complexes.hpp"
 
-#include "filtration/circumsphere_exact.hpp"
-#include "filtration/circumsphere_fast.hpp"
-#include "filtration/half_distance.hpp"
+#include "geometry/circumsphere_exact.hpp"
+#include "geometry/circumsphere_fast.hpp"
+#include "geometry/half_distance.hpp"
 #include "numerics/real.hpp"
 #include "vocabulary/dimension.hpp"
 

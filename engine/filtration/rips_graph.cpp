@@ -1,7 +1,7 @@
 #include "filtration/rips_graph.hpp"
 
-#include "filtration/half_distance.hpp"
 #include "filtration/point_complexes.hpp"
+#include "geometry/half_distance.hpp"
 #include "vocabulary/dimension.hpp"
 
 namespace netmesh {

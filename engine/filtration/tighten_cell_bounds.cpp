@@ -1,7 +1,7 @@
 #include "filtration/tighten_cell_bounds.hpp"
 
 #include "certificate/cells.hpp"
-#include "filtration/nearest_in_hull.hpp"
+#include "geometry/nearest_in_hull.hpp"
 
 namespace netmesh {
 namespace {

@@ -1,7 +1,7 @@
 #include "jobs/alpha_of_points.hpp"
 
 #include "delaunay/spatial_order.hpp"
-#include "jobs/persist_alpha.hpp"
+#include "jobs/alpha_of_triangulation.hpp"
 #include "vocabulary/dimension.hpp"
 
 namespace netmesh {
@@ -59,7 +59,7 @@ template <int D> Status run(const AlphaOfPoints& request, const Work& work, Alph
     out->distinct = state.vertex_count;
     AlphaFiltration<D> filtration;
     if (!strip<D>(store, &filtration)) return Status::out_of_memory;
-    return persist_alpha<D>(filtration, request.diagram, work, &out->found);
+    return alpha_of_triangulation<D>(filtration, request.diagram, work, &out->found);
 }
 
 }  // namespace

@@ -22,11 +22,11 @@ struct AlphaDiagram {
     InputReport input;
 };
 
-// The diagram that triangulate and persist_alpha make. Once the points are triangulated nothing stays of a cell but its
-// vertices and nothing of a point but its coordinates.
+// The diagram that triangulate and alpha_of_triangulation make. Once the points are triangulated nothing stays of a
+// cell but its vertices and nothing of a point but its coordinates.
 //
 // The pairs are put at the arena's low end, everything else is given back; without ok nothing stays. Memory: the larger
-// of what triangulate takes and of what persist_alpha takes above 8 D bytes a point.
+// of what triangulate takes and of what alpha_of_triangulation takes above 8 D bytes a point.
 // ok, not_finite, flat, out_of_memory, out_of_range, cancelled.
 template <int D> Status alpha_of_points(const AlphaOfPoints& request, const Work& work, AlphaDiagram* out);
 

@@ -21,8 +21,8 @@ struct PointsVineyard {
     std::uint64_t culprit;  // after not_finite: the row
 };
 
-// The diagram at each k is that of persist_points without pairs of zero length. Sets of more points are fewer: at each
-// scale the chains for k + 1 are among those for k, and inclusion maps the homology of the former to that of the
+// The diagram at each k is that of diagram_of_points without pairs of zero length. Sets of more points are fewer: at
+// each scale the chains for k + 1 are among those for k, and inclusion maps the homology of the former to that of the
 // latter. For Cech this is the map of the places themselves: let Z_k be the pairs of a place x and a point of the
 // chains of sets u, of k points and more, whose balls all hold x. Over a place stand the subsets of a largest set,
 // which are a cone, over a point of a chain the balls' intersection of its largest set, which is convex: both

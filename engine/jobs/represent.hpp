@@ -1,4 +1,4 @@
-// A cycle for each bar of a diagram that persist_filter made.
+// A cycle for each bar of a diagram that diagram_of_mesh made.
 #pragma once
 #include "complex/listed_complex.hpp"
 #include "filtration/filters.hpp"

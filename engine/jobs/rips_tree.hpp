@@ -1,7 +1,7 @@
 // Degree 0 of a Rips filtration: a tree, whatever the distances are of.
 #pragma once
 #include "filtration/distance_graph.hpp"
-#include "jobs/persist_complex.hpp"
+#include "jobs/diagram_of_complex.hpp"
 
 namespace netmesh {
 

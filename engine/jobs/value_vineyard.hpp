@@ -23,7 +23,7 @@ struct ValueVineyard {
     std::uint32_t step;  // of the fault; 0: of the complex
 };
 
-// The diagram at each step is that of persist_simplices with its values; vines are those of the straight-line
+// The diagram at each step is that of diagram_of_simplices with its values; vines are those of the straight-line
 // homotopies from each step to the next (vineyard.hpp). All values are looked at before the first is used. The vines
 // are put at the arena's low end, everything else is given back; without ok nothing stays. not_a_complex and not_finite
 // (out->fault, out->step), out_of_memory, cancelled.

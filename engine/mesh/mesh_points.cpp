@@ -1,9 +1,9 @@
 #include "mesh/mesh_points.hpp"
 
-#include "mesh/certificate_rule.hpp"
-#include "mesh/hierarchy_rule.hpp"
-#include "mesh/quality_rule.hpp"
-#include "mesh/thesis_cages.hpp"
+#include "laboratory/thesis_cages.hpp"
+#include "mesh/cages/hierarchy_rule.hpp"
+#include "mesh/loop/certificate_rule.hpp"
+#include "mesh/loop/quality_rule.hpp"
 #include "vocabulary/dimension.hpp"
 #include "vocabulary/features.hpp"
 

@@ -3,10 +3,10 @@
 #include <cstdint>
 
 #include "delaunay/triangulate.hpp"
+#include "laboratory/ball_lists.hpp"
+#include "laboratory/quality_audit.hpp"
 #include "mesh/any_domain.hpp"
-#include "mesh/ball_lists.hpp"
-#include "mesh/cage.hpp"
-#include "mesh/quality_audit.hpp"
+#include "mesh/cages/cage.hpp"
 #include "mesh/sizing.hpp"
 
 namespace netmesh {

@@ -1,6 +1,6 @@
 #include "mesh/sizing.hpp"
 
-#include "mesh/clipped_cell.hpp"
+#include "mesh/clip/clipped_cell.hpp"
 
 namespace netmesh {
 

@@ -81,10 +81,10 @@ constexpr int shared_dimension = D > fast_dimension_max && 0 NETMESH_EACH_DIMENS
 struct Figures {
     // Meshing
     double tau_default;  // bound on aspect ratios when the caller names none
-    double pull_back;    // see mesh/aspect_rule.hpp
-    double waiting_tau;  // what cells are held to while inputs are missing, see mesh/aspect_rule.hpp
+    double pull_back;    // see mesh/loop/aspect_rule.hpp
+    double waiting_tau;  // what cells are held to while inputs are missing, see mesh/loop/aspect_rule.hpp
     // Distance of the frame over the domain's radius: its hull, a cross-polytope, must contain the ball of 2.2 radii in
-    // which everything stays (mesh/quality_rule.hpp), so more than 2.2 sqrt(D), and 4 at least for a coarse mesh
+    // which everything stays (mesh/loop/quality_rule.hpp), so more than 2.2 sqrt(D), and 4 at least for a coarse mesh
     // between domain and frame.
     double frame_factor;
     // Analysis

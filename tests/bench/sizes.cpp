@@ -11,8 +11,8 @@
 
 #include "common/inputs.hpp"
 #include "common/mesh_requests.hpp"
+#include "mesh/check/quality.hpp"
 #include "mesh/mesh_points.hpp"
-#include "mesh/quality.hpp"
 #include "vocabulary/dimension.hpp"
 
 using namespace netmesh;

@@ -1,6 +1,6 @@
-// The nerve of clipped cells (filtration/clipped_nerve.hpp) as a part that knows its dimension.
+// The nerve of clipped cells (mesh/clip/clipped_nerve.hpp) as a part that knows its dimension.
 #pragma once
-#include "filtration/clipped_nerve.hpp"
+#include "mesh/clip/clipped_nerve.hpp"
 
 template <int D>
 netmesh::Status find_nerve(const netmesh::Store<D>& store, const netmesh::Domain<D>& ball, const netmesh::Work& work,

@@ -12,11 +12,11 @@
 #include "common/meshed.hpp"
 #include "common/nerve.hpp"
 #include "delaunay/cell_list.hpp"
-#include "filtration/clipped_nerve.hpp"
 #include "filtration/filters.hpp"
 #include "filtration/tighten_cell_bounds.hpp"
-#include "mesh/clipped_cell.hpp"
-#include "mesh/clipped_reach.hpp"
+#include "mesh/clip/clipped_cell.hpp"
+#include "mesh/clip/clipped_nerve.hpp"
+#include "mesh/clip/clipped_reach.hpp"
 
 using namespace netmesh;
 

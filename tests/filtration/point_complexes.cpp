@@ -11,9 +11,9 @@
 #include "common/dimensions.hpp"
 #include "common/inputs.hpp"
 #include "common/session.hpp"
-#include "filtration/half_distance.hpp"
 #include "filtration/point_complexes.hpp"
 #include "filtration/rips_graph.hpp"
+#include "geometry/half_distance.hpp"
 #include "homology/oracle.hpp"
 
 using oracle::Simplex;

@@ -13,7 +13,7 @@
 #include "common/filtered_mesh.hpp"
 #include "common/meshed.hpp"
 #include "filtration/filters.hpp"
-#include "filtration/sides.hpp"
+#include "geometry/sides.hpp"
 
 using namespace netmesh;
 

@@ -10,8 +10,8 @@
 #include "common/filtered_mesh.hpp"
 #include "common/meshed.hpp"
 #include "filtration/filters.hpp"
-#include "filtration/nearest_in_hull.hpp"
-#include "filtration/sides.hpp"
+#include "geometry/nearest_in_hull.hpp"
+#include "geometry/sides.hpp"
 
 using namespace netmesh;
 

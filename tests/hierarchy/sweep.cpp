@@ -12,7 +12,7 @@
 #include "common/dimensions.hpp"
 #include "common/inputs.hpp"
 #include "common/mesh_requests.hpp"
-#include "mesh/hierarchy_quality.hpp"
+#include "mesh/check/hierarchy_quality.hpp"
 #include "mesh/mesh_points.hpp"
 
 using namespace netmesh;
@@ -84,7 +84,7 @@ template <int D> void sizes(Block& block, bool quick) {
         if (plain) {
             const Run other = run_mesh<D>(block, points, by_quality(3));
             std::printf("   plain %8.2f", other.vertices / other.inputs);
-            // As it was when plain refinement did not wait for inputs either (mesh/quality_rule.hpp).
+            // As it was when plain refinement did not wait for inputs either (mesh/loop/quality_rule.hpp).
             constexpr double few[] = {0, 0, 12.273, 32.909, 283.818}, many[] = {0, 0, 25.146, 155.585, 283.818};
             const double before = run.inputs < 20 ? few[D] : many[D], now = other.vertices / other.inputs;
             if (!gaps) expect(size <= 1.05 * (now > before ? now : before), "no larger than plain refinement");

@@ -15,7 +15,7 @@
 #include "exact/families.hpp"
 #include "filtration/point_complexes.hpp"
 #include "homology/map_ranks.hpp"
-#include "jobs/persist_points.hpp"
+#include "jobs/diagram_of_points.hpp"
 #include "numerics/real.hpp"
 
 using namespace netmesh;
@@ -89,7 +89,7 @@ void equals_separate_runs(int dim, const inputs::Points& points, netmesh_filter 
         const std::uint32_t count = static_cast<std::uint32_t>(points.size() / static_cast<std::size_t>(dim));
         const PointsRequest request = {
             {kind, values, k, degree}, points.data(), count, static_cast<std::uint32_t>(dim), HUGE_VAL, false, false};
-        REQUIRE(persist_points(request, {block.arena, monitor}, &one) == Status::ok);
+        REQUIRE(diagram_of_points(request, {block.arena, monitor}, &one) == Status::ok);
         std::vector<Bar> expected;
         for (std::uint64_t i = 0; i < one.diagram.pairs.count; ++i) {
             const Pair& pair = one.diagram.pairs.pairs[i];

@@ -6,12 +6,12 @@
 #include <vector>
 
 #include "common/dimensions.hpp"
+#include "common/hierarchical.hpp"
 #include "common/inputs.hpp"
 #include "common/meshed.hpp"
 #include "common/session.hpp"
-#include "hierarchical.hpp"
-#include "mesh/clipped_cell.hpp"
-#include "mesh/separation.hpp"
+#include "mesh/clip/clipped_cell.hpp"
+#include "mesh/loop/separation.hpp"
 
 using namespace netmesh;
 

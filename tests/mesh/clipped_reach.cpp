@@ -1,5 +1,5 @@
 // How far cells reach within a ball: proven bounds against sampled points, and near to what is measured.
-#include "mesh/clipped_reach.hpp"
+#include "mesh/clip/clipped_reach.hpp"
 
 #include <doctest/doctest.h>
 
@@ -8,8 +8,8 @@
 
 #include "common/dimensions.hpp"
 #include "common/meshed.hpp"
-#include "mesh/clipped_cell.hpp"
-#include "mesh/quality.hpp"
+#include "mesh/check/quality.hpp"
+#include "mesh/clip/clipped_cell.hpp"
 
 using namespace netmesh;
 

@@ -1,5 +1,5 @@
 // The frame around everything, by looking at all of it.
-#include "mesh/frame.hpp"
+#include "mesh/loop/frame.hpp"
 
 #include <doctest/doctest.h>
 

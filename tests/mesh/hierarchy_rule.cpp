@@ -6,9 +6,9 @@
 #include <string>
 
 #include "common/dimensions.hpp"
-#include "hierarchical.hpp"
+#include "common/hierarchical.hpp"
+#include "mesh/check/quality.hpp"
 #include "mesh/input_tree.hpp"
-#include "mesh/quality.hpp"
 
 using namespace netmesh;
 

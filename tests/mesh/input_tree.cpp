@@ -11,8 +11,8 @@
 #include "common/block.hpp"
 #include "common/dimensions.hpp"
 #include "common/inputs.hpp"
-#include "mesh/frame.hpp"
-#include "mesh/separation.hpp"
+#include "mesh/loop/frame.hpp"
+#include "mesh/loop/separation.hpp"
 #include "numerics/vector.hpp"
 
 using namespace netmesh;

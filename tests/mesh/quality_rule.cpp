@@ -5,10 +5,10 @@
 #include <cmath>
 
 #include "common/dimensions.hpp"
-#include "hierarchical.hpp"
-#include "mesh/check_domain.hpp"
+#include "common/hierarchical.hpp"
+#include "mesh/check/check_domain.hpp"
+#include "mesh/check/quality.hpp"
 #include "mesh/input_tree.hpp"
-#include "mesh/quality.hpp"
 #include "numerics/vector.hpp"
 
 using namespace netmesh;

@@ -10,9 +10,9 @@
 #include "delaunay/load.hpp"
 #include "delaunay/sphere.hpp"
 #include "delaunay/triangulate.hpp"
-#include "mesh/check_reach.hpp"
-#include "mesh/clipped_cell.hpp"
-#include "mesh/quality.hpp"
+#include "mesh/check/check_reach.hpp"
+#include "mesh/check/quality.hpp"
+#include "mesh/clip/clipped_cell.hpp"
 #include "mesh/sizing.hpp"
 #include "numerics/vector.hpp"
 

@@ -6,8 +6,8 @@
 #include <vector>
 
 #include "common/dimensions.hpp"
-#include "hierarchical.hpp"
-#include "mesh/quality.hpp"
+#include "common/hierarchical.hpp"
+#include "mesh/check/quality.hpp"
 
 using namespace netmesh;
 

@@ -6,10 +6,10 @@
 #include <vector>
 
 #include "common/dimensions.hpp"
+#include "common/hierarchical.hpp"
 #include "common/last_words.hpp"
-#include "hierarchical.hpp"
-#include "mesh/aspect_rule.hpp"
-#include "mesh/check_cages.hpp"
+#include "mesh/check/check_cages.hpp"
+#include "mesh/loop/aspect_rule.hpp"
 
 using namespace netmesh;
 
@@ -165,7 +165,7 @@ TEST_CASE_TEMPLATE_DEFINE("a fault of the mesher is found by its next insertion,
         const std::string words = words_of<D>(fault);
         CAPTURE(words);
         CHECK(words.find(text) != std::string::npos);
-        CHECK(words.find("mesh/refinement.hpp:") != std::string::npos);
+        CHECK(words.find("mesh/loop/refinement.hpp:") != std::string::npos);
     }
 }
 TEST_CASE_TEMPLATE_APPLY(growth_faults, Dimensions<>);

@@ -7,7 +7,7 @@
 // |x_t - o| over all independent sets t of points with s in t whose x_t no point is nearer to than t.
 //
 //     NETMESH_NERVE_SETS=100 oracle_clipped_nerve     so many sets in each dimension; 12 otherwise
-#include "filtration/clipped_nerve.hpp"
+#include "mesh/clip/clipped_nerve.hpp"
 
 #include <doctest/doctest.h>
 #include <gmpxx.h>
@@ -23,7 +23,7 @@
 #include "common/simplices.hpp"
 #include "delaunay/sphere.hpp"
 #include "delaunay/triangulate.hpp"
-#include "filtration/equal_foot.hpp"
+#include "mesh/clip/equal_foot.hpp"
 
 using namespace netmesh;
 
