@@ -11,10 +11,10 @@
 #include "filtration/scale_partition.hpp"
 #include "filtration/tight_filter.hpp"
 #include "jobs/scale_grid.hpp"
-#include "laboratory/ball_lists.hpp"
+#include "mesh/audit/ball_lists.hpp"
 #include "mesh/cages/cage_template.hpp"
 #include "mesh/cages/hierarchy.hpp"
-#include "mesh/loop/observers.hpp"
+#include "mesh/audit/observers.hpp"
 #include "numerics/elementary.hpp"
 
 namespace netmesh {

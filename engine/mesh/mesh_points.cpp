@@ -1,7 +1,7 @@
 #include "mesh/mesh_points.hpp"
 
-#include "laboratory/thesis_cages.hpp"
-#include "mesh/cages/hierarchy_rule.hpp"
+#include "mesh/loop/thesis_cages.hpp"
+#include "mesh/loop/hierarchy_rule.hpp"
 #include "mesh/loop/certificate_rule.hpp"
 #include "mesh/loop/quality_rule.hpp"
 #include "vocabulary/dimension.hpp"

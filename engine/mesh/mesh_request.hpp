@@ -3,8 +3,8 @@
 #include <cstdint>
 
 #include "delaunay/triangulate.hpp"
-#include "laboratory/ball_lists.hpp"
-#include "laboratory/quality_audit.hpp"
+#include "mesh/audit/ball_lists.hpp"
+#include "mesh/audit/quality_audit.hpp"
 #include "mesh/any_domain.hpp"
 #include "mesh/cages/cage.hpp"
 #include "mesh/sizing.hpp"

@@ -106,24 +106,26 @@ def check_script(options):
     check(os.listdir(blocked) == ["netmesh.h"], "nothing is left behind by a failure")
 
 
+FRAME = "mesh/loop/frame.cpp"
+
 # name: (file of the engine, what is put at its end, what is said)
 PLANTS = {
     "a function twice": ("api/bounds.cpp", "namespace netmesh {\nnamespace {\nint link_facets(int x) { return x; }\n"
                          "}  // namespace\n}  // namespace netmesh\n", "link_facets is declared in api/bounds.cpp and"),
-    "a type twice": ("mesh/loop/frame.cpp", "namespace netmesh {\nnamespace {\nstruct Items {\n    int a;\n};\n"
+    "a type twice": (FRAME, "namespace netmesh {\nnamespace {\nstruct Items {\n    int a;\n};\n"
                      "}  // namespace\n}  // namespace netmesh\n",
-                     "Items is declared in mesh/loop/frame.cpp and numerics/value_order.cpp"),
-    "a constant twice": ("mesh/loop/frame.cpp", "namespace netmesh {\nnamespace {\nconstexpr double other = 1, chunk = 2;\n"
+                     "Items is declared in " + FRAME + " and numerics/value_order.cpp"),
+    "a constant twice": (FRAME, "namespace netmesh {\nnamespace {\nconstexpr double other = 1, chunk = 2;\n"
                          "}  // namespace\n}  // namespace netmesh\n", "chunk is declared in"),
-    "a macro that stays": ("mesh/loop/frame.cpp", "#define NETMESH_LEFT 1\n", "macro NETMESH_LEFT is not undefined"),
-    "a using directive": ("mesh/loop/frame.cpp", "namespace netmesh {\nusing namespace filter_trait;\n"
+    "a macro that stays": (FRAME, "#define NETMESH_LEFT 1\n", "macro NETMESH_LEFT is not undefined"),
+    "a using directive": (FRAME, "namespace netmesh {\nusing namespace filter_trait;\n"
                           "}  // namespace netmesh\n", "using namespace filter_trait"),
-    "a header of C++": ("mesh/loop/frame.cpp", "#include <array>\n", "mesh/loop/frame.cpp includes <array>"),
-    "a name of C++": ("mesh/loop/frame.cpp", "namespace netmesh {\ninline int least() { return std::min(1, 2); }\n"
-                      "}  // namespace netmesh\n", "mesh/loop/frame.cpp uses std::min"),
-    "a header that is not there": ("mesh/loop/frame.cpp", '#include "mesh/none.hpp"\n', 'includes "mesh/none.hpp"'),
+    "a header of C++": (FRAME, "#include <array>\n", FRAME + " includes <array>"),
+    "a name of C++": (FRAME, "namespace netmesh {\ninline int least() { return std::min(1, 2); }\n"
+                      "}  // namespace netmesh\n", FRAME + " uses std::min"),
+    "a header that is not there": (FRAME, '#include "mesh/none.hpp"\n', 'includes "mesh/none.hpp"'),
     "headers in a circle": ("vocabulary/ids.hpp", '#include "mesh/loop/frame.hpp"\n', "files include one another"),
-    "a namespace in one line": ("mesh/loop/frame.cpp", "namespace netmesh { int here(); }\n", "mesh/loop/frame.cpp: namespace"),
+    "a namespace in one line": (FRAME, "namespace netmesh { int here(); }\n", FRAME + ": namespace"),
 }
 
 

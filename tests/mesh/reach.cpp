@@ -111,7 +111,11 @@ TEST_CASE_TEMPLATE_DEFINE("measured and checked reach agree with sampling, on ce
     const int samples = 20000;
     // A check takes seconds in R^6, where a cell that nothing has refined has thousands of corners.
     for (int kind = 0; kind < 8; kind += D < 5 ? 1 : D == 5 ? 2 : 3) {
-        const std::size_t n = kind == 0 ? 2 : kind == 1 ? 3 : 3 + static_cast<std::size_t>(D < 5 ? 3 * kind : D == 5 ? kind : 1);
+        const std::size_t n = kind == 0   ? 2
+                              : kind == 1 ? 3
+                                          : 3 + static_cast<std::size_t>(D < 5    ? 3 * kind
+                                                                         : D == 5 ? kind
+                                                                                  : 1);
         const int within = kind < 2 ? D : 1 + kind % D;
         const inputs::Points points = kind == 7 ? on_curve(D, n) : flat(D, within, n, 7 + static_cast<unsigned>(kind));
         Framed<D> m(points);

@@ -2,7 +2,7 @@
 #pragma once
 #include <cstdint>
 
-#include "laboratory/ball_lists.hpp"
+#include "mesh/audit/ball_lists.hpp"
 
 namespace netmesh {
 

@@ -11,7 +11,7 @@
 #include "mesh/loop/bucket_queue.hpp"
 #include "mesh/loop/frame.hpp"
 #include "mesh/loop/input_order.hpp"
-#include "mesh/loop/observers.hpp"
+#include "mesh/audit/observers.hpp"
 #include "mesh/loop/separation.hpp"
 #include "mesh/loop/sizes.hpp"
 #include "mesh/loop/split.hpp"

@@ -1,4 +1,4 @@
-#include "laboratory/ball_lists.hpp"
+#include "mesh/audit/ball_lists.hpp"
 
 #include "delaunay/any_kernel.hpp"
 #include "numerics/random.hpp"

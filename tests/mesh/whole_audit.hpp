@@ -8,7 +8,7 @@
 #include <vector>
 
 #include "common/hierarchical.hpp"
-#include "laboratory/quality_audit.hpp"
+#include "mesh/audit/quality_audit.hpp"
 
 template <int D> class WholeMesh {
     using u32 = std::uint32_t;

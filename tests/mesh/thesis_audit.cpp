@@ -8,8 +8,8 @@
 
 #include "common/dimensions.hpp"
 #include "common/meshed.hpp"
-#include "laboratory/cage_lemmas.hpp"
-#include "laboratory/thesis_cages.hpp"
+#include "mesh/cage_lemmas.hpp"
+#include "mesh/loop/thesis_cages.hpp"
 #include "mesh/cages/any_cage.hpp"
 #include "numerics/random.hpp"
 

@@ -5,7 +5,7 @@
 #include <cmath>
 
 #include "common/dimensions.hpp"
-#include "laboratory/whole_audit.hpp"
+#include "mesh/whole_audit.hpp"
 #include "mesh/loop/aspect_rule.hpp"
 
 using namespace netmesh;

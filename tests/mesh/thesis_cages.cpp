@@ -1,4 +1,4 @@
-#include "laboratory/thesis_cages.hpp"
+#include "mesh/loop/thesis_cages.hpp"
 
 #include <doctest/doctest.h>
 
@@ -11,7 +11,7 @@
 #include "common/hierarchical.hpp"
 #include "common/inputs.hpp"
 #include "common/meshed.hpp"
-#include "laboratory/cage_lemmas.hpp"
+#include "mesh/cage_lemmas.hpp"
 
 using namespace netmesh;
 

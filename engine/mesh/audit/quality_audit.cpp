@@ -1,4 +1,4 @@
-#include "laboratory/quality_audit.hpp"
+#include "mesh/audit/quality_audit.hpp"
 
 #include "mesh/cages/any_cage.hpp"
 #include "mesh/cages/cage_corner.hpp"

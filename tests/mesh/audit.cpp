@@ -5,7 +5,7 @@
 
 #include "common/dimensions.hpp"
 #include "common/hierarchical.hpp"
-#include "laboratory/quality_audit.hpp"
+#include "mesh/audit/quality_audit.hpp"
 #include "mesh/input_tree.hpp"
 #include "mesh/loop/frame.hpp"
 #include "mesh/loop/split.hpp"

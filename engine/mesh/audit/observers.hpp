@@ -3,8 +3,8 @@
 #pragma once
 #include <cstdint>
 
-#include "laboratory/ball_lists.hpp"
-#include "laboratory/quality_audit.hpp"
+#include "mesh/audit/ball_lists.hpp"
+#include "mesh/audit/quality_audit.hpp"
 #include "mesh/domain.hpp"
 #include "mesh/mesh_request.hpp"
 #include "vocabulary/features.hpp"

@@ -1,4 +1,4 @@
-#include "laboratory/thesis_cages.hpp"
+#include "mesh/loop/thesis_cages.hpp"
 
 #include "vocabulary/dimension.hpp"
 

@@ -1,4 +1,4 @@
-#include "mesh/cages/hierarchy_rule.hpp"
+#include "mesh/loop/hierarchy_rule.hpp"
 
 #include "mesh/cages/any_cage.hpp"
 #include "mesh/cages/cage_corner.hpp"

@@ -1,4 +1,4 @@
-#include "mesh/loop/observers.hpp"
+#include "mesh/audit/observers.hpp"
 
 #include "vocabulary/features.hpp"
 
