@@ -12,9 +12,9 @@
 #include "filtration/tight_filter.hpp"
 #include "jobs/scale_grid.hpp"
 #include "mesh/audit/ball_lists.hpp"
+#include "mesh/audit/observers.hpp"
 #include "mesh/cages/cage_template.hpp"
 #include "mesh/cages/hierarchy.hpp"
-#include "mesh/audit/observers.hpp"
 #include "numerics/elementary.hpp"
 
 namespace netmesh {

@@ -1,9 +1,9 @@
 #include "mesh/mesh_points.hpp"
 
-#include "mesh/loop/thesis_cages.hpp"
-#include "mesh/loop/hierarchy_rule.hpp"
 #include "mesh/loop/certificate_rule.hpp"
+#include "mesh/loop/hierarchy_rule.hpp"
 #include "mesh/loop/quality_rule.hpp"
+#include "mesh/loop/thesis_cages.hpp"
 #include "vocabulary/dimension.hpp"
 #include "vocabulary/features.hpp"
 

@@ -3,9 +3,9 @@
 #include <cstdint>
 
 #include "delaunay/triangulate.hpp"
+#include "mesh/any_domain.hpp"
 #include "mesh/audit/ball_lists.hpp"
 #include "mesh/audit/quality_audit.hpp"
-#include "mesh/any_domain.hpp"
 #include "mesh/cages/cage.hpp"
 #include "mesh/sizing.hpp"
 

@@ -5,8 +5,8 @@
 #include <cmath>
 
 #include "common/dimensions.hpp"
-#include "mesh/whole_audit.hpp"
 #include "mesh/loop/aspect_rule.hpp"
+#include "mesh/whole_audit.hpp"
 
 using namespace netmesh;
 

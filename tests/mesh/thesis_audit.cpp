@@ -9,8 +9,8 @@
 #include "common/dimensions.hpp"
 #include "common/meshed.hpp"
 #include "mesh/cage_lemmas.hpp"
-#include "mesh/loop/thesis_cages.hpp"
 #include "mesh/cages/any_cage.hpp"
+#include "mesh/loop/thesis_cages.hpp"
 #include "numerics/random.hpp"
 
 using namespace netmesh;
