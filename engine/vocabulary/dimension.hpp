@@ -101,24 +101,23 @@ struct Figures {
     double audit_balls_per_point;
     // Choosing between the exact alpha complex and a mesh (api/auto.cpp)
     double affordable_work;  // cells a point that a Delaunay triangulation makes where alpha complexes are affordable
-    double tie_work;         // cells that a tie counts for
 };
 
 template <int D> struct FiguresOf;
 template <> struct FiguresOf<2> {
-    static constexpr Figures value = {2.5, 1.25, 32, 4, 0.1, 0.5, 4, 24, 2.05, 3.0, 2.1, 7, 6, 16, 8, 40, 40};
+    static constexpr Figures value = {2.5, 1.25, 32, 4, 0.1, 0.5, 4, 24, 2.05, 3.0, 2.1, 7, 6, 16, 8, 40};
 };
 template <> struct FiguresOf<3> {
-    static constexpr Figures value = {2.5, 1.1, 24, 4, 0.25, 0.5, 20, 240, 6.5, 4.35, 4.1, 10, 15, 32, 24, 150, 40};
+    static constexpr Figures value = {2.5, 1.1, 24, 4, 0.25, 0.5, 20, 240, 6.5, 4.35, 4.1, 10, 15, 32, 24, 150};
 };
 template <> struct FiguresOf<4> {
-    static constexpr Figures value = {3.08, 1.05, 20, 4.6, 1, 0.5, 120, 3000, 28, 6.3, 8.5, 12, 21, 64, 96, 250, 5};
+    static constexpr Figures value = {3.08, 1.05, 20, 4.6, 1, 0.5, 120, 3000, 28, 6.3, 8.5, 12, 21, 64, 96, 250};
 };
 template <> struct FiguresOf<5> {
-    static constexpr Figures value = {4, 1, 20, 5.2, 4, 0.6, 700, 40000, 140, 9.1, 12, 13, 26, 128, 480, 1500, 5};
+    static constexpr Figures value = {4, 1, 20, 5.2, 4, 0.6, 700, 40000, 140, 9.1, 12, 13, 26, 128, 480, 1500};
 };
 template <> struct FiguresOf<6> {
-    static constexpr Figures value = {4, 1, 20, 5.7, 16, 0.7, 4000, 400000, 600, 13.3, 15, 14, 36, 256, 2400, 8000, 5};
+    static constexpr Figures value = {4, 1, 20, 5.7, 16, 0.7, 4000, 400000, 600, 13.3, 15, 14, 36, 256, 2400, 8000};
 };
 template <int D> constexpr const Figures& figures = FiguresOf<D>::value;
 

@@ -8,9 +8,11 @@
 #include <gmpxx.h>
 
 #include <cmath>
+#include <iterator>
 #include <limits>
 
 #include "complex/triangulations.hpp"
+#include "geometry/middles.hpp"
 
 using namespace netmesh;
 using netmesh_test::Random;
@@ -316,6 +318,53 @@ TEST_CASE("radii at the middle between two doubles, and next to it") {
         const double a[] = {-x, 0}, b[] = {x + 2 * half, 0};
         CHECK(half_distance(2, a, b) == (i % 2 == 0 ? x : x + 2 * half));
     }
+}
+
+namespace {
+
+// Simplices among the corners of a box, whose circumsphere is the box's: at one corner; apart from each other, where no
+// edges are at right angles; and of three points, the longest side a diagonal.
+template <int D> void check_boxes(const std::int64_t (*edges)[D], std::size_t count) {
+    Tally tally;
+    std::vector<Points> at_corner, apart, right;
+    for (std::size_t i = 0; i < count; ++i)
+        for (int turn = 0; turn < D; ++turn)
+            for (const int scale : {0, -52, 300}) {
+                double edge[D];
+                for (int k = 0; k < D; ++k) edge[k] = std::ldexp(double(edges[i][(k + turn) % D]), scale);
+                const auto corner = [&](unsigned which) {
+                    Point x(D, 0.0);
+                    for (int k = 0; k < D; ++k)
+                        if (which >> k & 1u) x[static_cast<std::size_t>(k)] = edge[k];
+                    return x;
+                };
+                const unsigned all = (1u << D) - 1;
+                const Point low = corner(0), high = corner(all);
+                mpq_class squared = 0;
+                for (int k = 0; k < D; ++k) squared += mpq_class(edge[k]) * mpq_class(edge[k]) / 4;
+                CHECK(is_nearest_root(half_distance(D, low.data(), high.data()), squared));
+                CHECK(is_nearest_root(half_distance(D, high.data(), low.data()), squared));
+                CHECK(is_nearest_root(exact_half_distance(D, low.data(), high.data()), squared));
+                Points simplex = {low};
+                for (int k = 0; k < D; ++k) simplex.push_back(corner(1u << k));
+                at_corner.push_back(simplex);
+                simplex = {low};
+                for (int k = 1; k < D; ++k) simplex.push_back(corner(1u | 1u << k));
+                simplex.push_back(corner(all & ~1u));
+                if (D > 2) apart.push_back(simplex);
+                right.push_back({low, high, corner(1u + static_cast<unsigned>(turn))});
+            }
+    check<D, D>(at_corner, &tally);
+    if constexpr (D > 2) check<D, D>(apart, &tally);
+    check<2, D>(right, &tally);
+}
+
+}  // namespace
+
+TEST_CASE("radii of boxes whose diagonal is twice the middle between two doubles, or a hair more or less") {
+    check_boxes<2>(netmesh_test::middle_2d, std::size(netmesh_test::middle_2d));
+    check_boxes<3>(netmesh_test::middle_3d, std::size(netmesh_test::middle_3d));
+    if constexpr (dimension_most() >= 4) check_boxes<4>(netmesh_test::middle_4d, std::size(netmesh_test::middle_4d));
 }
 
 TEST_CASE("half distances are rounded to nearest in any number of coordinates and at any size") {

@@ -168,13 +168,12 @@ size_t netmesh_plan_auto(const netmesh_auto_request* request);
  *
  * The triangulation is begun and given up as soon as it has made more than 40 / 150 / 250 / 1500 / 8000 cells (D =
  * 2..6) for each point inserted: uniform points take 6 / 28 / 158 / 898 / 4264, curves in space as many as there are
- * points. A conflict that takes more than a first sight (NETMESH_PREDICATE_CACHED) counts for 5 of them, a tie for 40
- * / 40 / 5 / 5 / 5: on lattices and curves, where many radii are nearly equal, an exact order of them is dear, and
- * meshes of lattices are small. It is given up as well when the alpha complex would not fit in the block. The choice
- * depends on points, seed and the block's size, on nothing else. What is given up is below a quarter of the whole, and
- * the filter taken at most twice as dear as the other one, on the 32 sets of tests/common/kinds.hpp
- * (tests/bench/auto.cpp); DESIGN.md says on which others not. INVALID_ARGUMENT, NOT_FINITE, OUT_OF_MEMORY (the mesh
- * does not fit either), CANCELLED. */
+ * points. A conflict that takes more than a first sight (NETMESH_PREDICATE_CACHED) counts for 5 of them, a tie for 2:
+ * where points are nearly cospherical, as on curves, a cell of an alpha complex takes longer. The triangulation is
+ * given up as well when the alpha complex would not fit in the block. The choice depends on points, seed and the
+ * block's size, on nothing else. What is given up is below a quarter of the whole, and the filter taken at most twice
+ * as dear as the other one, on the 32 sets of tests/common/kinds.hpp (tests/bench/auto.cpp); DESIGN.md says on which
+ * others not. INVALID_ARGUMENT, NOT_FINITE, OUT_OF_MEMORY (the mesh does not fit either), CANCELLED. */
 netmesh_status netmesh_persist_auto(netmesh_context* context, const netmesh_auto_request* request);
 
 /* Pairs sorted by degree, birth, death; death is +infinity for an essential class, and for one that ends beyond the
