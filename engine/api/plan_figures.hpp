@@ -47,7 +47,7 @@ template <> struct DelaunayFiguresOf<4> {
     static constexpr DelaunayFigures value = {{4100, 3209, 3885}, {2100, 9471, 14659}, {2100, 6092, 9257}};
 };
 template <> struct DelaunayFiguresOf<5> {
-    static constexpr DelaunayFigures value = {{14000, 24220, 40287}, {3000, 90930, 165768}, {2100, 65950, 119761}};
+    static constexpr DelaunayFigures value = {{14000, 24150, 40287}, {3000, 90250, 165768}, {2100, 65330, 119761}};
 };
 template <> struct DelaunayFiguresOf<6> {
     static constexpr DelaunayFigures value = {{2100, 172700, 300000}, {2100, 802200, 1450000}, {2100, 635700, 1150000}};
