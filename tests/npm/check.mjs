@@ -67,13 +67,15 @@ const transport = netmesh.wasserstein(Float64Array.of(0, 8, 0, 2), Float64Array.
 assert.ok(transport.lower <= 2 && transport.value >= 2 && transport.value <= 1.001 * transport.lower);
 assert.equal(netmesh.bottleneck(diagram, diagram), 0);
 
-// "auto" is the engine's own choice: of a lattice the mesh, as ties are dear, of the circle the exact complex. What
-// asks for a mesh takes the mesh.
+// "auto" is the engine's own choice: of the circle and of a lattice the exact complex, of a curve in space, whose every
+// two points are an edge of Delaunay's, the mesh. What asks for a mesh takes the mesh.
 const lattice = Array.from({ length: 3000 }, (_, i) => [i % 15, Math.floor(i / 15) % 15, Math.floor(i / 225)]);
-const cheap = netmesh.persist(lattice);
+assert.equal(netmesh.persist(lattice).filter, 'alpha');
+const curve = Array.from({ length: 1000 }, (_, i) => [i / 1000, (i / 1000) ** 2, (i / 1000) ** 3]);
+const cheap = netmesh.persist(curve);
 assert.equal(cheap.filter, 'complete');
 assert.equal(cheap.why, 'the exact alpha complex would take more work than a mesh');
-assert.equal(cheap.fingerprint, netmesh.persist(lattice, { filter: 'complete' }).fingerprint);
+assert.equal(cheap.fingerprint, netmesh.persist(curve, { filter: 'complete' }).fingerprint);
 assert.equal(diagram.filter, 'alpha');
 assert.equal(netmesh.persist(circle, { ratio: 2, bounds: false }).filter, 'complete');
 const line = [[0, 0], [1, 0], [3, 0]];
