@@ -67,8 +67,8 @@ const transport = netmesh.wasserstein(Float64Array.of(0, 8, 0, 2), Float64Array.
 assert.ok(transport.lower <= 2 && transport.value >= 2 && transport.value <= 1.001 * transport.lower);
 assert.equal(netmesh.bottleneck(diagram, diagram), 0);
 
-// "auto" is the engine's own choice: of the circle and of a lattice the exact complex, of a curve in space, whose every
-// two points are an edge of Delaunay's, the mesh. What asks for a mesh takes the mesh.
+// "auto" is the engine's own choice. Of the circle and of a lattice it is the exact complex. The Delaunay triangulation
+// of this curve in space joins any two of its points, so there it is the mesh. What asks for a mesh takes the mesh.
 const lattice = Array.from({ length: 3000 }, (_, i) => [i % 15, Math.floor(i / 15) % 15, Math.floor(i / 225)]);
 assert.equal(netmesh.persist(lattice).filter, 'alpha');
 const curve = Array.from({ length: 1000 }, (_, i) => [i / 1000, (i / 1000) ** 2, (i / 1000) ** 3]);
