@@ -15,15 +15,18 @@ using fuzz::Choices;
 using fuzz::require;
 using fuzz::Tape;
 
-// The corpus numbers jobs: 2 a mesh, 3 for persistence, 5 for the tight filter; others are no purpose of a mesh.
-netmesh_purpose purpose_of(std::uint32_t job) {
-    switch (job) {
-    case 2: return NETMESH_PURPOSE_MESH;
-    case 3: return NETMESH_PURPOSE_PERSIST;
-    case 5: return NETMESH_PURPOSE_TIGHT;
-    default: return static_cast<netmesh_purpose>(3 + job);
-    }
+// By number; then auto, and none.
+std::vector<const netmesh_filter*> all_filters() {
+    std::vector<const netmesh_filter*> all = {&netmesh_filter_simplices};
+    netmesh::for_each_filter([&](const netmesh_filter_info& info) { all.push_back(info.filter); });
+    all.push_back(&netmesh_filter_auto);
+    all.push_back(nullptr);
+    return all;
 }
+const std::vector<const netmesh_filter*> filters = all_filters();
+const std::uint32_t filter_count = static_cast<std::uint32_t>(filters.size());
+const netmesh_method* const methods[] = {&netmesh_method_svr,    &netmesh_method_netmesh,  &netmesh_method_refine,
+                                         &netmesh_method_thesis, &netmesh_method_delaunay, &netmesh_method_certificate};
 
 class Calls {
 public:
@@ -71,34 +74,34 @@ private:
     template <class Request> const Request* maybe(const Request& request, const Choices& c) {
         return tape_.rarely() ? nullptr : handed_.over(request, c);
     }
-    // With the fields that requests of points have in common.
-    template <class Request> Request on_points(Request request, const Choices& c, const std::vector<double>& x) {
-        request.dim = c.dim;
-        request.monitor = c.monitor;
-        request.points = x.data();
-        request.point_count = c.dim == 0 ? 0 : x.size() / c.dim;
+    netmesh::Request on_points(netmesh::Request request, const Choices& c, const std::vector<double>& x) {
+        request.set_points(c.dim, x);
         // The seed says how they lie, so that older inputs mean what they did.
         const std::size_t gap = c.seed / 8 % 3 + 1, dim = c.dim;
-        if (c.seed % 8 == 4) request.point_stride_bytes = 4;  // refused
-        if (c.seed % 8 == 5) request = in_rows(request, x, &floats_, dim);
-        if (c.seed % 8 == 6) request = in_rows(request, x, &floats_, dim + gap);
-        if (c.seed % 8 == 7) request = in_rows(request, x, &doubles_, dim + gap);
+        if (c.seed % 8 == 4) request.points.stride_bytes = 4;  // refused
+        if (c.seed % 8 == 5) put_in_rows(&request.points, x, &floats_, dim);
+        if (c.seed % 8 == 6) put_in_rows(&request.points, x, &floats_, dim + gap);
+        if (c.seed % 8 == 7) put_in_rows(&request.points, x, &doubles_, dim + gap);
+        return request;
+    }
+    // Of jobs that no seed matters to, which refuse most of them: half of the choices.
+    static netmesh::Request unseeded(netmesh::Request request) {
+        if (request.seed < 128) request.seed = 1;
         return request;
     }
     // In rows of that many numbers, the last one cut off where its point ends.
-    template <class Request, class Number>
-    static Request in_rows(Request request, const std::vector<double>& x, std::vector<Number>* rows,
-                           std::size_t stride) {
+    template <class Number>
+    static void put_in_rows(netmesh_points* points, const std::vector<double>& x, std::vector<Number>* rows,
+                            std::size_t stride) {
         std::vector<Number> all;
-        for (std::size_t i = 0; i < request.point_count; ++i) {
+        for (std::size_t i = 0; i < points->count; ++i) {
             all.resize(i * stride, std::numeric_limits<Number>::quiet_NaN());
-            for (std::uint32_t k = 0; k < request.dim; ++k) all.push_back(static_cast<Number>(x[i * request.dim + k]));
+            for (std::uint32_t k = 0; k < points->dim; ++k) all.push_back(static_cast<Number>(x[i * points->dim + k]));
         }
         *rows = std::vector<Number>(all);  // no spare capacity
-        request.points = rows->data();
-        request.point_format = sizeof(Number) == 4 ? NETMESH_POINTS_FLOAT32 : NETMESH_POINTS_FLOAT64;
-        request.point_stride_bytes = stride == request.dim ? 0 : stride * sizeof(Number);
-        return request;
+        points->coordinates = rows->data();
+        points->format = sizeof(Number) == 4 ? NETMESH_POINTS_FLOAT32 : NETMESH_POINTS_FLOAT64;
+        points->stride_bytes = stride == points->dim ? 0 : stride * sizeof(Number);
     }
     std::vector<double> make_points(std::uint32_t dim) {
         std::vector<double> x;
@@ -111,135 +114,176 @@ private:
         require(netmesh_get_report(context_, &r) == NETMESH_OK);
         return r;
     }
-    netmesh_status checked(std::uint32_t what, const netmesh_mesh_request& mesh, const Choices& c) {
-        netmesh::requests::Check request;
+    netmesh_status checked(std::uint32_t what, const netmesh_request& promised, const Choices& c) {
+        auto request = netmesh::sized<netmesh_check_request>();
         request.what = what;
         request.monitor = c.monitor;
-        request.mesh = handed_.over(mesh, c);
+        request.promised = handed_.over(promised, c);
         return ended(netmesh_check(context_, &request));
+    }
+    // What settle says is what the call says, and what is settled is settled again as it is. Then the plan of it.
+    netmesh_status persisted(const netmesh_request& request, const Choices& c) {
+        auto settled = netmesh::sized<netmesh_request>(), again = netmesh::sized<netmesh_request>();
+        auto detail = netmesh::sized<netmesh_detail>();
+        const netmesh_status said = netmesh_settle(&request, &settled, &detail);
+        require(said == NETMESH_OK || said == NETMESH_INVALID_ARGUMENT || said == NETMESH_NOT_BUILT);
+        require((said == NETMESH_OK) == (detail.field == NETMESH_FIELD_NONE) && detail.message != nullptr);
+        const netmesh_field field = detail.field;
+        if (said == NETMESH_OK) {
+            require(netmesh_settle(&settled, &again, &detail) == NETMESH_OK);
+            require(std::memcmp(&settled, &again, sizeof again) == 0);
+        }
+        netmesh_plan(&request);
+        const netmesh_request* const handed = maybe(request, c);
+        const bool whole = handed != nullptr && !c.sets_bytes;
+        const netmesh_status status = ended(netmesh_persist(context_, handed));
+        // Without a filter it is a mesh that is settled.
+        if (whole && said != NETMESH_OK)
+            require(status == said && (request.filter == nullptr || detail_of(context_).field == field));
+        return status;
     }
 
     void triangulate() {
         const Choices c = choose();
         const std::vector<double> x = make_points(c.dim);
-        netmesh_delaunay_request request = on_points(netmesh::requests::Delaunay(c.dim), c, x);
-        request.seed = c.seed;
-        if (tape_.rarely()) request.points = nullptr;
-        if (ended(netmesh_delaunay(context_, maybe<netmesh_delaunay_request>(request, c))) == NETMESH_OK) {
-            const netmesh_status status = checked(7, c.mesh_request(), c);
+        netmesh::Request request = on_points(c.request(nullptr), c, x);
+        request.mesh.method = &netmesh_method_delaunay;
+        if (tape_.rarely()) request.points.coordinates = nullptr;
+        if (ended(netmesh_mesh(context_, maybe<netmesh_request>(request, c))) == NETMESH_OK) {
+            const netmesh_status status = checked(7, c.mesh_request(nullptr), c);
             require(status == NETMESH_OK || status == NETMESH_OUT_OF_MEMORY || status == NETMESH_INVALID_ARGUMENT ||
                     status == NETMESH_CANCELLED);
         }
     }
     void make_mesh() {
         const Choices c = choose();
-        const auto method = static_cast<netmesh_method>(tape_.below(4));
+        const netmesh_method* const method = methods[tape_.below(4)];
         const std::vector<double> x = make_points(c.dim);
-        netmesh_mesh_request request = on_points(c.mesh_request(), c, x);
-        request.method = method;
-        if (method == NETMESH_METHOD_REFINE && tape_.rarely()) request.net_spacing = tape_.byte() / 25.0;
-        request.purpose = purpose_of(tape_.rarely() ? tape_.byte() : 2 + tape_.below(4));
-        if (tape_.rarely()) request.points = nullptr;
-        ended(netmesh_mesh(context_, maybe(request, c)));
+        netmesh::Request request = on_points(c.mesh_request(nullptr), c, x);
+        if (request.mesh.method == nullptr) request.mesh.method = method;
+        if (method == &netmesh_method_refine && tape_.rarely()) request.mesh.net_spacing = tape_.byte() / 25.0;
+        static const netmesh_filter* const purposes[] = {nullptr, &netmesh_filter_complete, nullptr,
+                                                         &netmesh_filter_tight};
+        request.filter = tape_.rarely() ? filters[tape_.byte() % filter_count] : purposes[tape_.below(4)];
+        if (request.goal.ratio > 0 && request.filter != nullptr) request.mesh.method = nullptr;
+        if (tape_.rarely()) request.points.coordinates = nullptr;
+        netmesh_plan_mesh(&request);
+        ended(netmesh_mesh(context_, maybe<netmesh_request>(request, c)));
     }
     void fit() {
         Choices c = choose();
         if (polls_left_ > 0) polls_left_ = 30;  // some runs
-        if (tape_.byte() & 1) c.certificate.ratio = 2 + tape_.byte() / 64.0;
+        if (tape_.byte() & 1) c.goal.ratio = 2 + tape_.byte() / 64.0;
         if (tape_.byte() & 1) {
-            c.certificate.focus_from = std::ldexp(1.0, static_cast<int>(tape_.below(16)) - 8);
-            c.certificate.focus_to = c.certificate.focus_from * (1 + tape_.byte() / 16.0);
+            c.goal.focus_from = std::ldexp(1.0, static_cast<int>(tape_.below(16)) - 8);
+            c.goal.focus_to = c.goal.focus_from * (1 + tape_.byte() / 16.0);
         }
         const std::vector<double> x = make_points(c.dim);
-        netmesh_fit_request request = on_points(netmesh::requests::Fit(c.dim), c, x);
-        request.seed = c.seed;
-        request.ratio = c.certificate.ratio;
-        request.focus_from = c.certificate.focus_from;
-        request.focus_to = c.certificate.focus_to;
+        netmesh::Request request = on_points(c.request(&netmesh_filter_complete), c, x);
+        request.fit = &netmesh_fit;
+        request.goal = c.goal;
         request.max_degree = tape_.below(8);
         request.keep_zero_pairs = tape_.byte() & 1;
-        request.bounds = tape_.byte() & 1;
-        if (tape_.byte() & 1) request.filter = static_cast<netmesh_filter>(tape_.below(9));
+        request.bounds = tape_.byte() & 1 ? &netmesh_bounds : nullptr;
+        if (tape_.byte() & 1) request.filter = filters[tape_.below(9)];
         if (tape_.byte() & 1) request.values = NETMESH_VALUES_THESIS;
-        request.whole_cells = tape_.rarely() ? 1 : 0;
-        request.k = tape_.below(4);
-        netmesh::requests::Function f;
+        request.mesh.whole_cells = tape_.rarely() ? 1 : 0;
+        const std::uint32_t k = tape_.below(4);
+        if (request.filter == &netmesh_filter_knn || request.filter == &netmesh_filter_kdistance) request.k = k;
+        auto f = netmesh::sized<netmesh_function>();
         f.evaluate = fuzz::function_of;
         f.user = &well_;
         f.lipschitz = f.cut = 1;
         if (tape_.byte() & 1) {
-            request.filter = NETMESH_FILTER_FUNCTION;
+            request.filter = &netmesh_filter_function;
             request.function = handed_.over<netmesh_function>(f, c);
-            request.by_error = tape_.byte() & 1;
-            if (request.by_error != 0 && !tape_.rarely()) request.ratio = request.focus_from = request.focus_to = 0;
+            if (!tape_.rarely()) request.goal = {};
         }
-        if (tape_.rarely()) request.points = nullptr;
+        if (tape_.rarely()) request.points.coordinates = nullptr;
         if (tape_.rarely()) {
-            request.longer_than = tape_.rarely() ? tape_.number() : 1 + tape_.byte() / 64.0;
-            if (tape_.byte() & 1) request.focus_from = request.focus_to = 0;
+            request.goal.longer_than = tape_.rarely() ? tape_.number() : 1 + tape_.byte() / 64.0;
+            if (tape_.byte() & 1) request.goal.focus_from = request.goal.focus_to = 0;
         }
-        if (ended(netmesh_fit(context_, maybe<netmesh_fit_request>(request, c))) != NETMESH_OK) return;
+        if (persisted(request, c) != NETMESH_OK) return;
         const netmesh_report r = report();
-        const bool laddered = r.diagram.filter == NETMESH_FILTER_COMPLETE && request.values == NETMESH_VALUES_CERTIFIED;
+        const bool laddered = r.diagram.filter == NETMESH_FILTER_COMPLETE && request.values != NETMESH_VALUES_THESIS;
         require(r.diagram.present != 0);
-        require(r.decision.present == 0 || r.decision.longer_than == request.longer_than);
+        require(r.decision.present == 0 || r.decision.longer_than == request.goal.longer_than);
         require(!(r.decision.decided_from < r.decision.undecided_to));
-        require(!laddered || r.diagram.certified_ratio <= r.mesh.certificate.ratio);
-        netmesh_mesh_request made = c.mesh_request();
-        made.tau = made.domain_factor = 0;  // a mesh for an error has the dimension's tau
-        made.certificate = r.mesh.certificate;
-        made.whole_cells = r.mesh.clipped == 0 ? 1 : 0;
+        require(!laddered || r.diagram.certified_ratio <= r.mesh.goal.ratio);
+        netmesh::Request made = c.request(nullptr);
+        made.k = 0;
+        made.goal = r.mesh.goal;
+        made.mesh.whole_cells = r.mesh.clipped == 0 && made.goal.ratio > 0 ? 1 : 0;
         // Meshes for an error are smaller than bounds on sizes allow; those are held to the sizes asked for alone.
-        require(r.diagram.fitted_error == 0 || request.by_error != 0);
+        require(r.diagram.fitted_error == 0 || request.filter == &netmesh_filter_function);
         Choices all = c;
         all.sets_bytes = false;  // a shorter request would not say what the mesh was made for
         if (r.diagram.fitted_error == 0) require(checked(15, made, all) != NETMESH_CHECK_FAILED);
     }
+    // Of what the context holds.
     void persist() {
         const Choices c = choose();
-        netmesh::requests::Persist request(static_cast<netmesh_filter>(tape_.below(14)));
-        request.monitor = c.monitor;
-        request.k = c.k;
-        request.values = static_cast<netmesh_values>(tape_.rarely() ? tape_.byte() : tape_.below(2));
+        netmesh::Request request = c.request(filters[tape_.below(14)]);
+        const std::uint32_t values = tape_.rarely() ? tape_.byte() : tape_.below(2);
+        std::memcpy(&request.values, &values, sizeof values);
         request.max_degree = tape_.below(8);
         request.keep_zero_pairs = tape_.byte() & 1;
-        ended(netmesh_persist(context_, maybe<netmesh_persist_request>(request, c)));
+        persisted(request, c);
+    }
+    // Any request at all: what contradicts is refused, everything else is done.
+    void anything() {
+        const Choices c = choose();
+        const std::vector<double> x = make_points(c.dim);
+        netmesh::Request request = c.mesh_request(filters[tape_.below(filter_count)]);
+        if (tape_.below(4) != 0) request = on_points(request, c, x);
+        const std::uint32_t what = tape_.byte(), more = tape_.byte();
+        if (what & 1) request.bounds = &netmesh_bounds;
+        if (what & 2) request.cycles = &netmesh_cycles;
+        if ((what & 12) == 12) request.vines = &netmesh_vines;
+        if ((what & 48) == 48) request.fit = &netmesh_fit;
+        if (what & 64) request.keep_mesh = 1;
+        if (what & 128) request.max_degree = tape_.below(4);
+        if ((more & 3) == 3) request.mesh.method = methods[tape_.below(6)];
+        if ((more & 12) == 12) request.k = tape_.below(5), request.k_last = request.k + tape_.below(3);
+        if ((more & 48) == 48) request.threshold = tape_.number();
+        if ((more & 64) != 0) request.values = static_cast<netmesh_values>(tape_.below(3));
+        if (polls_left_ > 0) polls_left_ = 30;
+        persisted(request, c);
     }
     void persist_alpha() {
         const Choices c = choose();
-        netmesh_alpha_request request = netmesh::requests::Alpha(c.dim);
+        netmesh::Request request = c.request(&netmesh_filter_alpha);
         request.max_degree = tape_.rarely() ? tape_.byte() : tape_.below(4);
         request.keep_zero_pairs = tape_.byte() & 1;
         const std::vector<double> x = make_points(c.dim);
-        request = on_points(request, c, x);
-        ended(netmesh_persist_alpha(context_, maybe(request, c)));
+        persisted(on_points(request, c, x), c);
     }
     void persist_auto() {
         const Choices c = choose();
-        netmesh_auto_request request = netmesh::requests::Auto(c.dim);
+        netmesh::Request request = c.request(&netmesh_filter_auto);
         request.max_degree = tape_.rarely() ? tape_.byte() : tape_.below(4);
         request.keep_zero_pairs = tape_.byte() & 1;
         const std::vector<double> x = make_points(c.dim);
         request = on_points(request, c, x);
-        if (ended(netmesh_persist_auto(context_, maybe(request, c))) != NETMESH_OK) return;
+        if (persisted(request, c) != NETMESH_OK) return;
         const netmesh_report r = report();
         const bool is_alpha = r.diagram.filter == NETMESH_FILTER_ALPHA;
         const bool alpha_why = r.diagram.why == NETMESH_WHY_AFFORDABLE || r.diagram.why == NETMESH_WHY_NO_MESH;
         require(r.diagram.why != NETMESH_WHY_ASKED && is_alpha == alpha_why && is_alpha == (r.mesh.is_mesh == 0));
-        netmesh_plan_auto(&request);
     }
     void persist_points() {
         const Choices c = choose();
-        const auto filter = static_cast<netmesh_filter>(tape_.rarely() ? tape_.byte() : 9 + tape_.below(4));
-        netmesh_points_request request = netmesh::requests::Points(c.dim, filter);
+        netmesh::Request request =
+            c.request(filters[tape_.rarely() ? tape_.byte() % filter_count : 9 + tape_.below(4)]);
         request.values = static_cast<netmesh_values>(tape_.below(3));
         request.k = tape_.below(6);
         request.max_degree = tape_.rarely() ? tape_.byte() : tape_.below(4);
         request.keep_zero_pairs = tape_.byte() & 1;
-        request.representatives = tape_.byte() & 1;
+        request.cycles = tape_.byte() & 1 ? &netmesh_cycles : nullptr;
+        if (request.filter == &netmesh_filter_rips || request.filter == &netmesh_filter_cech) request.k = 0;
         const std::vector<double> x = make_points(c.dim);
-        request = on_points(request, c, x);
-        ended(netmesh_persist_points(context_, maybe(request, c)));
+        persisted(unseeded(on_points(request, c, x)), c);
     }
     // Of few points; numbers are anything now and then.
     void persist_distances() {
@@ -256,31 +300,31 @@ private:
                 if ((tape_.byte() & 3) != 0) entries.push_back({tape_.rarely() ? tape_.byte() : i, j, d});
             }
         }
-        netmesh::requests::Distances request;
-        request.monitor = c.monitor;
-        std::memcpy(&request.layout, &layout, sizeof layout);
-        request.numbers = layout == NETMESH_DISTANCES_FULL ? full.data() : lower.data();
-        request.entries = entries.data();
-        request.entry_count = entries.size();
-        request.point_count = n;
+        auto distances = netmesh::sized<netmesh_distances>();
+        std::memcpy(&distances.layout, &layout, sizeof layout);
+        distances.numbers = layout == NETMESH_DISTANCES_FULL ? full.data() : lower.data();
+        distances.entries = entries.data();
+        distances.entry_count = entries.size();
+        distances.count = n;
+        netmesh::Request request = c.request(&netmesh_filter_rips);
+        request.distances = handed_.over(distances);
         if ((tape_.byte() & 1) != 0) request.threshold = tape_.number();
         request.max_degree = tape_.rarely() ? tape_.byte() : tape_.below(4);
         request.keep_zero_pairs = tape_.byte() & 1;
-        request.representatives = tape_.byte() & 1;
-        ended(netmesh_persist_distances(context_, maybe<netmesh_distances_request>(request, c)));
-        netmesh_plan_distances(&request);
+        request.cycles = tape_.byte() & 1 ? &netmesh_cycles : nullptr;
+        persisted(request, c);
     }
     void points_vineyard() {
         const Choices c = choose();
-        const auto filter = static_cast<netmesh_filter>(tape_.rarely() ? tape_.byte() : 11 + tape_.below(2));
-        netmesh_points_vineyard_request request = netmesh::requests::PointsVineyard(c.dim, filter);
+        netmesh::Request request =
+            c.request(filters[tape_.rarely() ? tape_.byte() % filter_count : 11 + tape_.below(2)]);
         request.values = static_cast<netmesh_values>(tape_.below(3));
-        request.k_first = tape_.below(5);
-        request.k_last = tape_.rarely() ? tape_.byte() : request.k_first + tape_.below(4);
+        request.k = tape_.below(5);
+        request.k_last = tape_.rarely() ? tape_.byte() : request.k + tape_.below(4);
         request.max_degree = tape_.rarely() ? tape_.byte() : tape_.below(3);
+        request.vines = &netmesh_vines;
         const std::vector<double> x = make_points(c.dim);
-        request = on_points(request, c, x);
-        ended(netmesh_points_vineyard(context_, maybe(request, c)));
+        persisted(unseeded(on_points(request, c, x)), c);
     }
     // A complex of few vertices: subsets are frequent. Entries grow with the size unless a byte says otherwise.
     struct Complex {
@@ -308,55 +352,58 @@ private:
     void homology() {
         const Choices c = choose();
         const Complex complex = make_complex();
-        netmesh::requests::Homology request;
-        request.monitor = c.monitor;
-        request.vertices = complex.vertices.data();
-        request.starts = complex.starts.data();
-        request.entries = complex.entries.data();
-        request.simplex_count = complex.entries.size();
+        auto simplices = netmesh::sized<netmesh_simplices>();
+        simplices.vertices = complex.vertices.data();
+        simplices.starts = complex.starts.data();
+        simplices.entries = complex.entries.data();
+        simplices.simplex_count = complex.entries.size();
+        netmesh::Request request = c.request(&netmesh_filter_simplices);
+        request.simplices = handed_.over(simplices);
         request.max_degree = tape_.rarely() ? tape_.byte() : tape_.below(4);
         request.keep_zero_pairs = tape_.byte() & 1;
-        request.representatives = tape_.byte() & 1;
-        ended(netmesh_homology(context_, maybe<netmesh_homology_request>(request, c)));
+        request.cycles = tape_.byte() & 1 ? &netmesh_cycles : nullptr;
+        persisted(request, c);
     }
     void value_vineyard() {
         const Choices c = choose();
         const Complex complex = make_complex();
-        netmesh::requests::ValueVineyard request;
-        request.monitor = c.monitor;
-        request.vertices = complex.vertices.data();
-        request.starts = complex.starts.data();
-        request.simplex_count = complex.entries.size();
-        request.step_count = 1 + tape_.below(3);
+        auto simplices = netmesh::sized<netmesh_simplices>();
+        simplices.vertices = complex.vertices.data();
+        simplices.starts = complex.starts.data();
+        simplices.simplex_count = complex.entries.size();
+        simplices.step_count = 1 + tape_.below(3);
+        netmesh::Request request = c.request(&netmesh_filter_simplices);
+        request.vines = &netmesh_vines;
         request.max_degree = tape_.rarely() ? tape_.byte() : tape_.below(4);
-        request.by_vertex = tape_.byte() & 1;
+        simplices.by_vertex = tape_.byte() & 1;
         std::vector<double> all;
-        for (std::uint64_t step = 0; step < request.step_count; ++step)
+        for (std::uint64_t step = 0; step < simplices.step_count; ++step)
             for (std::size_t i = 0; i < complex.entries.size(); ++i) {
                 const std::uint64_t size = complex.starts[i + 1] - complex.starts[i];
-                if (request.by_vertex != 0 ? size == 1 : step == 0) all.push_back(complex.entries[i]);
-                if (request.by_vertex == 0 && step > 0)
+                if (simplices.by_vertex != 0 ? size == 1 : step == 0) all.push_back(complex.entries[i]);
+                if (simplices.by_vertex == 0 && step > 0)
                     all.push_back(tape_.rarely() ? tape_.number() : double(size) * 256 + tape_.byte());
             }
         const std::vector<double> entries(all);  // no spare capacity
-        request.entries = entries.data();
-        ended(netmesh_value_vineyard(context_, maybe<netmesh_value_vineyard_request>(request, c)));
+        simplices.entries = entries.data();
+        request.simplices = handed_.over(simplices);
+        persisted(request, c);
     }
     void vineyard() {
         const Choices c = choose();
-        netmesh::requests::Vineyard request(
-            static_cast<netmesh_filter>(tape_.rarely() ? tape_.byte() : 4 + tape_.below(2)));
-        request.monitor = c.monitor;
-        request.k_first = tape_.below(4);
-        request.k_last = request.k_first + tape_.below(4);
+        netmesh::Request request =
+            c.request(filters[tape_.rarely() ? tape_.byte() % filter_count : 4 + tape_.below(2)]);
+        request.vines = &netmesh_vines;
+        request.k = tape_.below(4);
+        request.k_last = request.k + tape_.below(4);
         request.values = static_cast<netmesh_values>(tape_.below(3));
         request.max_degree = tape_.below(7);
-        ended(netmesh_vineyard(context_, maybe<netmesh_vineyard_request>(request, c)));
+        persisted(request, c);
     }
     void persist_function() {
         const Choices c = choose();
         well_.kind = static_cast<int>(tape_.below(5));
-        netmesh::requests::Function f;
+        auto f = netmesh::sized<netmesh_function>();
         f.evaluate = fuzz::function_of;
         f.user = &well_;
         f.lipschitz = f.cut = 1;
@@ -367,44 +414,53 @@ private:
         case 3: f.cut = tape_.number(); break;
         default: break;
         }
-        netmesh::requests::Persist request(NETMESH_FILTER_FUNCTION);
-        request.monitor = c.monitor;
+        netmesh::Request request = c.request(&netmesh_filter_function);
         request.function = tape_.rarely() ? nullptr : handed_.over<netmesh_function>(f, c);
         request.values = static_cast<netmesh_values>(tape_.below(3));
         request.max_degree = tape_.below(7);
         request.keep_zero_pairs = tape_.byte() & 1;
-        ended(netmesh_persist(context_, maybe<netmesh_persist_request>(request, c)));
+        if (tape_.rarely()) request.bounds = &netmesh_bounds;
+        persisted(request, c);
     }
     void persist_scales() {
         const Choices c = choose();
         const std::vector<double> x = make_points(c.dim);
-        netmesh_scales_request request = on_points(netmesh::requests::Scales(c.dim), c, x);
-        request.seed = c.seed;
-        request.tau = c.tau;
-        request.eps = c.eps;
-        request.theta = c.theta;
+        netmesh::Request request = on_points(c.request(&netmesh_filter_scales), c, x);
+        request.mesh.tau = c.mesh.tau;
+        request.goal.eps = c.goal.eps;
+        request.goal.theta = c.goal.theta;
         request.values = static_cast<netmesh_values>(tape_.below(3));
         request.max_degree = tape_.below(7);
         request.keep_zero_pairs = tape_.byte() & 1;
-        ended(netmesh_persist_scales(context_, maybe(request, c)));
+        persisted(request, c);
+    }
+    // More of the diagram that is there.
+    netmesh::Request again(const Choices& c) {
+        const netmesh_report r = report();
+        netmesh::Request request = c.request(filters[r.diagram.filter]);
+        request.values = r.diagram.values;
+        request.k = r.diagram.k;
+        request.max_degree = r.diagram.max_degree;
+        request.keep_zero_pairs = tape_.byte() & 1;
+        return request;
     }
     void represent() {
         const Choices c = choose();
-        netmesh::requests::Represent request;
-        request.monitor = c.monitor;
-        ended(netmesh_represent(context_, maybe<netmesh_represent_request>(request, c)));
+        netmesh::Request request = again(c);
+        request.cycles = &netmesh_cycles;
+        persisted(request, c);
     }
     void bound_bars() {
         const Choices c = choose();
-        netmesh::requests::Bounds request;
-        request.monitor = c.monitor;
+        netmesh::Request request = again(c);
+        request.bounds = &netmesh_bounds;
         // The function of the last diagram, unless another byte says so.
-        netmesh::requests::Function f;
+        auto f = netmesh::sized<netmesh_function>();
         f.evaluate = fuzz::function_of;
         f.user = &well_;
         f.lipschitz = f.cut = tape_.rarely() ? tape_.number() : 1;
         if (tape_.byte() & 1) request.function = handed_.over<netmesh_function>(f, c);
-        ended(netmesh_bound_bars(context_, maybe<netmesh_bounds_request>(request, c)));
+        persisted(request, c);
     }
     void analyse() {
         const Choices c = choose();
@@ -412,12 +468,12 @@ private:
         const std::uint32_t bytes =
             tape_.rarely() ? tape_.byte() : static_cast<std::uint32_t>(sizeof(netmesh_analysis));
         netmesh_analysis* const analysis = handed_.over(netmesh_analysis{}, bytes);
-        netmesh::requests::Analyse request;
+        auto request = netmesh::sized<netmesh_analyse_request>();
         request.what = tape_.below(10);
         request.tolerance = tolerances[tape_.below(5)];
         request.monitor = c.monitor;
-        const netmesh_mesh_request mesh = c.mesh_request();
-        request.mesh = handed_.over(mesh, c);
+        const netmesh_request promised = c.mesh_request(nullptr);
+        request.promised = handed_.over(promised, c);
         const netmesh_analyse_request* const handed = tape_.rarely() ? nullptr : &request;
         ended(netmesh_analyse(context_, handed, tape_.rarely() ? nullptr : analysis));
     }
@@ -497,7 +553,7 @@ private:
         const std::uint8_t null = tape_.below(8) == 7 ? tape_.byte() : std::uint8_t{0};
         const bool with_domain = r.mesh.is_mesh != 0 || (tape_.byte() & 1) != 0;
         if (c.dim > a.dim) c.dim = a.dim;  // the arrays have rows of so many numbers
-        netmesh::requests::Load request(c.dim);
+        auto request = netmesh::sized<netmesh_load_request>();
         request.dim = c.dim;
         request.monitor = c.monitor;
         request.vertices = null & 1 ? nullptr : vertices.data();
@@ -506,7 +562,8 @@ private:
         request.cells = null & 4 ? nullptr : a.cells.data();
         request.cell_count = a.cell_count;
         request.domain = with_domain ? a.domain : nullptr;
-        request.mesh = handed_.over(c.mesh_request(), c);
+        const netmesh_request promised = c.mesh_request(nullptr);
+        request.promised = handed_.over(promised, c);
         ended(netmesh_load(context_, null & 8 ? nullptr : &request));
     }
     void load_cages() {
@@ -518,7 +575,7 @@ private:
             cages.push_back({sizeof(netmesh_cage), centre, parent, tape_.number()});
         }
         const std::vector<netmesh_cage> list(cages);
-        netmesh::requests::Cages request;
+        auto request = netmesh::sized<netmesh_cages_request>();
         request.monitor = c.monitor;
         request.cages = list.data();
         request.cage_count = list.size();
@@ -526,10 +583,11 @@ private:
     }
     void check() {
         const Choices c = choose();
-        netmesh::requests::Check request;
+        auto request = netmesh::sized<netmesh_check_request>();
         request.what = tape_.below(40);
         request.monitor = c.monitor;
-        request.mesh = handed_.over(c.mesh_request(), c);
+        const netmesh_request promised = c.mesh_request(nullptr);
+        request.promised = handed_.over(promised, c);
         ended(netmesh_check(context_, tape_.rarely() ? nullptr : &request));
     }
 
@@ -590,56 +648,26 @@ private:
         block_ = other;
         require(netmesh_adopt(block_, &context_) == NETMESH_OK && context_ != nullptr);
     }
-    // The corpus numbers jobs: 1 and 4 are triangulations, 6 is scale by scale, the others are meshes.
-    void plan_job(std::uint32_t job, const Choices& c, std::uint64_t n) {
-        netmesh::requests::Delaunay delaunay(c.dim);
-        delaunay.point_count = n;
-        delaunay.purpose = job == 4 ? NETMESH_PURPOSE_PERSIST : NETMESH_PURPOSE_MESH;
-        netmesh::requests::Scales scales(c.dim);
-        scales.point_count = n;
-        scales.tau = c.tau;
-        scales.eps = c.eps;
-        scales.theta = c.theta;
-        netmesh_mesh_request mesh = c.mesh_request();
-        mesh.point_count = n;
-        mesh.purpose = purpose_of(job);
-        if (job == 1 || job == 4) {
-            netmesh_plan_delaunay(maybe<netmesh_delaunay_request>(delaunay, c));
-        } else if (job == 6) {
-            netmesh_plan_scales(maybe<netmesh_scales_request>(scales, c));
-        } else {
-            netmesh_plan_mesh(maybe(mesh, c));
-        }
-    }
     void plan() {
         const Choices c = choose();
         const std::uint64_t n = tape_.rarely() ? UINT64_MAX / (tape_.byte() + 1u) : tape_.byte();
-        plan_job(tape_.below(9), c, n);
-        netmesh_points_request points = netmesh::requests::Points(c.dim, static_cast<netmesh_filter>(tape_.below(16)));
-        points.dim = c.dim;
-        points.point_count = n;
-        const netmesh_points_request* const handed = tape_.rarely() ? nullptr : &points;
-        points.k = tape_.byte();
-        points.max_degree = tape_.byte();
-        netmesh_plan_points(handed);
-        netmesh_alpha_request alpha = netmesh::requests::Alpha(c.dim);
-        alpha.point_count = n;
-        netmesh_plan_alpha(&alpha);
-        netmesh_points_vineyard_request nested = netmesh::requests::PointsVineyard(c.dim, points.filter);
-        nested.point_count = n;
-        nested.k_first = points.k / 2;
-        nested.k_last = points.k;
-        nested.max_degree = points.max_degree;
-        netmesh_plan_points_vineyard(&nested);
-        netmesh::requests::Homology homology;
-        homology.simplex_count = n;
-        homology.vertex_count = UINT64_MAX / (tape_.byte() + 1u);
-        netmesh_plan_homology(&homology);
-        netmesh::requests::ValueVineyard values;
-        values.simplex_count = n;
-        values.vertex_count = homology.vertex_count;
-        values.step_count = n;
-        netmesh_plan_value_vineyard(&values);
+        netmesh::Request request = c.mesh_request(filters[tape_.below(filter_count)]);
+        request.points.count = n;
+        request.k = tape_.rarely() ? tape_.byte() : 0;
+        if (tape_.rarely()) request.max_degree = tape_.byte();
+        if (tape_.rarely()) request.vines = &netmesh_vines, request.k_last = 2 * request.k;
+        netmesh_plan(maybe<netmesh_request>(request, c));
+        netmesh_plan_mesh(maybe<netmesh_request>(request, c));
+        auto simplices = netmesh::sized<netmesh_simplices>();
+        simplices.simplex_count = n;
+        simplices.vertex_count = UINT64_MAX / (tape_.byte() + 1u);
+        netmesh::Request homology = c.request(&netmesh_filter_simplices);
+        homology.k = 0;
+        homology.simplices = &simplices;
+        netmesh_plan(&homology);
+        simplices.step_count = n;
+        homology.vines = &netmesh_vines;
+        netmesh_plan(&homology);
     }
 
     void call() {
@@ -675,7 +703,9 @@ private:
         case 23: return tape_.rarely() ? start() : read_results();
         case 24: {
             const std::uint32_t which = tape_.byte() % 4;
-            return which % 2 == 0 ? value_vineyard() : which == 1 ? points_vineyard() : read_results();
+            if (which == 0) return value_vineyard();
+            if (which == 1) return points_vineyard();
+            return which == 2 ? anything() : read_results();
         }
         default: return read_results();
         }

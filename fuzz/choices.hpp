@@ -46,42 +46,39 @@ inline double function_of(void* user, const double* x) {
     }
 }
 
-// Fields of which each request takes those that it has.
+// What the bytes choose of a request beside its source and its filter.
 struct Choices {
     std::uint32_t dim;
     netmesh_monitor monitor;
     std::uint32_t struct_bytes = 0;  // wanted of the request when sets_bytes
     bool sets_bytes = false;
-    double tau = 0, domain_factor = 0, eps = 0, theta = 0;
-    std::uint32_t k = 0, finish = 0, audit = 0;
-    netmesh_cage_kind cage_kind = NETMESH_CAGES_COMPACT;
+    std::uint32_t k = 0;
     std::uint64_t seed = 1;
-    netmesh_sizes sizes = {0, nullptr, nullptr};
-    netmesh_certificate_goal certificate = {0, 0, 0, 0};
-    std::uint32_t whole_cells = 0;
+    netmesh_goal goal = {};
+    netmesh_mesh_rules mesh = {};
 
     // Mostly none; otherwise one. *dim: of this call, and of all that follow if the bytes say so.
     static Choices read(Tape& tape, std::uint32_t* dim, int* polls_left, Well* well);
 
-    netmesh_mesh_request mesh_request() const {
-        netmesh::requests::Mesh r(dim);
-        r.dim = dim;
+    // Without a source.
+    netmesh::Request request(const netmesh_filter* filter) const {
+        netmesh::Request r(filter);
         r.monitor = monitor;
         r.seed = seed;
-        r.tau = tau;
-        r.domain_factor = domain_factor;
-        r.tight_eps = eps;
-        r.sizes = sizes;
-        r.certificate = certificate;
-        r.whole_cells = whole_cells;
-        r.finish = finish;
-        r.cage_kind = cage_kind;
-        r.audit = audit;
+        r.k = k;
+        return r;
+    }
+    // With all that is said of meshes.
+    netmesh::Request mesh_request(const netmesh_filter* filter) const {
+        netmesh::Request r = request(filter);
+        r.points.dim = dim;
+        r.goal = goal;
+        r.mesh = mesh;
         return r;
     }
 };
 
-inline void read_goal(Tape& tape, netmesh_certificate_goal* goal) {
+inline void read_goal(Tape& tape, netmesh_goal* goal) {
     goal->ratio = 2 + tape.byte() / 64.0;
     goal->focus_ratio = goal->ratio - tape.byte() / 256.0;
     goal->focus_from = std::ldexp(1.0, static_cast<int>(tape.below(16)) - 8);
@@ -103,37 +100,36 @@ inline Choices Choices::read(Tape& tape, std::uint32_t* dim, int* polls_left, We
         c.struct_bytes = tape.byte();
         c.sets_bytes = true;
         break;
-    case 3: c.tau = tape.number(); break;
-    case 4: c.domain_factor = tape.number(); break;
-    case 5: c.eps = tape.number(); break;
-    case 6: c.theta = tape.number(); break;
+    case 3: c.mesh.tau = tape.number(); break;
+    case 4: c.mesh.domain_factor = tape.number(); break;
+    case 5: c.goal.eps = tape.number(); break;
+    case 6: c.goal.theta = tape.number(); break;
     case 7: c.k = tape.byte(); break;
     case 8: *polls_left = 0; break;
     case 9: {
         const std::uint32_t choice = tape.below(9);
-        c.finish = choice % 3;
-        c.cage_kind = static_cast<netmesh_cage_kind>(choice / 3);
-        if (c.cage_kind == NETMESH_CAGES_THESIS) c.tau = 6;
+        c.mesh.finish = choice % 3;
+        if (choice / 3 == 1) c.mesh.method = &netmesh_method_thesis, c.mesh.tau = 6;
         break;
     }
-    case 10: c.sizes.eps = tape.number(); break;
+    case 10: c.mesh.sizes.eps = tape.number(); break;
     case 11:
-        c.sizes.size = size_of;
-        c.sizes.user = well;
+        c.mesh.sizes.size = size_of;
+        c.mesh.sizes.user = well;
         well->kind = static_cast<int>(tape.below(5));
         break;
     case 12: c.seed = tape.byte(); break;
-    case 13: c.tau = 2 + tape.byte() / 64.0; break;
+    case 13: c.mesh.tau = 2 + tape.byte() / 64.0; break;
     case 14:
-        c.certificate.ratio = 1.75 + tape.byte() / 64.0;
-        c.whole_cells = tape.byte() & 1;
+        c.goal.ratio = 1.75 + tape.byte() / 64.0;
+        c.mesh.whole_cells = tape.byte() & 1;
         break;
-    case 15: read_goal(tape, &c.certificate); break;
-    case 16: c.audit = tape.below(5); break;
+    case 15: read_goal(tape, &c.goal); break;
+    case 16: c.mesh.audit = tape.below(5); break;
     default: {
-        double& ratio = tape.byte() & 1 ? c.certificate.ratio : c.certificate.focus_ratio;
+        double& ratio = tape.byte() & 1 ? c.goal.ratio : c.goal.focus_ratio;
         ratio = tape.number();
-        double& end = tape.byte() & 1 ? c.certificate.focus_from : c.certificate.focus_to;
+        double& end = tape.byte() & 1 ? c.goal.focus_from : c.goal.focus_to;
         end = tape.number();
         break;
     }

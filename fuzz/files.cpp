@@ -122,9 +122,9 @@ void read_diagram(std::string_view content) {
 void read_head(std::string_view content) {
     std::optional<Provenance> found, again;
     if (!ended(parse_head(content, name, &found)) || !found) return;
-    require(found->options.command == Command::persist && found->options.filter && found->options.max_degree);
+    const netmesh_request& asked = found->options.request;
+    require(found->options.command == Command::persist && asked.filter != nullptr && asked.max_degree != NETMESH_OPEN);
     for (const HeadLine& line : found->lines) require(line.number > 0 && found->find(line.name) == &line);
-    for (const HeadLine& line : option_head(found->options)) require(found->find(line.name) != nullptr);
     TextWriter text;
     write_head(found->lines, text);
     require(parse_head(text.text(), name, &again).good() && again && again->lines.size() == found->lines.size());

@@ -1,6 +1,6 @@
-// Arbitrary filtrations through netmesh_homology against the textbook reduction: bytes to simplices of up to eight
-// vertices, with their faces, at values of a few levels (so ties are the rule), in any order of simplices and of their
-// vertices.
+// Arbitrary filtrations of simplices through netmesh_persist against the textbook reduction: bytes to simplices of up
+// to eight vertices, with their faces, at values of a few levels (so ties are the rule), in any order of simplices and
+// of their vertices.
 #include <algorithm>
 #include <cstring>
 #include <iterator>
@@ -114,7 +114,7 @@ void check_cycle(const netmesh_context* context, std::uint64_t index, const netm
 }
 
 // There and back: the simplices of each dimension in the opposite order of the list, then as in the request again.
-void check_vineyard(netmesh_context* context, const netmesh_homology_request& of,
+void check_vineyard(netmesh_context* context, const netmesh_simplices& of, std::uint32_t max_degree,
                     const std::vector<netmesh_pair>& expected) {
     const std::size_t n = of.simplex_count;
     std::vector<double> values(3 * n);
@@ -123,14 +123,14 @@ void check_vineyard(netmesh_context* context, const netmesh_homology_request& of
         values[i] = values[2 * n + i] = of.entries[i];
         values[n + i] = 1e6 * size - static_cast<double>(i);
     }
-    netmesh::requests::ValueVineyard request;
-    request.vertices = of.vertices;
-    request.starts = of.starts;
-    request.entries = values.data();
-    request.simplex_count = n;
-    request.step_count = 3;
-    request.max_degree = of.max_degree;
-    require(netmesh_value_vineyard(context, &request) == NETMESH_OK);
+    netmesh_simplices moving = of;
+    moving.entries = values.data();
+    moving.step_count = 3;
+    netmesh::Request request(&netmesh_filter_simplices);
+    request.simplices = &moving;
+    request.max_degree = max_degree;
+    request.vines = &netmesh_vines;
+    require(netmesh_persist(context, &request) == NETMESH_OK);
     std::vector<netmesh_pair> seen[3];
     auto p = netmesh::sized<netmesh_vine_point>();
     for (std::uint64_t i = 0; netmesh_get_vine_point(context, i, &p) == NETMESH_OK; ++i)
@@ -172,15 +172,17 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
     netmesh_context* context;
     require(block != nullptr && netmesh_init(block, bytes, &context) == NETMESH_OK);
     const std::vector<std::uint32_t> v(vertices);  // no spare capacity
-    netmesh::requests::Homology request;
-    request.vertices = v.data();
-    request.starts = starts.data();
-    request.entries = values.data();
-    request.simplex_count = order.size();
+    auto simplices = netmesh::sized<netmesh_simplices>();
+    simplices.vertices = v.data();
+    simplices.starts = starts.data();
+    simplices.entries = values.data();
+    simplices.simplex_count = order.size();
+    netmesh::Request request(&netmesh_filter_simplices);
+    request.simplices = &simplices;
     request.max_degree = max_degree;
     request.keep_zero_pairs = keep_zero;
-    request.representatives = representatives;
-    require(netmesh_homology(context, &request) == NETMESH_OK);
+    request.cycles = representatives != 0 ? &netmesh_cycles : nullptr;
+    require(netmesh_persist(context, &request) == NETMESH_OK);
     const std::vector<netmesh_pair> expected = naive_diagram(order, max_degree, keep_zero != 0);
     auto pair = netmesh::sized<netmesh_pair>();
     for (std::size_t i = 0; i < expected.size(); ++i) {
@@ -190,7 +192,7 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
         if (representatives != 0) check_cycle(context, i, pair);
     }
     require(netmesh_get_pair(context, expected.size(), &pair) != NETMESH_OK);
-    if (keep_zero == 0) check_vineyard(context, request, expected);
+    if (keep_zero == 0) check_vineyard(context, simplices, max_degree, expected);
     std::free(block);
     return 0;
 }

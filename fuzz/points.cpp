@@ -19,34 +19,34 @@ bool meshed_or_refused(netmesh_status status) {
     return fits_or_not(status) || status == NETMESH_OUT_OF_RANGE || status == NETMESH_TOO_CLOSE;
 }
 
-void triangulate(netmesh_context* context, const netmesh_mesh_request& of) {
-    netmesh::requests::Delaunay request(of.dim);
-    request.points = of.points;
-    request.point_count = of.point_count;
-    netmesh_status status = netmesh_delaunay(context, &request);
+void triangulate(netmesh_context* context, const netmesh_points& points) {
+    netmesh::Request request;
+    request.points = points;
+    request.mesh.method = &netmesh_method_delaunay;
+    netmesh_status status = netmesh_mesh(context, &request);
     require(fits_or_not(status) || status == NETMESH_FLAT);
     if (status != NETMESH_OK) return;
-    netmesh::requests::Check check;
+    auto check = netmesh::sized<netmesh_check_request>();
     check.what = NETMESH_CHECK_COMBINATORIAL | NETMESH_CHECK_GEOMETRIC | NETMESH_CHECK_DELAUNAY;
     require(netmesh_check(context, &check) == NETMESH_OK);
-    const netmesh::requests::Persist alpha(NETMESH_FILTER_ALPHA);
+    const netmesh::Request alpha(&netmesh_filter_alpha);  // of what the context holds
     status = netmesh_persist(context, &alpha);
     require(fits_or_not(status) || status == NETMESH_OUT_OF_RANGE);
 }
 
 // Whether there is a mesh.
-bool mesh_and_check(netmesh_context* context, const netmesh_mesh_request& request) {
+bool mesh_and_check(netmesh_context* context, const netmesh_request& request) {
     const netmesh_status status = netmesh_mesh(context, &request);
     require(meshed_or_refused(status));
     if (status != NETMESH_OK) return false;
-    netmesh::requests::Check check;
-    check.mesh = &request;
+    auto check = netmesh::sized<netmesh_check_request>();
+    check.promised = &request;
     require(fits_or_not(netmesh_check(context, &check)));
     return true;
 }
 
 void persist(netmesh_context* context, double tau) {
-    const netmesh::requests::Persist complete(NETMESH_FILTER_COMPLETE);
+    const netmesh::Request complete(&netmesh_filter_complete);
     const netmesh_status status = netmesh_persist(context, &complete);
     require(fits_or_not(status));
     auto report = netmesh::sized<netmesh_report>();
@@ -70,14 +70,15 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
     void* const block = std::aligned_alloc(16, block_bytes);
     netmesh_context* context;
     require(block != nullptr && netmesh_init(block, block_bytes, &context) == NETMESH_OK);
-    netmesh::requests::Mesh request(dim);
-    request.points = points.data();
-    request.point_count = n;
-    request.purpose = NETMESH_PURPOSE_PERSIST;
-    request.tau = dim == 2 ? 2.3 : dim < 5 ? 3.2 : 4;
-    triangulate(context, request);
-    if (mesh_and_check(context, request)) persist(context, request.tau);
-    request.certificate.ratio = 1.5 + 0.5 * static_cast<double>(n % 5);
+    netmesh::Request request(&netmesh_filter_complete);
+    request.set_points(dim, points);
+    request.points.count = n;
+    request.mesh.method = &netmesh_method_svr;
+    request.mesh.tau = dim == 2 ? 2.3 : dim < 5 ? 3.2 : 4;
+    triangulate(context, request.points);
+    if (mesh_and_check(context, request)) persist(context, request.mesh.tau);
+    request.mesh = {};
+    request.goal.ratio = 1.5 + 0.5 * static_cast<double>(n % 5);
     mesh_and_check(context, request);
     std::free(block);
     return 0;

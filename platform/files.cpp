@@ -9,6 +9,7 @@
 #include <cstdlib>
 #include <cstring>
 
+#include "platform/folders.hpp"
 #include "platform/interrupt.hpp"
 
 namespace netmesh::platform {
@@ -41,6 +42,41 @@ bool read_descriptor(int descriptor, std::size_t expected, std::string* content,
     }
     content->resize(filled);
     return true;
+}
+
+// All of the bytes at an offset, out or in. False with a phrase in *why, for a signal too.
+template <class Call> bool move_all(Call call, std::uint64_t offset, std::size_t bytes, std::string* why) {
+    for (std::size_t done = 0; done < bytes;) {
+        if (interrupted()) {
+            *why = "interrupted";
+            return false;
+        }
+        const ssize_t moved = call(done, bytes - done, static_cast<off_t>(offset + done));
+        if (moved > 0) {
+            done += static_cast<std::size_t>(moved);
+        } else if (moved == 0) {
+            *why = "it ends at byte " + std::to_string(offset + done) + ", before it should";
+            return false;
+        } else if (errno != EINTR) {
+            *why = reason();
+            return false;
+        }
+    }
+    return true;
+}
+
+bool read_all(int descriptor, std::uint64_t offset, void* data, std::size_t bytes, std::string* why) {
+    const auto call = [&](std::size_t done, std::size_t left, off_t at) {
+        return pread(descriptor, static_cast<char*>(data) + done, left, at);
+    };
+    return move_all(call, offset, bytes, why);
+}
+
+bool write_all(int descriptor, std::uint64_t offset, const void* data, std::size_t bytes, std::string* why) {
+    const auto call = [&](std::size_t done, std::size_t left, off_t at) {
+        return pwrite(descriptor, static_cast<const char*>(data) + done, left, at);
+    };
+    return move_all(call, offset, bytes, why);
 }
 
 std::string resolved(const std::string& path) {
@@ -104,6 +140,50 @@ bool is_one_file(const std::string& a, const std::string& b) {
     return name_of(a) == name_of(b) && resolved(folder_of(a)) == resolved(folder_of(b));
 }
 
+InputFile::~InputFile() {
+    if (descriptor_ >= 0) ::close(descriptor_);
+}
+
+bool InputFile::open(const std::string& path, std::string* why) {
+    struct stat about = {};
+    if (stat(path.c_str(), &about) != 0) {
+        *why = reason();
+        return false;
+    }
+    if (!S_ISREG(about.st_mode)) {  // a pipe must not be opened twice
+        *why = S_ISDIR(about.st_mode) ? "is a directory" : "not an ordinary file";
+        return false;
+    }
+    descriptor_ = ::open(path.c_str(), O_RDONLY | O_CLOEXEC);
+    if (descriptor_ >= 0 && fstat(descriptor_, &about) == 0) {
+        bytes_ = static_cast<std::uint64_t>(about.st_size);
+        return true;
+    }
+    *why = reason();
+    return false;
+}
+
+bool InputFile::read(std::uint64_t offset, char* data, std::size_t bytes, std::string* why) const {
+    return read_all(descriptor_, offset, data, bytes, why);
+}
+
+ScratchFile::~ScratchFile() {
+    if (descriptor_ >= 0) ::close(descriptor_);
+}
+
+bool ScratchFile::open(const std::string& folder) {
+    descriptor_ = open_unnamed(folder, &why_);
+    return descriptor_ >= 0;
+}
+
+bool ScratchFile::write(std::uint64_t offset, const void* data, std::size_t bytes) {
+    return why_.empty() && write_all(descriptor_, offset, data, bytes, &why_);
+}
+
+bool ScratchFile::read(std::uint64_t offset, void* data, std::size_t bytes) {
+    return why_.empty() && read_all(descriptor_, offset, data, bytes, &why_);
+}
+
 OutputFile::~OutputFile() {
     if (descriptor_ >= 0 && !is_stdout_) ::close(descriptor_);
     if (!temporary_.empty()) unlink(temporary_.c_str());
@@ -163,6 +243,16 @@ void OutputFile::write(const char* data, std::size_t bytes) {
             fail("cannot write");
         }
     }
+}
+
+void OutputFile::write_at(std::uint64_t offset, const void* data, std::size_t bytes) {
+    std::string why;
+    if (why_.empty() && !write_all(descriptor_, offset, data, bytes, &why)) why_ = "cannot write: " + why;
+}
+
+void OutputFile::read_at(std::uint64_t offset, void* data, std::size_t bytes) {
+    std::string why;
+    if (why_.empty() && !read_all(descriptor_, offset, data, bytes, &why)) why_ = "cannot read: " + why;
 }
 
 bool OutputFile::finish() {

@@ -10,19 +10,15 @@
 namespace netmesh::tool {
 
 AskedFunction::AskedFunction(const Options& options)
-    : options_(options), function_(requests::Function()), error_(options.error),
+    : options_(options), function_(sized<netmesh_function>()),
       is_asked_(filter_of(options) == NETMESH_FILTER_FUNCTION && (options.function || options.vertex_function)) {
     if (!is_asked_) return;
     function_.evaluate = evaluate;
     function_.user = this;
     function_.lipschitz = options.lipschitz.value_or(0);
     function_.cut = options.cut.value_or(0);
-}
-
-void AskedFunction::set_sizes(requests::Mesh* mesh) {
-    if (!is_asked_ || error_ == 0) return;
-    mesh->sizes.size = size;
-    mesh->sizes.user = this;
+    cut_ = function_;
+    cut_.evaluate = [](void* self, const double*) { return static_cast<const AskedFunction*>(self)->function_.cut; };
 }
 
 void AskedFunction::set_domain(const netmesh_report& report) {
@@ -30,9 +26,10 @@ void AskedFunction::set_domain(const netmesh_report& report) {
 }
 
 bool AskedFunction::has_missed(const netmesh_report& report) {
-    if (!is_asked_ || is_even_ || options_.error == 0) return false;
+    const double error = options_.request.goal.error;
+    if (!is_asked_ || is_even_ || error == 0) return false;
     const double reached = report.diagram.certified_error;
-    return is_even_ = reached > options_.error && std::isfinite(reached);
+    return is_even_ = reached > error && std::isfinite(reached);
 }
 
 namespace {
@@ -52,55 +49,21 @@ double AskedFunction::evaluate(void* self, const double* x) {
     return std::isfinite(f) && depth(asked.domain_, x) < 0 ? asked.function_.cut : f;
 }
 
-double AskedFunction::size(void* self, const double* x) {
-    const AskedFunction& asked = *static_cast<const AskedFunction*>(self);
-    netmesh_function function = asked.function_;
-    double cut = function.cut;
-    if (asked.is_even_) {  // as if the function were the cut
-        function.evaluate = [](void* at_cut, const double*) { return *static_cast<const double*>(at_cut); };
-        function.user = &cut;
-    }
-    return netmesh_size_for_error(&function, asked.error_, x);
-}
-
 double function_at(const Options& options, const double* x) {
     return options.vertex_function ? (*options.vertex_function)(x) : (*options.function)(x);
 }
 
-namespace {
-
-// A mesh that is read is not made to anything.
-Outcome check_values_at(const Options& options) {
-    if (options.function) return usage_error("--function and --values-at both say what the function is");
-    if (options.command != Command::persist) return {};
-    for (const auto& [name, value] : options.given) {
-        for (const char* const other : {"--tau", "--method", "--finish", "--audit", "--seed", "--error", "--fit"})
-            if (name == other) return usage_error(name + " does not go with --values-at, whose mesh is there already");
-    }
-    return {};
-}
-
-}  // namespace
-
 Outcome check_function(const Options& options) {
-    const bool is_it = filter_of(options) == NETMESH_FILTER_FUNCTION;
-    const bool has_values = !options.values_at.empty();
-    if (!is_it && (options.function || has_values || options.lipschitz || options.cut || options.error > 0))
+    const bool is_it = filter_of(options) == NETMESH_FILTER_FUNCTION, has_values = !options.values_at.empty();
+    const bool has_error = options.request.goal.error > 0;
+    if (!is_it && (options.function || has_values || options.lipschitz || options.cut || has_error))
         return usage_error("--function, --values-at, --lipschitz, --cut and --error go with --filter function");
-    if (!is_it) return {};
-    if (!(options.function || has_values) || !options.lipschitz || !options.cut)
+    if (is_it && options.function && has_values)
+        return usage_error("--function and --values-at both say what the function is");
+    const bool is_whole = (options.function || has_values) && options.lipschitz && options.cut;
+    const bool is_read = options.command == Command::persist || options.command == Command::check;
+    if (is_it && is_read && !is_whole)
         return usage_error("--filter function needs --function or --values-at, --lipschitz and --cut");
-    if (has_values) {
-        const Outcome outcome = check_values_at(options);
-        if (!outcome.good()) return outcome;
-    }
-    if (options.fit && options.error > 0)
-        return usage_error("--fit finds the least error that fits in --memory; leave --error out");
-    if ((options.error > 0 || options.fit) && options.values == NETMESH_VALUES_CERTIFIED)
-        return usage_error(std::string(options.fit ? "--fit" : "--error") +
-                           " of a function goes with --values thesis, the function's own, whose error is the least");
-    if (options.error > 0 && options.method == NETMESH_METHOD_HIERARCHY && !options.finish)
-        return usage_error("--error goes with --method netmesh only where --finish removes the cages");
     return {};
 }
 

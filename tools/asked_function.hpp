@@ -17,9 +17,8 @@ public:
 
     // Null where none is asked for.
     const netmesh_function* get() const { return is_asked_ ? &function_ : nullptr; }
-    // The sizes that --error asks of a mesh, or an error that --fit has found.
-    void set_sizes(requests::Mesh* mesh);
-    void set_error(double error) { error_ = error; }
+    // What an error asks of the sizes of a mesh goes by.
+    const netmesh_function* for_sizes() const { return is_even_ ? &cut_ : get(); }
     // The domain of the mesh whose diagram is next. Outside of it the function counts as the cut: so the expression has
     // to have its Lipschitz constant in the domain alone.
     void set_domain(const netmesh_report& report);
@@ -29,19 +28,18 @@ public:
 
 private:
     static double evaluate(void* self, const double* x);
-    static double size(void* self, const double* x);
 
     const Options& options_;
     netmesh_function function_;
+    netmesh_function cut_;        // as if the function were the cut
     std::vector<double> domain_;  // centre, radius
-    double error_;                // 0: none
     bool is_asked_, is_even_ = false;
 };
 
 // At x, by the expression or by the values at vertices.
 double function_at(const Options& options, const double* x);
 
-// What is wrong with these options together, before anything is read; and in `dim` dimensions.
+// Whether --function, --values-at, --lipschitz and --cut say a function together; and in `dim` dimensions.
 Outcome check_function(const Options& options);
 Outcome check_coordinates(const Options& options, std::uint32_t dim);
 

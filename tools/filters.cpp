@@ -29,22 +29,37 @@ const std::vector<netmesh_filter_info>& filters() {
     return table;
 }
 
-const netmesh_filter_info& about(netmesh_filter filter) {
+const netmesh_filter_info& about(netmesh_filter_id filter) {
     static const netmesh_filter_info none = no_filter();
     for (const netmesh_filter_info& info : filters()) {
-        if (info.filter == filter) return info;
+        if (info.id == (filter == NETMESH_FILTER_AUTO ? NETMESH_FILTER_COMPLETE : filter)) return info;
     }
     return none;
 }
 
+const netmesh_filter_info& about(const netmesh_filter* filter) {
+    for (const netmesh_filter_info& info : filters()) {
+        if (info.filter == filter) return info;
+    }
+    return about(filter == &netmesh_filter_simplices ? NETMESH_FILTER_NONE : NETMESH_FILTER_COMPLETE);
+}
+
 const char* values_name(netmesh_values values) { return values == NETMESH_VALUES_THESIS ? "thesis" : "certified"; }
 
-const char* method_name(netmesh_method method) {
+const char* method_name(netmesh_method_id method) {
     switch (method) {
-    case NETMESH_METHOD_HIERARCHY: return "netmesh";
+    case NETMESH_METHOD_NETMESH: return "netmesh";
+    case NETMESH_METHOD_THESIS: return "thesis";
     case NETMESH_METHOD_REFINE: return "refine";
+    case NETMESH_METHOD_CERTIFICATE: return "certificate";
+    case NETMESH_METHOD_DELAUNAY: return "delaunay";
     default: return "svr";
     }
+}
+
+FilterChoice choice_of(const netmesh_request& request) {
+    return {about(request.filter).id,
+            request.values == NETMESH_VALUES_THESIS ? NETMESH_VALUES_THESIS : NETMESH_VALUES_CERTIFIED};
 }
 
 std::string choice_text(const FilterChoice& choice) {
@@ -54,7 +69,7 @@ std::string choice_text(const FilterChoice& choice) {
 }
 
 std::string reported_choice_text(const FilterChoice& choice) {
-    if (about(choice.filter).source != NETMESH_SOURCE_SCALES) return choice_text(choice);
+    if (about(choice.filter).is_by_scales == 0) return choice_text(choice);
     return std::string("filter ") + filter_name(choice.filter);
 }
 

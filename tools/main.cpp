@@ -1,6 +1,4 @@
 // netmesh, the command-line tool.
-#include <exception>
-#include <new>
 #include <string>
 #include <vector>
 
@@ -44,6 +42,7 @@ Outcome run(const Options& options) {
     case Command::size: return run_size(options);
     case Command::check: return run_check(options);
     case Command::sample: return run_sample(options);
+    case Command::pieces: return run_pieces(options);
     default: return options.distances ? run_distances(options) : run_engine_command(options);
     }
 }
@@ -51,22 +50,15 @@ Outcome run(const Options& options) {
 }  // namespace
 
 int main(int count, char** arguments) {
-    Outcome outcome;
     Options options;
-    try {
+    const Outcome outcome = without_exceptions([&] {
         const std::vector<std::string> given(arguments + (count > 0), arguments + count);
-        outcome = parse_options(given, &options);
-        if (!outcome.good() || asks_for_text(options)) options.json = asks_for_json(given);
-        if (outcome.good()) {
-            netmesh::platform::catch_interrupts();
-            outcome = run(options);
-        }
-    } catch (const std::bad_alloc&) {
-        // Not the engine, which has its own block: the tool's copy of the input or of the diagram.
-        outcome = {Exit::memory, "netmesh: no memory left to hold the input"};
-    } catch (const std::exception& thrown) {
-        outcome = {Exit::internal, std::string("netmesh: internal error: ") + thrown.what()};
-    }
+        const Outcome parsed = parse_options(given, &options);
+        if (!parsed.good() || asks_for_text(options)) options.json = asks_for_json(given);
+        if (!parsed.good()) return parsed;
+        netmesh::platform::catch_interrupts();
+        return run(options);
+    });
     tell_error(outcome, options.command, options.json);
     return static_cast<int>(outcome.exit);
 }

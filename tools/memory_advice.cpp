@@ -18,7 +18,7 @@ void add(std::string* text, const std::string& way) { *text += (text->empty() ? 
 
 // Whether these options fit; their plan.
 bool fits(const Options& options, const Cloud& cloud, std::size_t* plan) {
-    *plan = plan_diagram(options, filter_of(options), cloud.dim, cloud.points);
+    *plan = plan_of(options, cloud.dim, cloud.points);
     return *plan > 0 && *plan <= cloud.bytes;
 }
 
@@ -29,15 +29,15 @@ void add_alpha(const Options& options, const Cloud& cloud, std::string* text) {
     if (std::strcmp(about(filter_of(options)).reference, alpha.reference) != 0) return;
     Options exact;
     exact.command = Command::persist;
-    exact.filter = NETMESH_FILTER_ALPHA;
+    exact.request.filter = &netmesh_filter_alpha;
     std::size_t plan;
     if (fits(exact, cloud, &plan)) add(text, "--filter alpha is exact and fits: plan for " + bytes_text_up(plan));
 }
 
 void add_lower_degree(const Options& options, const Cloud& cloud, std::string* text) {
     Options lower = options;
-    for (std::uint32_t degree = max_degree_of(options, cloud.dim); degree-- > 0;) {
-        lower.max_degree = degree;
+    for (std::uint32_t degree = settled(options, cloud.dim).request.max_degree; degree-- > 0;) {
+        lower.request.max_degree = degree;
         std::size_t plan;
         if (!fits(lower, cloud, &plan)) continue;
         add(text, "--max-degree " + std::to_string(degree) + " fits: plan for " + bytes_text_up(plan));
@@ -46,29 +46,34 @@ void add_lower_degree(const Options& options, const Cloud& cloud, std::string* t
 }
 
 void add_coarser_mesh(const Options& options, std::uint32_t dim, std::string* text) {
-    if (options.eps > 0) add(text, "an --eps above " + number_text(options.eps) + " takes less");
-    if (options.size_at_inputs > 0)
-        add(text, "a --cell-size above " + number_text(options.size_at_inputs) + " takes less");
-    if (options.error > 0) add(text, "an --error above " + number_text(options.error) + " takes less");
-    const requests::Mesh mesh = mesh_request(options, dim);
-    if (refines_by_certificate(options) && !options.fit) {
-        add(text, "a --ratio above " + rounded_text(mesh.certificate.ratio, 4) + " takes less");
-    } else if (!options.fit && !promises_accuracy(options)) {
-        add(text, "a --tau above " + rounded_text(tau(mesh), 4) + " takes less");
+    Options meshed = options;
+    if (options.request.filter == &netmesh_filter_auto) meshed.request.filter = &netmesh_filter_complete;
+    const netmesh_request r = settled(meshed, dim).request;
+    const double eps = options.request.goal.eps + r.mesh.sizes.eps;
+    if (eps > 0) add(text, "an --eps above " + number_text(eps) + " takes less");
+    if (r.mesh.sizes.at_inputs > 0)
+        add(text, "a --cell-size above " + number_text(r.mesh.sizes.at_inputs) + " takes less");
+    if (r.goal.error > 0) add(text, "an --error above " + number_text(r.goal.error) + " takes less");
+    if (r.fit != nullptr) return;
+    if (r.goal.ratio > 0) {
+        add(text, "a --ratio above " + rounded_text(r.goal.ratio, 4) + " takes less");
+    } else if (r.goal.eps == 0) {
+        add(text, "a --tau above " + rounded_text(r.mesh.tau, 4) + " takes less");
     }
 }
 
 std::string advice_on_diagram(const Options& options, const Cloud& cloud) {
     std::string text;
-    const netmesh_filter_info& filter = about(filter_of(options));
-    if (filter.source == NETMESH_SOURCE_POINTS) {
+    const netmesh_request& r = options.request;
+    const netmesh_filter_info& filter = about(r.filter);
+    if (filter.is_on_points != 0) {
         add_lower_degree(options, cloud, &text);
-        if (filter.filter == NETMESH_FILTER_RIPS) add(&text, "--threshold R joins fewer points");
-    } else if (filter.source == NETMESH_SOURCE_DELAUNAY) {
+        if (filter.id == NETMESH_FILTER_RIPS) add(&text, "--threshold R joins fewer points");
+    } else if (filter.is_on_triangulation != 0) {
         add(&text, "--filter complete --fit finds the best ratio that fits");
     } else {
-        const bool can_fit = filter.source == NETMESH_SOURCE_MESH && filter.has_eps == 0 && !options.method &&
-                             !options.fit && options.values_at.empty() && options.error == 0;
+        const bool can_fit = filter.is_on_mesh != 0 && filter.has_eps == 0 && r.mesh.method == nullptr &&
+                             r.fit == nullptr && options.values_at.empty() && r.goal.error == 0;
         if (can_fit)
             add(&text, filter.needs_function != 0 ? "--fit finds the least error that fits"
                                                   : "--fit finds the best ratio that fits");
@@ -84,6 +89,7 @@ std::string memory_advice(const Options& options, std::uint32_t dim, std::size_t
     std::string text;
     if (options.distances) return "a lower --max-degree or a --threshold takes less";
     if (dim == 0) return text;
+    if (goes_by_pieces(options)) return "a leaf takes less with more --pieces";
     if (options.command == Command::persist) return advice_on_diagram(options, {dim, points, bytes});
     const bool meshes = options.command == Command::vineyard && !is_on_points(filter_of(options));
     if (options.command == Command::mesh || meshes) add_coarser_mesh(options, dim, &text);

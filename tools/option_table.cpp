@@ -1,5 +1,8 @@
 #include "tools/option_table.hpp"
 
+#include <algorithm>
+
+#include "tools/engine_options.hpp"
 #include "tools/filters.hpp"
 #include "tools/io/numbers.hpp"
 #include "tools/io/points.hpp"
@@ -75,6 +78,21 @@ const std::vector<CommandEntry>& command_entries() {
          "Alone, a file is only looked at for what every diagram must satisfy.\n",
          "check mesh.node --points points.csv\n"
          "check diagram.pers --points points.csv\n"},
+        {Command::pieces, "pieces", "split POINTS DIR | leaf DIR NODE | join DIR NODE | collect DIR", 2,
+         "the tasks of an alpha diagram in pieces, for schedulers",
+         "`persist --pieces` does all of this on one machine. split writes the points in the order of a tree into the "
+         "folder\n"
+         "DIR, and a Makefile of all other tasks. leaf is for the nodes N to 2 N - 1 of N pieces; join, of N - 1 to 1, "
+         "for\n"
+         "a node NODE when those of 2 NODE and 2 NODE + 1 are done. Each reads files of DIR and writes DIR/piece-NODE, "
+         "whole\n"
+         "or not at all, and does nothing where that is there already. collect writes the diagram that persist "
+         "writes.\n",
+         "pieces split points.csv scratch --pieces 2\n"
+         "pieces leaf scratch 2\n"
+         "pieces leaf scratch 3\n"
+         "pieces join scratch 1\n"
+         "pieces collect scratch -o diagram.pers\n"},
         {Command::sample, "sample", "SHAPE", 1, "point sets by formula", nullptr,
          "sample torus -n 500 --noise 0.02 -o torus.csv\n"
          "sample clifford -n 100 --turns 1,5\n"},
@@ -91,41 +109,13 @@ const CommandEntry& entry_of(Command command) {
 
 namespace {
 
-std::string apply_tau(Options& options, const std::string& text) {
-    double tau;
-    if (!parse_finite(text, &tau) || !(tau > 2)) return "must be a finite number above 2";
-    options.tau = tau;
-    return {};
-}
-
-std::string apply_eps(Options& options, const std::string& text) {
-    return parse_finite(text, &options.eps) && options.eps > 0 ? "" : "must be a finite number above 0";
-}
-
 std::string apply_cell_size(Options& options, const std::string& text) {
     const std::size_t comma = text.find(',');
     const bool grows = comma != std::string::npos;
-    const bool good =
-        parse_finite(text.substr(0, comma), &options.size_at_inputs) && options.size_at_inputs > 0 &&
-        (!grows || (parse_finite(text.substr(comma + 1), &options.size_growth) && options.size_growth >= 0));
+    netmesh_sizes& sizes = options.request.mesh.sizes;
+    const bool good = parse_finite(text.substr(0, comma), &sizes.at_inputs) && sizes.at_inputs > 0 &&
+                      (!grows || (parse_finite(text.substr(comma + 1), &sizes.growth) && sizes.growth >= 0));
     return good ? "" : "must be a finite number above 0, and may have another, 0 or more, behind a comma: 0.1,0.5";
-}
-
-std::string apply_domain_factor(Options& options, const std::string& text) {
-    const bool good =
-        parse_finite(text, &options.domain_factor) && options.domain_factor >= 1 && options.domain_factor <= 8;
-    return good ? "" : "must be a number from 1 to 8";
-}
-
-std::string apply_net(Options& options, const std::string& text) {
-    const bool good =
-        parse_finite(text, &options.net_spacing) && options.net_spacing >= 1.0 / 64 && options.net_spacing <= 8;
-    return good ? "" : "must be a number from 1/64 = 0.015625 to 8";
-}
-
-std::string apply_theta(Options& options, const std::string& text) {
-    const bool good = parse_finite(text, &options.theta) && options.theta > 0 && options.theta <= 1.0 / 9;
-    return good ? "" : "must be a number above 0 and at most 1/9";
 }
 
 std::string apply_pace_theta(Options& options, const std::string& text) {
@@ -133,99 +123,34 @@ std::string apply_pace_theta(Options& options, const std::string& text) {
     return good ? "" : "must be a number above 0 and at most 1";
 }
 
-std::string apply_ratio(Options& options, const std::string& text) {
-    double ratio;
-    if (!parse_finite(text, &ratio) || !(ratio * ratio > 2)) return "must be a finite number above the root of 2";
-    options.ratio = ratio;
-    return {};
-}
-
 std::string apply_focus(Options& options, const std::string& text) {
-    const bool persists = options.command == Command::persist;
-    options.focus = 0;
-    options.focus_auto = persists && text == "auto";
-    if (options.focus_auto || (parse_finite(text, &options.focus) && options.focus > 1)) return {};
-    return persists ? "must be a finite number above 1, or auto" : "must be a finite number above 1";
-}
-std::string apply_longer_than(Options& options, const std::string& text) {
-    return parse_finite(text, &options.longer_than) && options.longer_than > 1 ? "" : "must be a finite number above 1";
-}
-std::string apply_from(Options& options, const std::string& text) {
-    return parse_finite(text, &options.from) && options.from > 0 ? "" : "must be a finite radius above 0";
-}
-std::string apply_threshold(Options& options, const std::string& text) {
-    double threshold;
-    if (!parse_finite(text, &threshold) || threshold < 0) return "must be a finite radius, 0 or more";
-    options.threshold = threshold;
-    return {};
-}
-std::string apply_to(Options& options, const std::string& text) {
-    return parse_finite(text, &options.to) && options.to > 0 ? "" : "must be a finite radius above 0";
-}
-
-std::string apply_method(Options& options, const std::string& text) {
-    for (const netmesh_method method : {NETMESH_METHOD_SVR, NETMESH_METHOD_HIERARCHY, NETMESH_METHOD_REFINE}) {
-        if (text != method_name(method)) continue;
-        options.method = method;
-        return {};
-    }
-    return "there are svr, netmesh and refine";
+    options.request.goal.focus_ratio = 0;
+    options.focus_auto = options.command == Command::persist && text == "auto";
+    if (options.focus_auto) return {};
+    const std::string complaint = set_option(&options.request, "focus_ratio", text);
+    return complaint.empty() || options.command != Command::persist ? complaint : complaint + ", or auto";
 }
 
 std::string apply_cages(Options& options, const std::string& text) {
-    if (text != "compact" && text != "thesis") return "there are compact and thesis";
-    options.cages = text == "thesis" ? NETMESH_CAGES_THESIS : NETMESH_CAGES_COMPACT;
-    return {};
-}
-
-std::string apply_filter(Options& options, const std::string& text) {
-    const bool has_auto = options.command == Command::persist || options.command == Command::size;
-    if (has_auto && text == "auto") {
-        options.filter.reset();
-        return {};
-    }
-    for (const netmesh_filter_info& info : filters()) {
-        if (text != info.name) continue;
-        options.filter = info.filter;
-        return {};
-    }
-    return std::string("the filters are ") + (has_auto ? "auto, " : "") +
-           list_filters([](const netmesh_filter_info&) { return true; }, "and");
+    options.cages = text;
+    return text == "compact" || text == "thesis" ? "" : "there are compact and thesis";
 }
 
 std::string apply_values(Options& options, const std::string& text) {
     const bool named = text == "certified" || text == "thesis";
+    const bool may_be_file = options.command == Command::vineyard || options.command == Command::check;
     options.values_path.clear();
-    if (!named && options.command != Command::vineyard && options.command != Command::check)
-        return "there are certified and thesis";
-    if (!named) {
-        options.values_path = text;
-        return text.empty() ? "must be certified, thesis or a file name" : "";
-    }
-    options.values = text == "thesis" ? NETMESH_VALUES_THESIS : NETMESH_VALUES_CERTIFIED;
-    return {};
+    if (named || !may_be_file) return set_option(&options.request, "values", text);
+    options.values_path = text;
+    return text.empty() ? "must be certified, thesis or a file name" : "";
 }
 
-std::string apply_k(Options& options, const std::string& text) {
-    const std::size_t dots = options.command == Command::vineyard ? text.find("..") : std::string::npos;
-    std::uint64_t first, last;
-    const bool good = parse_unsigned(text.substr(0, dots), &first) &&
-                      (dots == std::string::npos || parse_unsigned(text.substr(dots + 2), &last));
-    if (dots == std::string::npos) last = first;
-    if (!good || first == 0 || last < first || last >= 4294967295u) {
-        return options.command == Command::vineyard ? "must be a range of numbers of neighbours from 1 on: 1..20"
-                                                    : "must be a number of neighbours, 1 or more";
-    }
-    options.k = static_cast<std::uint32_t>(first);
-    if (options.command == Command::vineyard) options.k_last = static_cast<std::uint32_t>(last);
-    return {};
-}
-
-std::string apply_max_degree(Options& options, const std::string& text) {
-    std::uint64_t degree;
-    if (!parse_unsigned(text, &degree) || degree > 1000) return "must be a degree: 0, 1, 2, ...";
-    options.max_degree = static_cast<std::uint32_t>(degree);
-    return {};
+std::string apply_range_of_k(Options& options, const std::string& text) {
+    const std::size_t dots = text.find("..");
+    const bool is_range = dots != std::string::npos;
+    const bool good = set_option(&options.request, "k", text.substr(0, dots)).empty() &&
+                      set_option(&options.request, "k_last", is_range ? text.substr(dots + 2) : text).empty();
+    return good ? "" : "must be a range of numbers of neighbours from 1 on: 1..20";
 }
 
 std::string apply_memory(Options& options, const std::string& text) {
@@ -247,8 +172,21 @@ std::string apply_memory(Options& options, const std::string& text) {
     return {};
 }
 
-std::string apply_seed(Options& options, const std::string& text) {
-    return parse_unsigned(text, &options.seed) ? "" : "must be a whole number from 0 to 2^64 - 1";
+std::string apply_pieces(Options& options, const std::string& text) {
+    std::uint64_t number = 0;
+    options.pieces_auto = text == "auto";
+    options.pieces = 0;
+    if (options.pieces_auto) return {};
+    const bool good =
+        parse_unsigned(text, &number) && number > 0 && number <= (1u << 20) && (number & (number - 1)) == 0;
+    if (good) options.pieces = static_cast<std::uint32_t>(number);
+    return good ? "" : "must be auto or a power of 2: 1, 2, 4, 8, .. 1048576";
+}
+std::string apply_jobs(Options& options, const std::string& text) {
+    std::uint64_t number = 0;
+    const bool good = parse_unsigned(text, &number) && number > 0 && number <= 4096;
+    if (good) options.jobs = static_cast<std::uint32_t>(number);
+    return good ? "" : "must be a number of processes, 1 to 4096";
 }
 
 std::string apply_function(Options& options, const std::string& text) { return options.function.emplace().parse(text); }
@@ -267,12 +205,10 @@ std::string apply_order(Options& options, const std::string& text) {
     return {};
 }
 std::string apply_relative_error(Options& options, const std::string& text) {
-    return parse_finite(text, &options.error) && options.error >= 0x1p-30 ? "" : "must be a finite number above 1e-9";
+    return parse_finite(text, &options.relative_error) && options.relative_error >= 0x1p-30
+               ? ""
+               : "must be a finite number above 1e-9";
 }
-std::string apply_error(Options& options, const std::string& text) {
-    return parse_finite(text, &options.error) && options.error > 0 ? "" : "must be a finite number above 0";
-}
-
 std::string apply_dim(Options& options, const std::string& text) {
     std::uint64_t dim;
     if (!parse_unsigned(text, &dim) || dim < dim_min || dim > dim_max) return "must be a dimension from 2 to 6";
@@ -302,17 +238,8 @@ std::string apply_turns(Options& options, const std::string& text) {
     return "must be two whole numbers: 1,10";
 }
 
-std::string apply_audit(Options& options, const std::string& value) {
-    constexpr std::pair<const char*, unsigned> names[] = {{"location", NETMESH_AUDIT_LOCATION},
-                                                          {"quality", NETMESH_AUDIT_QUALITY},
-                                                          {"all", NETMESH_AUDIT_LOCATION | NETMESH_AUDIT_QUALITY}};
-    for (const auto& [name, what] : names)
-        if (value == name) return options.audit = what, "";
-    return "not location, quality or all";
-}
-
-std::string apply_min_persistence(Options& options, const std::string& text) {
-    const bool good = parse_finite(text, &options.min_persistence) && options.min_persistence >= 0;
+std::string apply_least(Options& options, const std::string& text) {
+    const bool good = parse_finite(text, &options.least) && options.least >= 0;
     return good ? "" : "must be a finite number, 0 or more";
 }
 
@@ -362,16 +289,16 @@ template <bool Options::*flag> std::string apply_switch(Options& options, const 
 constexpr unsigned mesh = bit(Command::mesh), delaunay = bit(Command::delaunay), persist = bit(Command::persist);
 constexpr unsigned size = bit(Command::size), check = bit(Command::check), sample = bit(Command::sample);
 constexpr unsigned homology = bit(Command::homology), distance = bit(Command::distance);
-constexpr unsigned vineyard = bit(Command::vineyard);
+constexpr unsigned vineyard = bit(Command::vineyard), pieces = bit(Command::pieces);
 constexpr unsigned engine = mesh | delaunay | persist;
-constexpr unsigned points = engine | vineyard | check;  // commands that read points
+constexpr unsigned points = engine | vineyard | check | pieces;  // commands that read points
 
 constexpr const char* next_line = "\n                    ";  // of a help text
 
-bool on_points(const netmesh_filter_info& info) { return info.source == NETMESH_SOURCE_POINTS; }
+bool on_points(const netmesh_filter_info& info) { return info.is_on_points != 0; }
 
 // The list says which filter is taken when none is named.
-std::string with_default(std::string list, netmesh_filter filter) {
+std::string with_default(std::string list, netmesh_filter_id filter) {
     const std::string name = filter_name(filter);
     return list.insert(list.find(name) + name.size(), " (default)");
 }
@@ -387,9 +314,7 @@ std::string auto_filter_help() {
     return first + "which; or" + next_line + filter_help();
 }
 
-std::string vineyard_filter_help() {
-    return with_default(list_filters(has_vineyard, "or"), default_filter(Command::vineyard));
-}
+std::string vineyard_filter_help() { return with_default(list_filters(has_vineyard, "or"), NETMESH_FILTER_KNN); }
 
 }  // namespace
 
@@ -401,10 +326,14 @@ const std::vector<OptionEntry>& option_entries() {
         {"-o", persist, "OUT", apply_out,
          "the diagram: .pers .csv .json or .npy; without it .pers on stdout; of several POINTS {} stands for the name\n"
          "                    of each: -o '{}.pers'"},
+        {"-o", pieces, "OUT", apply_out,
+         "of collect: the diagram: .pers .csv .json or .npy; without it .pers on stdout"},
         {"-o", homology, "OUT", apply_out, "the diagram: .pers .csv .json or .npy; without it .pers on stdout"},
-        {"--min-persistence", persist | homology, "X", apply_min_persistence,
-         "write bars no shorter than X alone (0); the file then carries no certificate"},
-        {"--top", persist | homology, "N", apply_top, "write the N longest bars of each degree alone; likewise"},
+        {"--least", persist | pieces | homology, "LENGTH", apply_least,
+         "write bars at least so long alone (0); the file then says how many there were, and carries no certificate"},
+        {"--min-persistence", persist | pieces | homology, "X", apply_least, "another name of --least"},
+        {"--top", persist | pieces | homology, "N", apply_top,
+         "write the N longest bars of each degree alone; likewise"},
         {"-o", vineyard, "OUT.vines", apply_out, "the vines; without it on stdout"},
         {"-o", sample, "OUT", apply_out, ".txt .xyz .csv or .npy; without it text on stdout"},
         {"--columns", points, "LIST", apply_columns,
@@ -421,17 +350,17 @@ const std::vector<OptionEntry>& option_entries() {
          "the mesh that the diagram or vineyard was made of"},
         {"--mesh", persist, "MESH.node", apply_path<&Options::mesh_out>,
          "also write the mesh that is filtered, with the filter's values"},
-        {"--tau", mesh | persist | vineyard | size | check, "T", apply_tau,
+        {"--tau", mesh | persist | vineyard | size | check, "T", "tau",
          "bound on the aspect ratio of Voronoi cells, above 2 (2.5 for D = 2, 3; 3.08; 4 for D = 5, 6)"},
-        {"--eps", mesh | size | check, "E", apply_eps,
+        {"--eps", mesh | size | check, "E", "size_eps",
          "also refine until no cell reaches farther than E times the distance to the second nearest input"},
         {"--cell-size", mesh | check, "A[,B]", apply_cell_size,
          "also refine until no cell reaches farther than A plus B times its vertex's distance to the nearest input"},
-        {"--domain", mesh, "F", apply_domain_factor,
+        {"--domain", mesh, "F", "domain_factor",
          "radius of the ball that is meshed over that of the smallest one that holds the points, 1 to 8 (1)"},
-        {"--net", mesh | check, "S", apply_net,
+        {"--net", mesh | check, "S", "net_spacing",
          "spacing of the boundary net of refine over the diameter of the smallest ball around the points (1)"},
-        {"--eps", persist, "E", apply_eps,
+        {"--eps", persist, "E", "eps",
          "log distance that tight promises, above 0 and at most 1/2 (1/2; D > 3: --ratio); scales: 3 theta more"},
         {"--pace", mesh | delaunay, "FILE", apply_path<&Options::pace_path>,
          "the inputs in an order that begins far apart, each farthest from those before, and its theta: distance to\n"
@@ -440,12 +369,11 @@ const std::vector<OptionEntry>& option_entries() {
          "with --pace: only inputs that are not T-medial, T above 0 and at most 1"},
         {"--weighted-cells", mesh, "FILE", apply_path<&Options::weighted_path>,
          "each cage's weight, in-radius, feature size and epsilon as an additively weighted cell (4.6)"},
-        {"--theta", persist | check, "T", apply_theta,
-         "how medial points of one scale are, above 0 and at most 1/9 (1/9)"},
-        {"--ratio", persist | check, "C", apply_ratio,
-         "refine by the certificate until this ratio is certified, above 1.4142 (sqrt(2 + tau)): complete filter; in\n"
+        {"--theta", persist | check, "T", "theta", "how medial points of one scale are, above 0 and at most 1/9 (1/9)"},
+        {"--ratio", persist | check, "C", "ratio",
+         "refine by the certificate until this ratio is certified, from 1.4143 (sqrt(2 + tau)): complete filter; in\n"
          "                    place of --eps tight, and scales with both numbers 1 + 3 theta times as large"},
-        {"--whole-cells", persist | check, nullptr, apply_switch<&Options::whole_cells>,
+        {"--whole-cells", persist | check, nullptr, "whole_cells",
          "refine by the certificate for whole Voronoi cells, not for cells clipped to a ball around the points: more\n"
          "                    vertices for the same ratio"},
         {"--focus", persist, "C|auto", apply_focus,
@@ -453,36 +381,36 @@ const std::vector<OptionEntry>& option_entries() {
          "until\n"
          "                    each surely is real or surely short, or --memory is full; the file says C, A and B"},
         {"--focus", check, "C", apply_focus, "certify this ratio, above 1, of what matters to radii --from to --to"},
-        {"--longer-than", persist, "L", apply_longer_than,
+        {"--longer-than", persist, "L", "longer_than",
          "with --focus auto: bars that may die after L times their birth, L above 1, are to be decided (1.5)"},
-        {"--from", persist | check, "A", apply_from, "least radius of interest"},
-        {"--to", persist | check, "B", apply_to, "largest radius of interest"},
-        {"--fit", persist, nullptr, apply_switch<&Options::fit>,
+        {"--from", persist | check, "A", "focus_from", "least radius of interest"},
+        {"--to", persist | check, "B", "focus_to", "largest radius of interest"},
+        {"--fit", persist, nullptr, "fit",
          "the least ratio that fits in --memory, of the radii --from to --to if given, for any filter on a mesh but "
          "tight; --ratio C is where it begins (4); of filter function the least error"},
-        {"--method", persist | check, "M", apply_method,
+        {"--method", persist | check, "M", "method",
          "of a quality mesh to filter, in place of refinement by the certificate: svr, netmesh with --finish, refine"},
-        {"--method", mesh | size, "M", apply_method,
+        {"--method", mesh | size, "M", "method",
          "svr (default); netmesh: hierarchical, of linear size whatever the points' spread; refine: the thesis's 3.2"},
-        {"--finish", mesh | persist | size | check, nullptr, apply_switch<&Options::finish>,
+        {"--finish", mesh | persist | size | check, nullptr, "finish",
          "go on from a hierarchical mesh to one of quality tau without cages"},
         {"--cages", mesh | size, "KIND", apply_cages,
          "of --method netmesh: compact (default); thesis: those of its 4.5, grown and released, D = 2, 3, 4 (--tau 7)"},
-        {"--audit", mesh | persist | size, "WHAT", apply_audit,
+        {"--audit", mesh | persist | size, "WHAT", "audit",
          "location: points stored in all D-balls, inserted in rounds of range nets (not for persist); quality: aspect\n"
          "                    ratios, degrees and invariants after each insertion; or all. Figures go to the report"},
-        {"--filter", vineyard, "F", apply_filter, vineyard_filter_help()},
-        {"--filter", persist | size, "F", apply_filter, auto_filter_help()},
-        {"--filter", check, "F", apply_filter, with_default(filter_help(), default_filter(Command::check))},
+        {"--filter", vineyard, "F", "filter", vineyard_filter_help()},
+        {"--filter", persist | size, "F", "filter", auto_filter_help()},
+        {"--filter", check, "F", "filter", with_default(filter_help(), NETMESH_FILTER_COMPLETE)},
         {"--distances", persist, nullptr, apply_switch<&Options::distances>,
          "POINTS is a file of distances, for --filter rips: a symmetric matrix, a lower triangle as ripser has it, or "
          ".npy or .npz of a matrix or of what scipy's pdist gives; inf: never joined"},
         {"--sparse", persist, nullptr, apply_switch<&Options::sparse>,
          "with --distances: lines `i j distance` of points from 0 on; pairs that are not listed are never joined"},
-        {"--threshold", persist, "R", apply_threshold,
+        {"--threshold", persist, "R", "threshold",
          "of filter rips: points are joined to radius R, which is half of their distance; ripser's are diameters, "
          "2 R"},
-        {"--k", persist | size | check, "K", apply_k,
+        {"--k", persist | size | check, "K", "k",
          "neighbours of knn and kdistance, the point itself counted (1); kdistance is their root mean square; points "
          "in\n"
          "                    every set of a barycentric filter, at least"},
@@ -505,12 +433,12 @@ const std::vector<OptionEntry>& option_entries() {
          "the function is at least C outside of the domain, the ball around the points; values are cut there, and "
          "sublevel\n"
          "                    sets from there on must be contractible"},
-        {"--error", persist | check, "E", apply_error,
+        {"--error", persist | check, "E", "error",
          "refine until each birth and death of the function's diagram is off by at most E"},
-        {"--k", vineyard, "A..B", apply_k, "the numbers of neighbours, the point itself counted"},
-        {"--max-degree", persist | vineyard | size | check, "P", apply_max_degree,
+        {"--k", vineyard, "A..B", apply_range_of_k, "the numbers of neighbours, the point itself counted"},
+        {"--max-degree", persist | pieces | vineyard | size | check, "P", "max_degree",
          "highest homology degree (D-1; 1 for " + list_filters(on_points, "and") + ")"},
-        {"--max-degree", homology, "P", apply_max_degree, "highest homology degree (the dimension of the complex)"},
+        {"--max-degree", homology, "P", "max_degree", "highest homology degree (the dimension of the complex)"},
         {"--representatives", persist | homology, "FILE", apply_path<&Options::representatives>,
          ".vtu, .obj or .svg: a cycle for each bar to look at; .txt or .cycles: a line `bar DEGREE BIRTH DEATH N`,\n"
          "                    then N simplices, one a line: by vertices of the\n"
@@ -518,20 +446,27 @@ const std::vector<OptionEntry>& option_entries() {
         {"--representatives", check, "FILE", apply_path<&Options::representatives>,
          "the diagram's cycles, as persist wrote them: with --mesh, or with --points for scales, rips and cech, each\n"
          "                    is one, is born with its bar and dies with it"},
-        {"--memory", engine | vineyard | homology | check, "SIZE", apply_memory,
+        {"--pieces", persist | pieces, "N|auto", apply_pieces,
+         "of filter alpha: in N pieces, a power of 2: the same diagram in the memory of a piece; auto: of the best "
+         "size"},
+        {"--jobs", persist, "J", apply_jobs,
+         "with --pieces or several POINTS: processes at a time, each with --memory (of pieces as processors, else 1)"},
+        {"--scratch", persist, "DIR", apply_path<&Options::scratch>,
+         "with --pieces: the folder for their files, which stay there: the same command goes on with what it finds"},
+        {"--memory", engine | pieces | vineyard | homology | check, "SIZE", apply_memory,
          "the block that the engine works in: 64K, 512M, 2G; reserved lazily until the job fits if not given"},
-        {"--seed", engine | vineyard | check | sample, "S", apply_seed, "of every random choice (1)"},
+        {"--seed", engine | vineyard | check | sample, "S", "seed", "of every random choice (1)"},
         {"--noise", sample, "X", apply_noise, "standard deviation of a normal offset of every coordinate (0)"},
         {"--turns", sample, "A,B", apply_turns, "of the Clifford winding about its two circles (1,10)"},
         {"--svg", mesh | delaunay, "FILE", apply_path<&Options::svg>,
          "picture of a mesh in 2 dimensions, of a cut through it in 3; - is stdout, for it alone"},
         {"--voronoi", mesh | delaunay, nullptr, apply_switch<&Options::voronoi>,
          "the picture shows Voronoi cells, coloured by how fine they are, in 2 dimensions"},
-        {"--svg", persist | homology, "FILE", apply_path<&Options::svg>,
+        {"--svg", persist | pieces | homology, "FILE", apply_path<&Options::svg>,
          "picture of barcode and diagram; - is stdout, for it alone"},
         {"--svg", vineyard, "FILE", apply_path<&Options::svg>,
          "picture of the vines, k against radius; - is stdout, for it alone"},
-        {"--axis", persist | homology | vineyard, "A", apply_axis,
+        {"--axis", persist | pieces | homology | vineyard, "A", apply_axis,
          "log or linear, of the picture (log for radii, linear for values that are none)"},
         {"--analyse", mesh | delaunay, nullptr, apply_switch<&Options::analyse>,
          "report degrees, ply and fatness of the result and, for a mesh, bounds on its size"},
@@ -544,14 +479,15 @@ const std::vector<OptionEntry>& option_entries() {
          "run the independent checkers on the result"},
         {"--check", homology, nullptr, apply_switch<&Options::check>,
          "check that each cycle is one, is born with its bar and dies with it"},
-        {"--bounds", persist, nullptr, apply_switch<&Options::bounds>,
+        {"--bounds", persist, nullptr, "bounds",
          "where each birth and death surely is and which bars surely are real, behind the bars, and the certified "
          "ratio by\n"
          "                    scale, in front of them; both in JSON and in the picture"},
-        {"--all", persist | homology | check, nullptr, apply_switch<&Options::all>, "keep bars of length zero"},
-        {"--json", engine | vineyard | homology | distance | size | check, nullptr, apply_switch<&Options::json>,
+        {"--all", persist | pieces | homology | check, nullptr, "keep_zero_pairs", "keep bars of length zero"},
+        {"--json", engine | pieces | vineyard | homology | distance | size | check, nullptr,
+         apply_switch<&Options::json>,
          "report as JSON on stdout; data then goes to -o only, but bars without -o stand in the JSON"},
-        {"--quiet", engine | vineyard | homology | distance | size | check | sample, nullptr,
+        {"--quiet", engine | pieces | vineyard | homology | distance | size | check | sample, nullptr,
          apply_switch<&Options::quiet>, "no progress, no summary"},
     };
     return table;
@@ -561,12 +497,16 @@ std::vector<std::string> words_of(const OptionEntry& option, Command command) {
     const std::string name = option.name;
     if (name == "--method") return {"svr", "netmesh", "refine"};
     if (name == "--cages") return {"compact", "thesis"};
-    if (name == "--values") return {"certified", "thesis"};
-    if (name == "--audit") return {"location", "quality", "all"};
+    if (name == "--values") return engine_words("values");
     if (name == "--delimiter") return {"tab", "blank", "comma", "semicolon"};
     if (name == "--axis") return {"log", "linear"};
     if (name == "--focus" && command == Command::persist) return {"auto"};
+    if (name == "--pieces") return {"auto"};
     std::vector<std::string> words;
+    if (name == "--audit") {
+        words = engine_words("audit");
+        words.emplace_back("all");
+    }
     if (name != "--filter") return words;
     if (command == Command::persist || command == Command::size) words.push_back("auto");
     for (const netmesh_filter_info& filter : filters())
@@ -582,39 +522,42 @@ bool names_file(const OptionEntry& option) {
     return false;
 }
 
-const char* option_name(netmesh_field field) {
+std::vector<std::string> option_names(netmesh_field field) {
+    // What options of the tool's own set, and others than they are called by.
     static constexpr struct {
         netmesh_field field;
         const char* option;
-    } table[] = {{NETMESH_FIELD_TAU, "--tau"},
-                 {NETMESH_FIELD_SIZES, "--eps"},
-                 {NETMESH_FIELD_SIZE_AT_INPUTS, "--cell-size"},
-                 {NETMESH_FIELD_CAGE_KIND, "--cages"},
-                 {NETMESH_FIELD_SIZE_GROWTH, "--cell-size"},
-                 {NETMESH_FIELD_DOMAIN_FACTOR, "--domain"},
-                 {NETMESH_FIELD_NET_SPACING, "--net"},
-                 {NETMESH_FIELD_TIGHT_EPS, "--eps"},
-                 {NETMESH_FIELD_EPS, "--eps"},
-                 {NETMESH_FIELD_THETA, "--theta"},
-                 {NETMESH_FIELD_RATIO, "--ratio"},
-                 {NETMESH_FIELD_FOCUS_RATIO, "--focus"},
-                 {NETMESH_FIELD_FOCUS_FROM, "--from"},
-                 {NETMESH_FIELD_FOCUS_TO, "--to"},
-                 {NETMESH_FIELD_LONGER_THAN, "--longer-than"},
-                 {NETMESH_FIELD_METHOD, "--method"},
-                 {NETMESH_FIELD_AUDIT, "--audit"},
-                 {NETMESH_FIELD_FILTER, "--filter"},
-                 {NETMESH_FIELD_VALUES, "--values"},
-                 {NETMESH_FIELD_FUNCTION, "--function"},
-                 {NETMESH_FIELD_LIPSCHITZ, "--lipschitz"},
-                 {NETMESH_FIELD_CUT, "--cut"},
-                 {NETMESH_FIELD_K, "--k"},
-                 {NETMESH_FIELD_K_FIRST, "--k"},
-                 {NETMESH_FIELD_K_LAST, "--k"},
-                 {NETMESH_FIELD_MAX_DEGREE, "--max-degree"}};
-    for (const auto& row : table)
-        if (row.field == field) return row.option;
-    return nullptr;
+    } others[] = {{NETMESH_FIELD_SIZE_AT_INPUTS, "--cell-size"},
+                  {NETMESH_FIELD_SIZE_GROWTH, "--cell-size"},
+                  {NETMESH_FIELD_SIZES, "--eps"},
+                  {NETMESH_FIELD_SIZES, "--cell-size"},
+                  {NETMESH_FIELD_FOCUS_FROM, "--focus"},
+                  {NETMESH_FIELD_FOCUS_RATIO, "--focus"},
+                  {NETMESH_FIELD_FOCUS_RATIO, "--from"},
+                  {NETMESH_FIELD_FOCUS_RATIO, "--to"},
+                  {NETMESH_FIELD_FOCUS_FROM, "--to"},
+                  {NETMESH_FIELD_FOCUS_TO, "--from"},
+                  {NETMESH_FIELD_LONGER_THAN, "--focus"},
+                  {NETMESH_FIELD_FOCUS_TO, "--focus"},
+                  {NETMESH_FIELD_FIT, "--focus"},
+                  {NETMESH_FIELD_VALUES, "--values"},
+                  {NETMESH_FIELD_FUNCTION, "--function"},
+                  {NETMESH_FIELD_FUNCTION, "--values-at"},
+                  {NETMESH_FIELD_LIPSCHITZ, "--lipschitz"},
+                  {NETMESH_FIELD_CUT, "--cut"},
+                  {NETMESH_FIELD_K_LAST, "--k"},
+                  {NETMESH_FIELD_VINES, "--filter"},
+                  {NETMESH_FIELD_CYCLES, "--representatives"},
+                  {NETMESH_FIELD_KEEP_MESH, "--mesh"}};
+    std::vector<std::string> names;
+    const auto add = [&](const char* name) {
+        if (std::find(names.begin(), names.end(), name) == names.end()) names.emplace_back(name);
+    };
+    for (const OptionEntry& entry : option_entries())
+        if (entry.effect.member != nullptr && engine_option(entry.effect.member).field == field) add(entry.name);
+    for (const auto& row : others)
+        if (row.field == field) add(row.option);
+    return names;
 }
 
 }  // namespace netmesh::tool

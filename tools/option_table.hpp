@@ -19,11 +19,21 @@ struct CommandEntry {
     const char* examples;  // lines behind `netmesh`; the files that they name are those of the test that runs them
 };
 
+// What an option does: sets a member of the request, by its name in the engine's table, or something of the tool's own.
+struct Effect {
+    using Apply = std::string (*)(Options&, const std::string& value);  // a complaint, or empty
+    Effect(const char* name) : member(name) {}
+    Effect(Apply what) : apply(what) {}
+
+    const char* member = nullptr;
+    Apply apply = nullptr;
+};
+
 struct OptionEntry {
     const char* name;
-    unsigned commands;                                         // a union of bit(command)
-    const char* value;                                         // how the help calls the value; null for a switch
-    std::string (*apply)(Options&, const std::string& value);  // a complaint, or empty
+    unsigned commands;  // a union of bit(command)
+    const char* value;  // how the help calls the value; null for a switch
+    Effect effect;
     std::string help;
 };
 
@@ -40,7 +50,8 @@ std::vector<std::string> words_of(const OptionEntry& option, Command command);
 // Whether its value is the name of a file.
 bool names_file(const OptionEntry& option);
 
-// The option that a field of the library's requests comes from; null for those that come from none.
-const char* option_name(netmesh_field field);
+// The options that a field of the library's requests comes from, the likeliest first; none for those that come from
+// none.
+std::vector<std::string> option_names(netmesh_field field);
 
 }  // namespace netmesh::tool

@@ -1,9 +1,11 @@
 #include "tools/option_use.hpp"
 
 #include <algorithm>
+#include <cstring>
 
 #include "tools/io/points.hpp"
 #include "tools/option_table.hpp"
+#include "tools/requests.hpp"
 #include "tools/sample/shapes.hpp"
 
 namespace netmesh::tool {
@@ -18,36 +20,22 @@ bool is_one_of(const std::string& name, Names names) {
 }
 
 constexpr Names table_options = {"--columns", "--delimiter", "--skip"};
+// Of size, those that the engine reads.
+constexpr Names size_options = {"--tau", "--eps", "--method", "--finish", "--cages", "--audit", "--k", "--max-degree"};
 
-std::string filter_text(const Options& options) {
-    return std::string("filter ") + filter_name(filter_of(options)) + " ";
-}
-
-// Of a diagram that is made of points.
+// What the engine cannot see of a diagram that is made of points: an option that says what is so anyway.
 Why why_not_of_diagram(const Options& options, const std::string& name) {
     const netmesh_filter_info& filter = about(filter_of(options));
-    const bool on_points = filter.source == NETMESH_SOURCE_POINTS;
-    const bool has_cells = filter.source == NETMESH_SOURCE_MESH || filter.source == NETMESH_SOURCE_SCALES;
-    if (name == "--tau" && !has_cells) return filter_text(options) + "has no mesh whose cells it bounds";
-    if (name == "--tau" && options.fit) return "--fit makes the mesh that fits, whatever tau is";
-    if (name == "--tau" && options.ratio && refines_by_certificate(options))
-        return "--ratio says what the mesh is made for; without it tau does";
-    if (name == "--method" && filter.source != NETMESH_SOURCE_MESH)
-        return filter_text(options) + "is not of one mesh of quality";
-    if (name == "--values" && filter.has_values == 0) return filter_text(options) + "has one kind of values";
-    if (name == "--k" && filter.needs_k == 0) return filter_text(options) + "looks at no number of neighbours";
-    if (name == "--seed" && on_points) return filter_text(options) + "makes no random choice";
+    const std::string text = std::string("filter ") + filter.name + " ";
+    if (name == "--values" && filter.has_values == 0) return text + "has one kind of values";
+    if (name == "--whole-cells" && filter.clips_cells == 0) return text + "filters whole cells anyway";
     return {};
 }
 
 Why why_not_of_persist(const Options& options, const std::string& name) {
     if (!options.values_at.empty() && is_one_of(name, table_options)) return "a mesh is no table";
-    if (!options.distances) return why_not_of_diagram(options, name);
-    if (is_one_of(name, {"-o", "--distances", "--sparse", "--threshold", "--filter", "--max-degree", "--all",
-                         "--representatives", "--svg", "--axis", "--json", "--memory", "--check", "--min-persistence",
-                         "--top"}))
-        return {};
-    return "it says nothing about --distances";
+    if (options.distances && is_one_of(name, table_options)) return "it says nothing about --distances";
+    return why_not_of_diagram(options, name);
 }
 
 Why why_not_of_vineyard(const Options& options, const std::string& name) {
@@ -55,19 +43,20 @@ Why why_not_of_vineyard(const Options& options, const std::string& name) {
     return why_not_of_diagram(options, name);
 }
 
-// A plan is for uniform points.
+// The plan is the same without it, and it is not what is taken anyway.
 Why why_not_of_size(const Options& options, const std::string& name) {
-    const netmesh_filter_info& filter = about(filter_of(options));
-    const bool on_points = filter.source == NETMESH_SOURCE_POINTS;
-    if (filter.has_eps != 0 && is_one_of(name, {"--tau", "--method", "--finish", "--audit"}))
-        return "the plan for " + filter_text(options) + "goes by --eps";
-    if (filter.source != NETMESH_SOURCE_MESH &&
-        is_one_of(name, {"--tau", "--method", "--finish", "--audit", "--cages", "--eps"}) && filter.has_eps == 0)
-        return filter_text(options) + "has no mesh to plan for";
-    if (name == "--audit" && (options.audit & NETMESH_AUDIT_LOCATION) == 0) return "it takes no memory";
-    if (name == "--k" && !is_barycentric(filter.filter)) return "the plan for " + filter_text(options) + "is for any k";
-    if (name == "--max-degree" && !on_points) return "the plan for " + filter_text(options) + "is for all degrees";
-    return {};
+    std::vector<std::string> others = {"size"};
+    for (const auto& given : options.given) {
+        if (given.first == name) continue;
+        others.push_back(given.first);
+        if (!given.second.empty()) others.push_back(given.second);
+    }
+    Options without;
+    if (options.dim == 0 || options.point_count == 0) return {};
+    if (!is_one_of(name, size_options) || !parse_options(others, &without).good()) return {};
+    const netmesh_request with = settled(options, options.dim).request, open = settled(without, options.dim).request;
+    if (std::memcmp(&with, &open, sizeof with) == 0 || plan_for_size(options) != plan_for_size(without)) return {};
+    return "the plan is the same without it";
 }
 
 // Which of its many options `check` has a use for goes by the file.

@@ -2,8 +2,11 @@
 
 #include <algorithm>
 
+#include "tools/asked_function.hpp"
 #include "tools/closest.hpp"
+#include "tools/engine_options.hpp"
 #include "tools/option_table.hpp"
+#include "tools/requests.hpp"
 
 namespace netmesh::tool {
 
@@ -33,6 +36,18 @@ Outcome find_option(const std::string& name, Command command, const OptionEntry*
                        " --help` lists them");
 }
 
+// Words of the engine's that the command line does not offer are none.
+std::string apply(const OptionEntry& entry, const std::string& value, Options* options) {
+    if (entry.effect.member == nullptr) return entry.effect.apply(*options, value);
+    const std::vector<std::string> words = words_of(entry, options->command);
+    if (words.empty() || std::find(words.begin(), words.end(), value) != words.end())
+        return set_option(&options->request, entry.effect.member, value);
+    std::string text;
+    for (std::size_t i = 0; i < words.size(); i++)
+        text += (i == 0 ? "" : i + 1 < words.size() ? ", " : " and ") + words[i];
+    return "there are " + text;
+}
+
 // One option with its value, at arguments[*at]; steps *at over both.
 Outcome parse_option(const std::vector<std::string>& arguments, std::size_t* at, Options* options) {
     std::string name = arguments[(*at)++], value;
@@ -52,7 +67,7 @@ Outcome parse_option(const std::vector<std::string>& arguments, std::size_t* at,
         if (*at == arguments.size()) return usage_error("option " + name + " needs a value: " + entry->value);
         value = arguments[(*at)++];
     }
-    const std::string complaint = entry->apply(*options, value);
+    const std::string complaint = apply(*entry, value, options);
     options->given.emplace_back(name, value);
     if (complaint.empty()) return {};
     return usage_error(name + " " + value + ": " + complaint + did_you_mean(value, words_of(*entry, options->command)));
@@ -122,23 +137,53 @@ Outcome check_positionals(const Options& options) {
     const bool several = c == Command::mesh || c == Command::delaunay || c == Command::persist;
     if (several && std::find(options.positionals.begin(), options.positionals.end(), "") != options.positionals.end())
         return usage_error("an empty name of a file");
+    if (c == Command::pieces) return {};  // as many as each of its tasks has
     if (!several && options.positionals.size() > due)
         return usage_error("unexpected argument " + options.positionals[due] + " after " + command.name);
     return {};
 }
 
-Outcome check_audit(const Options& options) {
-    if (options.audit == 0) return {};
-    if (options.method == NETMESH_METHOD_REFINE) return usage_error("--audit goes with --method svr or netmesh");
-    const bool persists = options.command == Command::persist;
-    if ((options.audit & NETMESH_AUDIT_LOCATION) != 0 && (persists || options.eps > 0 || options.size_at_inputs > 0))
-        return usage_error("--audit location goes with the command mesh, and not with --eps or --cell-size");
-    const netmesh_filter_info& filter = about(filter_of(options));
-    if (persists &&
-        (options.fit || options.focus_auto || filter.source != NETMESH_SOURCE_MESH || filter.has_theta != 0))
-        return usage_error("--audit is of one mesh: for filters on a mesh but scales, and not with --fit "
-                           "or --focus auto");
-    return {};
+// What words of the tool's own stand for. Without --filter, or with --filter auto, the choice is the engine's unless an
+// option asks for a mesh.
+void complete(Options* options) {
+    netmesh_request& r = options->request;
+    if (options->cages == "thesis") r.mesh.method = &netmesh_method_thesis;
+    if (options->focus_auto) {
+        r.fit = &netmesh_fit;
+        r.bounds = &netmesh_bounds;
+        if (r.goal.longer_than == 0) r.goal.longer_than = default_longer_than;
+    }
+    if (options->distances && r.filter == nullptr) r.filter = &netmesh_filter_rips;
+    const bool is_left_open = r.filter == nullptr || r.filter == &netmesh_filter_auto;
+    if (options->command == Command::pieces || (goes_by_pieces(*options) && is_left_open))
+        r.filter = &netmesh_filter_alpha;
+    if (options->command == Command::vineyard && r.filter == nullptr) r.filter = &netmesh_filter_knn;
+    const bool is_open = options->command == Command::persist || options->command == Command::size;
+    if (is_open && (r.filter == nullptr || r.filter == &netmesh_filter_auto)) {
+        r.filter = &netmesh_filter_auto;
+        options->implies_mesh = option_against_auto(*options);
+        if (!options->implies_mesh.empty()) r.filter = &netmesh_filter_complete;
+    }
+    if (options->command == Command::size && is_of_eps(*options)) take_eps_as_goal(options);
+}
+
+// What the engine refuses whatever the points are. Files say what check is of, and complexes bring their own.
+Outcome check_request(const Options& given) {
+    Options options = given;
+    const Command command = options.command;
+    const bool is_of_points = command <= Command::persist || command == Command::size ||
+                              (command == Command::vineyard && options.values_path.empty());
+    const std::uint32_t dim = options.dim != 0 ? options.dim : NETMESH_DIM_MIN;
+    netmesh_request settled;
+    if (command == Command::size && !options.implies_mesh.empty()) {  // of any mesh, and of a diagram
+        options.request.mesh = {};
+        const Outcome outcome = settle(options, dim, &settled);
+        if (!outcome.good()) return outcome;
+        options = given;
+        options.command = Command::mesh;
+        options.request.filter = nullptr;
+    }
+    return is_of_points ? settle(options, dim, &settled) : Outcome{};
 }
 
 }  // namespace
@@ -148,39 +193,43 @@ std::string apply_option(Options* options, const std::string& name, const std::s
     const Outcome outcome = find_option(name, options->command, &entry);
     if (!outcome.good()) return outcome.message;
     if (entry->value == nullptr && !value.empty()) return "takes no value";
-    return entry->apply(*options, value);
+    return apply(*entry, value, options);
 }
 
 Outcome check_together(const Options& options) {
-    const bool hierarchical = options.method == NETMESH_METHOD_HIERARCHY;
-    const Outcome audited = check_audit(options);
-    if (!audited.good()) return audited;
-    if (hierarchical && !options.finish && (options.eps > 0 || options.size_at_inputs > 0))
-        return usage_error("--eps and --cell-size go with --method netmesh only where --finish removes the cages");
-    if (options.domain_factor > 0 && options.method == NETMESH_METHOD_REFINE)
-        return usage_error("--domain does not go with --method refine, which has the domain of 3.5");
-    const bool thesis = options.cages == NETMESH_CAGES_THESIS;
-    if (thesis && (options.eps > 0 || options.size_at_inputs > 0))
-        return usage_error("--eps and --cell-size do not go with --cages thesis");
-    if (options.cages && !hierarchical) return usage_error("--cages goes with --method netmesh");
-    if (thesis && (options.audit & NETMESH_AUDIT_LOCATION) != 0)
-        return usage_error("--audit location does not go with --cages thesis");
-    if (thesis && options.tau && *options.tau < 3.4) return usage_error("--cages thesis needs a --tau of at least 3.4");
-    if (thesis && options.dim > 4) return usage_error("--cages thesis is for D = 2, 3 and 4");
-    if (options.net_spacing > 0 && options.method != NETMESH_METHOD_REFINE && options.command != Command::check)
-        return usage_error("--net goes with --method refine, which has a boundary net");
-    if (options.pace_theta > 0 && options.pace_path.empty()) return usage_error("--theta goes with --pace");
-    if (!options.weighted_path.empty() && (!hierarchical || options.finish))
+    const netmesh_request& r = options.request;
+    const bool hierarchical = r.mesh.method == &netmesh_method_netmesh || r.mesh.method == &netmesh_method_thesis;
+    if (!options.weighted_path.empty() && (!hierarchical || r.mesh.finish != 0))
         return usage_error("--weighted-cells goes with --method netmesh, without --finish, which removes cages");
+    if (options.pace_theta > 0 && options.pace_path.empty()) return usage_error("--theta goes with --pace");
     if (options.order > 0 && options.log) return usage_error("--log goes with the bottleneck distance alone");
-    if (options.command == Command::distance && options.error > 0 && options.order == 0)
+    if (options.relative_error > 0 && options.order == 0)
         return usage_error("--error goes with --wasserstein; the bottleneck distance is exact");
+    if (options.command == Command::persist && !goes_by_pieces(options)) {
+        if (!options.scratch.empty()) return usage_error("--scratch goes with --pieces");
+        if (options.jobs > 0 && options.positionals.size() < 2)
+            return usage_error("--jobs goes with --pieces, or with several POINTS");
+    }
+    if (options.command == Command::persist && goes_by_pieces(options)) {
+        if (r.filter != &netmesh_filter_alpha)
+            return usage_error("--pieces is of filter alpha alone, not of " +
+                               std::string(filter_name(filter_of(options))));
+        for (const char* const name : {"--representatives", "--bounds", "--mesh", "--check", "--values-at"})
+            if (was_given(options, name))
+                return usage_error(std::string(name) + " does not go with --pieces, which keep bars alone");
+    }
     if (options.sparse && !options.distances) return usage_error("--sparse goes with --distances");
-    if (options.threshold && !options.distances && options.filter != NETMESH_FILTER_RIPS)
-        return usage_error("--threshold goes with --filter rips or --distances");
-    if (options.finish && !hierarchical) return usage_error("--finish goes with --method netmesh");
-    if (options.command == Command::persist && hierarchical && !options.finish)
-        return usage_error("--method netmesh leaves cages, which have no filter; --finish removes them");
+    if (r.goal.longer_than > 0 && !options.focus_auto) return usage_error("--longer-than goes with --focus auto");
+    if (options.focus_auto && was_given(options, "--fit"))
+        return usage_error("--fit finds the best ratio, --focus auto which bars are real; leave one out");
+    const bool fits_error = r.fit != nullptr && r.filter == &netmesh_filter_function;
+    if (fits_error && (r.values == NETMESH_VALUES_CERTIFIED || was_given(options, "--method")))
+        return usage_error(
+            "--fit of a function is of --values thesis, the function's own, whose error is the least, and "
+            "makes the mesh itself, without --method");
+    if (r.fit != nullptr && options.memory_bytes == 0)
+        return usage_error(std::string(options.focus_auto ? "--focus auto" : "--fit") +
+                           " needs --memory, the size to fit in");
     return {};
 }
 
@@ -206,8 +255,13 @@ Outcome parse_options(const std::vector<std::string>& arguments, Options* option
             if (!outcome.good()) return outcome;
         }
     }
-    settle_auto(options);
+    // Checked before words are turned into others, so that messages are about what was written.
+    const bool has_cages = options->request.mesh.method == &netmesh_method_netmesh;
+    if (!options->cages.empty() && !has_cages) return usage_error("--cages goes with --method netmesh");
+    complete(options);
     outcome = check_together(*options);
+    if (outcome.good() && options->command == Command::persist) outcome = check_function(*options);
+    if (outcome.good()) outcome = check_request(*options);
     return outcome.good() ? check_positionals(*options) : outcome;
 }
 
@@ -216,129 +270,31 @@ bool asks_for_json(const std::vector<std::string>& arguments) {
     return std::find(arguments.begin(), end, "--json") != end;
 }
 
+bool was_given(const Options& options, const std::string& name) {
+    return std::any_of(options.given.begin(), options.given.end(),
+                       [&](const auto& given) { return given.first == name; });
+}
+
 std::string option_of(const Options& options, netmesh_field field) {
-    const char* const name = option_name(field);
-    if (name == nullptr) return {};
-    const auto is_it = [&](const auto& given) { return given.first == name; };
-    const auto last = std::find_if(options.given.rbegin(), options.given.rend(), is_it);
-    return last == options.given.rend() ? name : last->first + " " + last->second;
-}
-
-void settle_auto(Options* options) {
-    static constexpr const char* of_a_mesh[] = {
-        "--tau",       "--ratio",     "--whole-cells", "--focus", "--longer-than", "--from", "--to",
-        "--fit",       "--method",    "--finish",      "--audit", "--values",      "--mesh", "--eps",
-        "--cell-size", "--domain",    "--net",         "--cages", "--theta",       "--k",    "--function",
-        "--values-at", "--lipschitz", "--cut",         "--error"};
-    const bool is_open = options->command == Command::persist || options->command == Command::size;
-    if (!is_open || options->filter || options->distances) return;
-    for (const auto& given : options->given)
-        for (const char* const name : of_a_mesh)
-            if (given.first == name) options->implies_mesh = name;
-    options->auto_filter = options->implies_mesh.empty();
-}
-
-netmesh_filter default_filter(Command command) {
-    return command == Command::vineyard ? NETMESH_FILTER_KNN : NETMESH_FILTER_COMPLETE;
-}
-
-FilterChoice choice_of(const Options& options) {
-    // An error that is asked for, or the least that fits, is that of a function's own values.
-    const bool is_least_error = options.error > 0 || (options.fit && options.filter == NETMESH_FILTER_FUNCTION);
-    return {options.filter.value_or(default_filter(options.command)),
-            options.values.value_or(is_least_error ? NETMESH_VALUES_THESIS : NETMESH_VALUES_CERTIFIED)};
-}
-
-bool fits_error(const Options& options) {
-    return options.fit && !options.method && !options.finish && about(filter_of(options)).needs_function != 0;
-}
-
-bool refines_by_certificate(const Options& options) {
-    if (options.command != Command::persist || options.method || options.finish) return false;
-    const FilterChoice choice = choice_of(options);
-    const netmesh_filter_info& filter = about(choice.filter);
-    if (options.fit) return filter.source == NETMESH_SOURCE_MESH && filter.has_eps == 0 && filter.needs_function == 0;
-    return (filter.has_goal != 0 || (filter.has_eps != 0 && options.ratio)) &&
-           choice.values == NETMESH_VALUES_CERTIFIED;
-}
-
-bool clips_cells(const Options& options) {
-    return refines_by_certificate(options) && about(filter_of(options)).clips_cells != 0;
-}
-
-namespace {
-
-Outcome check_focus_auto(const Options& options) {
-    if (!refines_by_certificate(options) || about(filter_of(options)).has_goal == 0)
-        return usage_error("--focus auto is for the complete filter with certified values, without --method");
-    if (options.fit) return usage_error("--fit finds the best ratio, --focus auto which bars are real; leave one out");
-    if (options.from > 0 || options.to > 0)
-        return usage_error("--focus auto finds the scales; leave out --from and --to");
-    if (options.memory_bytes == 0) return usage_error("--focus auto needs --memory, the size to fit in");
-    return {};
-}
-
-}  // namespace
-
-Outcome check_ratio(const Options& options) {
-    if (options.longer_than > 0 && !options.focus_auto) return usage_error("--longer-than goes with --focus auto");
-    if (options.focus_auto) return check_focus_auto(options);
-    const bool focused = options.focus > 0 || options.from > 0 || options.to > 0;
-    if (fits_error(options) && (options.ratio || focused))
-        return usage_error(
-            "--fit of a function goes by its error: --ratio, --focus, --from and --to do not go with it");
-    if (options.command == Command::persist && (options.ratio || focused || (options.fit && !fits_error(options))) &&
-        !refines_by_certificate(options)) {
-        return usage_error(
-            options.fit
-                ? "--fit is for filters on a mesh but tight, without --method"
-                : "--ratio, --focus, --from and --to are for the complete filter, --ratio for tight and scales; "
-                  "with certified values, without --method");
+    if (field == NETMESH_FIELD_METHOD && !options.cages.empty()) return "--cages " + options.cages;
+    const std::vector<std::string> names = option_names(field);
+    for (const std::string& name : names) {
+        const auto is_it = [&](const auto& given) { return given.first == name; };
+        const auto last = std::find_if(options.given.rbegin(), options.given.rend(), is_it);
+        if (last != options.given.rend()) return last->second.empty() ? name : last->first + " " + last->second;
     }
-    if (options.command == Command::persist && options.whole_cells && !clips_cells(options))
-        return usage_error("--whole-cells is for meshes refined by the certificate for the complete or basic filter");
-    if (focused && about(filter_of(options)).has_theta != 0)
-        return usage_error("--focus is of one mesh: not for scales");
-    if (options.fit && options.memory_bytes == 0) return usage_error("--fit needs --memory, the size to fit in");
-    if (options.fit && options.focus > 0) return usage_error("--focus is what --fit finds");
-    if (options.fit && focused && !(options.from > 0 && options.to > options.from)) {
-        return usage_error("--from A and --to B belong together, A below B");
-    }
-    if (!focused || options.fit) return {};
-    if (!(options.focus > 0 && options.from > 0 && options.to > options.from)) {
-        return usage_error("--focus C, --from A and --to B belong together, A below B");
-    }
-    return {};
+    return names.empty() ? std::string() : names[0];
 }
 
-bool promises_accuracy(const Options& options) { return about(filter_of(options)).has_eps != 0; }
-
-Outcome check_accuracy(const Options& options) {
-    const auto has_eps = [](const netmesh_filter_info& info) { return info.has_eps != 0; };
-    const auto has_theta = [](const netmesh_filter_info& info) { return info.has_theta != 0; };
-    if (options.theta > 0 && about(filter_of(options)).has_theta == 0)
-        return usage_error("--theta goes with --filter " + list_filters(has_theta, "or"));
-    if (promises_accuracy(options)) {
-        if (options.eps > 0 && options.ratio && options.command == Command::persist)
-            return usage_error("--eps and --ratio both say what is asked of the diagram; leave one of them out");
-        if (options.eps <= 0.5) return {};
-        return usage_error("--eps must be at most 1/2 for " + list_filters(has_eps, "and"));
-    }
-    if (options.eps > 0 && options.command == Command::persist)
-        return usage_error("--eps goes with --filter " + list_filters(has_eps, "or"));
-    return {};
+bool is_of_eps(const Options& options) {
+    const netmesh_filter* const filter = options.request.filter;
+    return filter != nullptr && about(filter).has_eps != 0;
 }
 
-std::uint32_t max_degree_of(const Options& options, std::uint32_t dim) {
-    return options.max_degree.value_or(is_on_points(filter_of(options)) ? 1 : dim - 1);
-}
-
-Outcome check_max_degree(const Options& options) {
-    const netmesh_filter filter = filter_of(options);
-    if (!is_on_points(filter)) return {};
-    const std::uint64_t k = is_barycentric(filter) ? options.k_last.value_or(options.k.value_or(1)) : 0;
-    if (k + max_degree_of(options, NETMESH_DIM_MIN) < NETMESH_DEGREE_MAX) return {};
-    return usage_error("--max-degree, with --k added for barycentric filters, is at most 30");
+void take_eps_as_goal(Options* options) {
+    netmesh_request& r = options->request;
+    r.goal.eps = r.mesh.sizes.eps;
+    r.mesh.sizes.eps = 0;
 }
 
 const char* command_name(Command command) { return command == Command::none ? "" : entry_of(command).name; }

@@ -1,193 +1,139 @@
 #include "tools/requests.hpp"
 
-#include <cmath>
+#include <algorithm>
 
 namespace netmesh::tool {
 
 namespace {
 
-// What requests for diagrams have in common.
-template <class Request>
-void set_diagram(const Options& options, const DiagramRequest& diagram, std::uint32_t dim, Request* request) {
-    request->values = diagram.choice.values;
-    request->max_degree = max_degree_of(options, dim);
-    request->keep_zero_pairs = diagram.keep_zero_pairs ? 1 : 0;
+// What is asked of functions and distances does not go by their values.
+const netmesh_function any_function = {
+    sizeof(netmesh_function), [](void*, const double*) { return 0.0; }, nullptr, 0, 0, 0};
+const netmesh_distances any_distances = sized<netmesh_distances>();
+
+bool makes_mesh_alone(const Options& options) {
+    return options.command == Command::mesh || options.command == Command::delaunay;
 }
 
-constexpr double thesis_tau = 7;  // of meshes with cages of the thesis, unless --tau says
+// The triangulation of alpha is wanted, not its diagram alone; other filters refuse to keep what they do not make.
+bool keeps_mesh(const Options& options) {
+    const bool is_alpha = about(options.request.filter).is_on_triangulation != 0;
+    return !options.mesh_out.empty() || (is_alpha && (options.check || options.command == Command::size));
+}
+
+// With --check cycles are made where that is no call of its own.
+bool wants_cycles(const Options& options) {
+    const netmesh_filter_info& filter = about(options.request.filter);
+    const bool at_once = filter.is_on_points != 0 || filter.is_by_scales != 0;
+    return !options.representatives.empty() || (at_once && options.check && filter.has_representatives != 0);
+}
+
+// Of points, unless a mesh or distances are there.
+netmesh_request asked_of(const Options& options, std::uint32_t dim) {
+    netmesh_request r = options.request;
+    const bool persists = options.command == Command::persist, sizes = options.command == Command::size;
+    if (options.distances) {
+        r.distances = &any_distances;
+    } else if (!persists || options.values_at.empty()) {
+        r.points = {nullptr, 1, dim, NETMESH_POINTS_FLOAT64, 0};
+    }
+    if (options.function || !options.values_at.empty() || (sizes && about(r.filter).needs_function != 0))
+        r.function = &any_function;
+    if (options.command == Command::delaunay) r.mesh.method = &netmesh_method_delaunay;
+    const bool is_meshed = options.command == Command::mesh || (sizes && about(r.filter).is_on_mesh != 0);
+    if (is_meshed && r.filter != &netmesh_filter_auto && r.mesh.method == nullptr) r.mesh.method = &netmesh_method_svr;
+    if (options.command == Command::vineyard) r.vines = &netmesh_vines;
+    if (persists && wants_cycles(options)) r.cycles = &netmesh_cycles;
+    if ((persists || sizes) && keeps_mesh(options)) r.keep_mesh = 1;
+    return r;
+}
 
 }  // namespace
 
-double default_ratio(const netmesh_mesh_request& mesh) { return std::sqrt(2 + tau(mesh)); }
+Outcome settle(const Options& options, std::uint32_t dim, netmesh_request* settled, netmesh_field* at) {
+    const netmesh_request asked = asked_of(options, dim);
+    netmesh_detail detail = sized<netmesh_detail>();
+    *settled = asked;
+    const netmesh_status status = netmesh::settle(asked, settled, &detail);
+    const bool has_degrees = settled->points.dim == 0 && settled->distances == nullptr;
+    if (has_degrees) settled->max_degree = std::min(settled->max_degree, dim - 1);
+    settled->points = {};
+    settled->distances = nullptr;
+    settled->function = nullptr;
+    if (at != nullptr) *at = detail.field;
+    if (status == NETMESH_OK) return {};
+    const std::string option = option_of(options, detail.field);
+    return usage_error((option.empty() ? "" : option + ": ") + detail.message);
+}
 
-Options suited(const Options& options, std::uint32_t dim) {
+Options settled(const Options& options, std::uint32_t dim) {
     Options all = options;
-    const netmesh_filter_info& filter = about(filter_of(options));
-    const bool is_open = filter.has_eps != 0 && options.eps == 0 && !options.ratio && !options.fit && !options.method;
-    if (dim < 4 || !is_open || choice_of(options).values != NETMESH_VALUES_CERTIFIED) return all;
-    const double theta = filter.has_theta == 0 ? 0 : options.theta > 0 ? options.theta : default_theta;
-    all.ratio = default_ratio(mesh_request(options, dim)) * (1 + 3 * theta);
+    settle(options, dim, &all.request);
     return all;
 }
 
-netmesh_certificate_goal goal_of(const Options& options, double ratio) {
-    return {ratio, options.focus, options.from, options.to};
+std::string option_against_auto(const Options& options) {
+    for (const char* const name : {"--mesh", "--values", "--function", "--values-at", "--lipschitz", "--cut"})
+        if (was_given(options, name)) return name;
+    netmesh_detail detail = sized<netmesh_detail>();
+    netmesh_request settled;
+    if (netmesh::settle(asked_of(options, NETMESH_DIM_MIN), &settled, &detail) == NETMESH_OK) return {};
+    const std::string option = option_of(options, detail.field);
+    return option.substr(0, option.find(' '));
 }
 
-requests::Mesh mesh_request(const Options& options, std::uint32_t dim) {
-    requests::Mesh mesh(dim);
-    mesh.seed = options.seed;
-    if (options.command != Command::mesh) mesh.purpose = about(filter_of(options)).purpose;
-    if (refines_by_certificate(options)) mesh.purpose = NETMESH_PURPOSE_PERSIST;
-    mesh.method = options.method.value_or(NETMESH_METHOD_SVR);
-    mesh.cage_kind = options.cages.value_or(NETMESH_CAGES_COMPACT);
-    mesh.tau = options.tau.value_or(mesh.cage_kind == NETMESH_CAGES_THESIS ? thesis_tau : 0);
-    (promises_accuracy(options) ? mesh.tight_eps : mesh.sizes.eps) = options.eps;
-    mesh.size_at_inputs = options.size_at_inputs;
-    mesh.size_growth = options.size_growth;
-    mesh.domain_factor = options.domain_factor;
-    mesh.net_spacing = options.net_spacing;
-    mesh.finish = options.finish ? 1 : 0;
-    mesh.audit = options.audit;
-    if (refines_by_certificate(options))
-        mesh.certificate = goal_of(options, options.ratio.value_or(options.fit ? 0 : default_ratio(mesh)));
-    mesh.whole_cells = options.whole_cells || !clips_cells(options) ? 1 : 0;
-    return mesh;
+double default_tau(std::uint32_t dim) {
+    netmesh_request r = Request(&netmesh_filter_basic);
+    r.points = {nullptr, 1, dim, NETMESH_POINTS_FLOAT64, 0};
+    return netmesh::settle(r, &r) == NETMESH_OK ? r.mesh.tau : 0;
 }
 
-requests::Delaunay delaunay_request(const Options& options, std::uint32_t dim) {
-    requests::Delaunay delaunay(dim);
-    delaunay.seed = options.seed;
-    delaunay.purpose = options.command == Command::delaunay ? NETMESH_PURPOSE_MESH : NETMESH_PURPOSE_PERSIST;
-    return delaunay;
-}
-
-bool wants_diagram_alone(const Options& options) {
-    return options.command == Command::persist && !options.check && options.mesh_out.empty() &&
-           options.representatives.empty();
-}
-
-namespace {
-
-// What alpha and auto ask for alike.
-template <class Request> Request diagram_request(const Options& options, std::uint32_t dim) {
-    Request request(dim);
-    request.seed = options.seed;
-    request.max_degree = max_degree_of(options, dim);
-    request.keep_zero_pairs = options.all ? 1 : 0;
+netmesh_request on_points(netmesh_request request, const PointCloud& cloud) {
+    request.points = points_of(cloud.dim, cloud.coordinates);
     return request;
 }
 
-}  // namespace
-
-requests::Alpha alpha_request(const Options& options, std::uint32_t dim) {
-    return diagram_request<requests::Alpha>(options, dim);
-}
-
-requests::Auto auto_request(const Options& options, std::uint32_t dim) {
-    return diagram_request<requests::Auto>(options, dim);
-}
-
-requests::Persist persist_request(const Options& options, const DiagramRequest& diagram, std::uint32_t dim) {
-    requests::Persist persist(diagram.choice.filter);
-    set_diagram(options, diagram, dim, &persist);
-    persist.k = options.k.value_or(1);
-    return persist;
-}
-
-requests::Fit fit_request(const Options& options, std::uint32_t dim) {
-    requests::Fit fit(dim);
-    fit.seed = options.seed;
-    fit.by_error = choice_of(options).filter == NETMESH_FILTER_FUNCTION ? 1 : 0;
-    fit.ratio = fit.by_error != 0 ? 0 : options.ratio.value_or(default_fit_ratio);
-    if (options.focus_auto) {
-        fit.ratio = mesh_request(options, dim).certificate.ratio;
-        fit.longer_than = options.longer_than > 0 ? options.longer_than : default_longer_than;
-    }
-    fit.focus_from = options.from;
-    fit.focus_to = options.to;
-    fit.max_degree = max_degree_of(options, dim);
-    fit.keep_zero_pairs = options.all ? 1 : 0;
-    fit.bounds = options.bounds ? 1 : 0;
-    fit.filter = choice_of(options).filter;
-    fit.values = choice_of(options).values;
-    fit.k = options.k.value_or(1);
-    fit.whole_cells = options.whole_cells ? 1 : 0;
-    return fit;
-}
-
-requests::Scales scales_request(const Options& options, const DiagramRequest& diagram, std::uint32_t dim) {
-    requests::Scales scales(dim);
-    set_diagram(options, diagram, dim, &scales);
-    scales.seed = options.seed;
-    scales.tau = options.tau.value_or(0);
-    scales.eps = options.eps;
-    scales.ratio = options.ratio.value_or(0);
-    scales.theta = options.theta;
-    scales.bounds = options.bounds ? 1 : 0;
-    scales.representatives = diagram.cycles ? 1 : 0;
-    return scales;
-}
-
-namespace {
-
-template <class Request> Request over_k(Request request, const VineyardRequest& vineyard) {
-    request.values = vineyard.choice.values;
-    request.k_first = vineyard.k_first;
-    request.k_last = vineyard.k_last;
-    request.max_degree = vineyard.max_degree;
+netmesh_request on_what_is_there(netmesh_request request) {
+    request.points = {};
+    request.goal = {};
+    request.mesh = {};
+    request.fit = nullptr;
+    request.seed = netmesh_default_request().seed;
     return request;
 }
 
-}  // namespace
-
-requests::Vineyard vineyard_request(const VineyardRequest& vineyard) {
-    return over_k(requests::Vineyard(vineyard.choice.filter), vineyard);
+netmesh_request promised(netmesh_request request) {
+    request.points = {};
+    request.bounds = request.cycles = request.vines = request.fit = nullptr;
+    request.goal.longer_than = 0;
+    return request;
 }
 
-requests::PointsVineyard points_vineyard_request(const VineyardRequest& vineyard, std::uint32_t dim) {
-    return over_k(requests::PointsVineyard(dim, vineyard.choice.filter), vineyard);
+std::size_t plan_of(const Options& options, std::uint32_t dim, std::size_t points) {
+    netmesh_request r = asked_of(options, dim);
+    r.points = {nullptr, points, dim, NETMESH_POINTS_FLOAT64, 0};
+    return makes_mesh_alone(options) ? plan_mesh(r) : plan(r);
 }
 
-requests::Points points_request(const Options& options, const DiagramRequest& diagram, std::uint32_t dim) {
-    requests::Points points(dim, diagram.choice.filter);
-    set_diagram(options, diagram, dim, &points);
-    points.k = options.k.value_or(1);
-    points.representatives = diagram.cycles ? 1 : 0;
-    return points;
+// Without a filter enough for each of triangulation, mesh and the diagrams of complete and of what persist takes.
+std::size_t plan_for_size(const Options& options) {
+    const bool has_filter = was_given(options, "--filter") && options.implies_mesh.empty() &&
+                            options.request.filter != &netmesh_filter_auto;
+    if (has_filter) return plan_of(options, options.dim, options.point_count);
+    Options other = options;
+    const auto plan = [&](Command command, const netmesh_filter* filter) {
+        other.command = command;
+        other.request.filter = filter;
+        return plan_of(other, options.dim, options.point_count);
+    };
+    return std::max({plan(Command::mesh, nullptr), plan(Command::size, options.request.filter),
+                     plan(Command::size, &netmesh_filter_complete), plan(Command::delaunay, nullptr)});
 }
 
-namespace {
-
-template <class Request> std::size_t plan_for(Request request, std::size_t point_count) {
-    request.point_count = point_count;
-    return plan(request);
-}
-
-}  // namespace
-
-std::size_t plan_diagram(const Options& given, netmesh_filter filter, std::uint32_t dim, std::size_t point_count) {
-    if (given.auto_filter) return plan_for(auto_request(given, dim), point_count);
-    const Options options = suited(given, dim);
-    DiagramRequest diagram;
-    diagram.choice.filter = filter;
-    switch (about(filter).source) {
-    case NETMESH_SOURCE_SCALES: return plan_for(scales_request(options, diagram, dim), point_count);
-    case NETMESH_SOURCE_POINTS: return plan_for(points_request(options, diagram, dim), point_count);
-    case NETMESH_SOURCE_DELAUNAY:
-        return wants_diagram_alone(options) ? plan_for(alpha_request(options, dim), point_count)
-                                            : plan_for(delaunay_request(options, dim), point_count);
-    default: break;
-    }
-    requests::Mesh mesh = mesh_request(options, dim);
-    if (!refines_by_certificate(options)) mesh.purpose = about(filter).purpose;
-    return plan_for(mesh, point_count);
-}
-
-std::size_t plan_vineyard(const Options& options, const VineyardRequest& vineyard, std::uint32_t dim,
-                          std::size_t point_count) {
-    return is_on_points(vineyard.choice.filter) ? plan_for(points_vineyard_request(vineyard, dim), point_count)
-                                                : plan_diagram(options, vineyard.choice.filter, dim, point_count);
+std::size_t plan_to_read(std::uint32_t dim, std::size_t vertices) {
+    netmesh_request r = Request(&netmesh_filter_basic);
+    r.points = {nullptr, vertices, dim, NETMESH_POINTS_FLOAT64, 0};
+    return plan(r);
 }
 
 }  // namespace netmesh::tool

@@ -19,9 +19,17 @@ std::size_t lazy_bytes(std::size_t plan, std::size_t physical) {
     return bytes < physical ? bytes : physical;
 }
 
+// A request that is refused goes to the engine as it is, which says why.
 Session::Session(const Options& options, std::uint32_t dim)
-    : options_(options), function_(options), mesh_(watched(mesh_request(options, dim))), bar_(!options.quiet) {
-    function_.set_sizes(&mesh_);
+    : options_(options), dim_(dim), function_(options), bar_(!options.quiet) {
+    settle(options, dim, &request_);
+    promise_ = promised(request_);
+}
+
+netmesh_request Session::promise() const {
+    netmesh_request promise = promise_;
+    promise.function = function_.for_sizes();
+    return promise;
 }
 
 int Session::poll(void* self, const netmesh_progress* progress) {
@@ -94,17 +102,14 @@ Outcome Session::explain_argument(const netmesh_detail& detail, const PointCloud
     const std::string option = option_of(options_, detail.field);
     switch (detail.field) {
     case NETMESH_FIELD_DIM:  // of a library built without it: the tool itself takes 2..6 only
-        return file_error(cloud.name, "dimension " + std::to_string(mesh_.dim) + ": " + said);
+        return file_error(cloud.name, "dimension " + std::to_string(dim_) + ": " + said);
     case NETMESH_FIELD_POINT_COUNT: return file_error(cloud.name, said);
     case NETMESH_FIELD_NET_SPACING:
     case NETMESH_FIELD_TAU:
     case NETMESH_FIELD_K:
-    case NETMESH_FIELD_K_FIRST:
     case NETMESH_FIELD_K_LAST: return file_error(cloud.name, option + ": " + said);
+    case NETMESH_FIELD_ERROR:
     case NETMESH_FIELD_SIZES:
-        if (options_.error > 0)
-            return cloud.fault(detail.index_a, "--error " + number_text(options_.error) + ": near this point " + said);
-        [[fallthrough]];
     case NETMESH_FIELD_SIZE_AT_INPUTS: return cloud.fault(detail.index_a, option + ": near this point " + said);
     default: break;
     }
@@ -125,7 +130,7 @@ Outcome Session::explain(netmesh_status status, const PointCloud& cloud, std::si
             return usage_error(option_of(options_, NETMESH_FIELD_FUNCTION) + ": not finite at a vertex of the mesh");
         return cloud.fault(detail.index_a, "a coordinate is not finite");
     case NETMESH_OUT_OF_RANGE:
-        if (options_.filter == NETMESH_FILTER_ALPHA)
+        if (filter_of(options_) == NETMESH_FILTER_ALPHA)
             return file_error(cloud.name, "coordinates too far apart in size for an exact alpha complex: it has room "
                                           "for 2^1670 in the plane, 2^1190 in space, 2^640 in R^6");
         return cloud.fault(detail.index_a,
@@ -135,8 +140,8 @@ Outcome Session::explain(netmesh_status status, const PointCloud& cloud, std::si
     case NETMESH_INVALID_ARGUMENT: return explain_argument(detail, cloud, said);
     case NETMESH_FLAT:
         return file_error(cloud.name,
-                          "flat: fewer than " + std::to_string(mesh_.dim + 1) +
-                              " affinely independent points in dimension " + std::to_string(mesh_.dim) +
+                          "flat: fewer than " + std::to_string(dim_ + 1) +
+                              " affinely independent points in dimension " + std::to_string(dim_) +
                               ", so there is no Delaunay triangulation",
                           Exit::degenerate);
     case NETMESH_TOO_CLOSE:

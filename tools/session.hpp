@@ -31,20 +31,16 @@ public:
 
     Engine& engine() { return engine_; }
     const Engine& engine() const { return engine_; }
-    // What meshes of this session are made to and checked against; comes from the options.
-    requests::Mesh& mesh() { return mesh_; }
-    const requests::Mesh& mesh() const { return mesh_; }
+    // What the options ask of the engine, settled.
+    const netmesh_request& request() const { return request_; }
+    // What meshes of this session are checked against: what was asked for, until a command knows better.
+    void set_promise(const netmesh_request& promise) { promise_ = promise; }
+    netmesh_request promise() const;
 
     // The request, with the session's progress bar and cancelling.
     template <class Request> Request watched(Request request) {
         request.monitor = {poll, this};
         return request;
-    }
-    // The same, on points.
-    template <class Request> Request watched(Request request, const PointCloud& cloud) {
-        request.points = cloud.coordinates.data();
-        request.point_count = cloud.rows();
-        return watched(request);
     }
     AskedFunction& function() { return function_; }
     const StageClock& clock() const { return clock_; }
@@ -57,10 +53,11 @@ private:
     std::string memory_message(const PointCloud& cloud, std::size_t plan) const;
 
     const Options& options_;
+    const std::uint32_t dim_;
     platform::Reservation block_;
     Engine engine_{nullptr, 0};
     AskedFunction function_;
-    requests::Mesh mesh_;
+    netmesh_request request_, promise_;
     StageClock clock_;
     ProgressBar bar_;
     netmesh_progress last_ = {};

@@ -1,50 +1,104 @@
-// The alpha complex of points whose triangulation nobody wants.
-#include "api/points.hpp"
-#include "api/requests.hpp"
+// The filter alpha: of points, whose triangulation is kept where somebody wants it; of the context's triangulation.
+#include "filtration/alpha.hpp"
+
+#include "api/plan.hpp"
+#include "api/request.hpp"
+#include "api/settling.hpp"
 #include "jobs/alpha_of_points.hpp"
+#include "jobs/alpha_of_triangulation.hpp"
 
 namespace netmesh {
 namespace {
 
-void keep_alpha(netmesh_context* context, const netmesh_alpha_request& request, const AlphaOfPoints& wanted,
-                const AlphaDiagram& made) {
-    context->complete = true;
-    context->input = {true,         true, request.dim, made.input.rows, made.input.duplicates, made.input.fingerprint,
-                      made.distinct};
+void keep_alpha(netmesh_context* context, const DiagramRequest& wanted, const CountedPairs& found) {
     KeptDiagram& diagram = context->diagram;
     diagram.present = true;
     diagram.filter = NETMESH_FILTER_ALPHA;
-    diagram.keeps_zero = wanted.diagram.keep_zero;
-    diagram.max_degree = wanted.diagram.max_degree;
-    diagram.pairs = Slice<Pair>::of(context->arena, made.found.pairs.pairs, made.found.pairs.count);
-    diagram.simplices = made.found.simplices;
+    diagram.keeps_zero = wanted.keep_zero;
+    diagram.max_degree = wanted.max_degree;
+    diagram.pairs = Slice<Pair>::of(context->arena, found.pairs.pairs, found.pairs.count);
+    diagram.simplices = found.simplices;
     diagram.certified_ratio = diagram.certified_ratio_best = 1;
 }
 
-}  // namespace
-}  // namespace netmesh
-
-using namespace netmesh;
-
-extern "C" netmesh_status netmesh_persist_alpha(netmesh_context* context, const netmesh_alpha_request* from) {
-    netmesh_alpha_request request;
-    const netmesh_status begun = begin(context, from, &request);
-    if (begun != NETMESH_OK) return begun;
-    const Complaint complaint = complaint_about_points(request);
-    if (complaint.text != nullptr) return refuse(context, complaint);
+netmesh_status alpha_of_given_points(netmesh_context* context) {
     clear(context);
-    Monitor monitor = monitor_of(request.monitor);
+    const netmesh_request& r = context->request;
+    Monitor monitor = monitor_of(r.monitor);
     const Watch watch(context->arena, monitor);
-    const AlphaOfPoints wanted = {rows_of(request),
-                                  request.point_count,
-                                  request.seed,
-                                  {degree_of(request.max_degree, request.dim), request.keep_zero_pairs != 0}};
+    const AlphaOfPoints wanted = {rows_of(r.points), r.points.count, r.seed, {r.max_degree, r.keep_zero_pairs != 0}};
     AlphaDiagram made = {};
-    const Status found = with_dimension(request.dim, [&](auto dimension) {
+    const Status found = with_dimension(r.points.dim, [&](auto dimension) {
         return alpha_of_points<decltype(dimension)::value>(wanted, {context->arena, monitor}, &made);
     });
     const Status status = watch.heed(found);
     if (status != Status::ok) return fail_and_clear(context, status, nullptr, made.input.row_a);
-    keep_alpha(context, request, wanted, made);
+    context->complete = true;
+    context->input = {true,         true, r.points.dim, made.input.rows, made.input.duplicates, made.input.fingerprint,
+                      made.distinct};
+    keep_alpha(context, wanted.diagram, made.found);
     return finish(context, status);
+}
+
+Complaint settle_alpha(const Settling& s) {
+    const bool is_other = s.rules.method != nullptr && !s.rules.method->triangulates();
+    return is_other ? Complaint{NETMESH_FIELD_METHOD, "the filter alpha is of a triangulation; leave out the method"}
+                    : settle_mesh_degree(s);
+}
+
+netmesh_status run_alpha(netmesh_context* context) {
+    const netmesh_request& r = context->request;
+    const bool of_points = source_of(r) == Source::points;
+    if (of_points && r.keep_mesh == 0 && r.cycles == nullptr) return alpha_of_given_points(context);
+    if (of_points) {
+        const netmesh_status status = triangulate_points(context, nullptr);
+        return status == NETMESH_OK ? filter_triangulation(context) : status;
+    }
+    const char* missing = missing_cells(context);
+    if (missing == nullptr && context->mesh.is_mesh)
+        missing = "the alpha filter needs a Delaunay triangulation of the points alone";
+    if (missing != nullptr) return finish(context, Status::no_result, missing);
+    // Simplices of anything but a triangulation of the convex hull pair otherwise than those of the points do.
+    const KeptFlaw& flaw = context->mesh.flaw;
+    if (flaw.text_from == 0) return filter_triangulation(context);
+    clear_diagram(context);
+    return finish(context, Status::check_failed, text_kept(flaw.text_from), flaw.cell);
+}
+
+}  // namespace
+
+netmesh_status filter_triangulation(netmesh_context* context) {
+    clear_diagram(context);
+    const netmesh_request& r = context->request;
+    Monitor monitor = monitor_of(r.monitor);
+    const Watch watch(context->arena, monitor);
+    const std::uint32_t dim = context->input.dim;
+    const DiagramRequest wanted = {degree_of(r.max_degree, dim), r.keep_zero_pairs != 0};
+    CountedPairs made = {};
+    const Status found = with_dimension(dim, [&](auto dimension) {
+        constexpr int D = decltype(dimension)::value;
+        const Store<D> store(context->arena, context->mesh.store);
+        return alpha_of_triangulation<D>(
+            {store.view(), store.point(0), Store<D>::vertex_stride, count_hull_facets(store.view(), context->arena)},
+            wanted, {context->arena, monitor}, &made);
+    });
+    const Status status = watch.heed(found);
+    status == Status::ok ? keep_alpha(context, wanted, made) : clear_diagram(context);
+    return finish(context, status);
+}
+
+}  // namespace netmesh
+
+using namespace netmesh;
+
+extern "C" {
+extern const netmesh_filter netmesh_filter_alpha;
+const netmesh_filter netmesh_filter_alpha = {NETMESH_FILTER_ALPHA,
+                                             given::method | given::cycles | given::keep_mesh | given::seed,
+                                             run_alpha,
+                                             plan_of_alpha,
+                                             settle_alpha,
+                                             nullptr,
+                                             &netmesh_method_delaunay,
+                                             nullptr};
 }

@@ -1,7 +1,7 @@
 // Analyses of the triangulation or mesh that the context holds, and orderings of its inputs.
 #include "api/figures.hpp"
 #include "api/measure.hpp"
-#include "api/requests.hpp"
+#include "api/request.hpp"
 #include "laboratory/fatness.hpp"
 #include "laboratory/pacing.hpp"
 #include "laboratory/size.hpp"
@@ -165,7 +165,8 @@ netmesh_status netmesh_analyse(netmesh_context* context, const netmesh_analyse_r
     netmesh_analyse_request request;
     const netmesh_status begun = begin(context, from, &request);
     if (begun != NETMESH_OK) return begun;
-    if (request.what == 0 || (request.what & ~static_cast<uint32_t>(NETMESH_ANALYSE_ALL)) != 0)
+    if (request.what == 0) request.what = NETMESH_ANALYSE_ALL;
+    if ((request.what & ~static_cast<uint32_t>(NETMESH_ANALYSE_ALL)) != 0)
         return refuse(context, NETMESH_FIELD_WHAT, "unknown analyses");
     if (!(request.tolerance >= 0)) return refuse(context, NETMESH_FIELD_TOLERANCE, "tolerance is negative");
     if (!has_room(analysis)) return refuse(context, NETMESH_FIELD_RESULT, "analysis is null or its size is not set");
@@ -173,7 +174,8 @@ netmesh_status netmesh_analyse(netmesh_context* context, const netmesh_analyse_r
     if ((request.what & NETMESH_ANALYSE_SIZE) != 0 && !context->mesh.is_mesh)
         return finish(context, Status::no_result, "the size analysis needs a mesh");
     Promises promises;
-    const Complaint complaint = read_promises(request.mesh, context->input.dim, &promises);
+    ErrorSizes sizes;
+    const Complaint complaint = read_promises(context, request.promised, context->input.dim, &promises, &sizes);
     if (complaint.text != nullptr) return refuse(context, complaint);
     netmesh_analysis found = {};
     found.what = request.what;

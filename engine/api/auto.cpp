@@ -1,8 +1,9 @@
 // The exact alpha complex where it is affordable, else a mesh.
-#include "api/requests.hpp"
-#include "api/triangulation.hpp"
-#include "numerics/square_root.hpp"
-#include "vocabulary/features.hpp"
+#include "api/plan.hpp"
+#include "api/request.hpp"
+#include "api/settling.hpp"
+#include "delaunay/triangulate.hpp"
+#include "vocabulary/dimension.hpp"
 
 namespace netmesh {
 namespace {
@@ -24,52 +25,19 @@ template <int D> Allowance allowance_of(const Arena& arena, std::size_t points) 
     return allowance;
 }
 
-// What the two requests on points have in common with the one that both come from.
-template <class Request> void set_points(const netmesh_auto_request& from, Request* to) {
-    to->monitor = from.monitor;
-    to->points = from.points;
-    to->point_count = from.point_count;
-    to->point_format = from.point_format;
-    to->point_stride_bytes = from.point_stride_bytes;
-    to->seed = from.seed;
-    to->purpose = NETMESH_PURPOSE_PERSIST;
+// The filter that was taken becomes the request's.
+netmesh_status take_alpha(netmesh_context* context, Allowance* allowance) {
+    context->request.filter = &netmesh_filter_alpha;
+    const netmesh_status status = triangulate_points(context, allowance);
+    return status == NETMESH_OK ? filter_triangulation(context) : status;
 }
 
-netmesh_delaunay_request triangulation_of(const netmesh_auto_request& request) {
-    netmesh_delaunay_request triangulation;
-    netmesh_delaunay_request_init(&triangulation, sizeof triangulation, request.dim);
-    set_points(request, &triangulation);
-    return triangulation;
-}
-
-netmesh_mesh_request mesh_of(const netmesh_auto_request& request) {
-    netmesh_mesh_request mesh;
-    netmesh_mesh_request_init(&mesh, sizeof mesh, request.dim);
-    set_points(request, &mesh);
-    if (built::certificate) mesh.certificate.ratio = square_root(2 + tau_of(request.dim, 0));
-    return mesh;
-}
-
-netmesh_status persist_by(netmesh_context* context, netmesh_filter filter, const netmesh_auto_request& request) {
-    netmesh_persist_request persist;
-    netmesh_persist_request_init(&persist, sizeof persist);
-    persist.filter = filter;
-    persist.monitor = request.monitor;
-    persist.max_degree = request.max_degree;
-    persist.keep_zero_pairs = request.keep_zero_pairs;
-    return netmesh_persist(context, &persist);
-}
-
-netmesh_status take_alpha(netmesh_context* context, const netmesh_auto_request& request, Allowance* allowance) {
-    clear(context);
-    const netmesh_status status = triangulate_points(context, triangulation_of(request), allowance);
-    return status == NETMESH_OK ? persist_by(context, NETMESH_FILTER_ALPHA, request) : status;
-}
-
-netmesh_status take_mesh(netmesh_context* context, const netmesh_auto_request& request) {
-    const netmesh_mesh_request mesh = mesh_of(request);
-    const netmesh_status status = netmesh_mesh(context, &mesh);
-    return status == NETMESH_OK ? persist_by(context, NETMESH_FILTER_COMPLETE, request) : status;
+netmesh_status take_mesh(netmesh_context* context) {
+    netmesh_request& r = context->request;
+    r.filter = &netmesh_filter_complete;
+    settle(Call::persist, 0, &r);
+    const netmesh_status status = dispatch(*r.mesh.method, context);
+    return status == NETMESH_OK ? filter_mesh(context) : status;
 }
 
 // Why there is no alpha diagram, when a mesh may help; else ASKED.
@@ -83,49 +51,21 @@ netmesh_why why_not_alpha(netmesh_status status, const Allowance& allowance) {
     }
 }
 
-}  // namespace
-}  // namespace netmesh
-
-using namespace netmesh;
-
-extern "C" {
-
-size_t netmesh_plan_auto(const netmesh_auto_request* from) {
-    netmesh_auto_request request;
-    if (read_struct(from, &request, sizeof request) != NETMESH_FIELD_NONE) return 0;
-    if (complaint_about_dim(request.dim).text != nullptr) return 0;
-    // Uniform points have few cells: alpha complexes of them are affordable.
-    if (built::alpha) {
-        const netmesh_delaunay_request triangulation = triangulation_of(request);
-        return netmesh_plan_delaunay(&triangulation);
-    }
-    const netmesh_mesh_request mesh = mesh_of(request);
-    return netmesh_plan_mesh(&mesh);
-}
-
-netmesh_status netmesh_persist_auto(netmesh_context* context, const netmesh_auto_request* from) {
-    netmesh_auto_request request;
-    const netmesh_status begun = begin(context, from, &request);
-    if (begun != NETMESH_OK) return begun;
-    const Complaint complaint = complaint_about_points(request);
-    if (complaint.text != nullptr) return refuse(context, complaint);
-    Allowance allowance = with_dimension(request.dim, [&](auto dimension) {
-        return allowance_of<decltype(dimension)::value>(context->arena, request.point_count);
+netmesh_status run_auto(netmesh_context* context) {
+    const netmesh_points& points = context->request.points;
+    if (points.dim == 0) return refuse(context, NETMESH_FIELD_POINTS, "this filter begins with points");
+    Allowance allowance = with_dimension(points.dim, [&](auto dimension) {
+        return allowance_of<decltype(dimension)::value>(context->arena, points.count);
     });
-    netmesh_why why = NETMESH_WHY_NOT_BUILT;
-    netmesh_status status = NETMESH_OK;
-    std::size_t peak = 0;
-    if (built::alpha) {
-        status = take_alpha(context, request, &allowance);
-        peak = context->arena.bytes_peak();
-        why = status == NETMESH_OK ? NETMESH_WHY_AFFORDABLE : why_not_alpha(status, allowance);
-    }
+    netmesh_status status = take_alpha(context, &allowance);
+    const std::size_t peak = context->arena.bytes_peak();
+    netmesh_why why = status == NETMESH_OK ? NETMESH_WHY_AFFORDABLE : why_not_alpha(status, allowance);
     if (why != NETMESH_WHY_AFFORDABLE && why != NETMESH_WHY_ASKED) {
-        status = take_mesh(context, request);
+        status = take_mesh(context);
         // What has no mesh may have an alpha diagram, or needs more memory for it.
         const bool has_no_mesh = status == NETMESH_TOO_CLOSE || status == NETMESH_OUT_OF_RANGE;
         if (has_no_mesh && (why == NETMESH_WHY_CELLS || why == NETMESH_WHY_MEMORY)) {
-            status = take_alpha(context, request, nullptr);
+            status = take_alpha(context, nullptr);
             why = NETMESH_WHY_NO_MESH;
         }
     }
@@ -141,4 +81,22 @@ netmesh_status netmesh_persist_auto(netmesh_context* context, const netmesh_auto
     return status;
 }
 
-}  // extern "C"
+// Uniform points have few cells: alpha complexes of them are affordable. Their triangulation is kept.
+double plan_of_auto(const netmesh_request& request) { return plan_of_triangulation(request.points, true); }
+
+}  // namespace
+}  // namespace netmesh
+
+using namespace netmesh;
+
+extern "C" {
+extern const netmesh_filter netmesh_filter_auto;
+const netmesh_filter netmesh_filter_auto = {NETMESH_FILTER_AUTO,
+                                            given::cycles | given::keep_mesh | given::seed,
+                                            run_auto,
+                                            plan_of_auto,
+                                            settle_mesh_degree,
+                                            nullptr,
+                                            nullptr,
+                                            nullptr};
+}

@@ -24,13 +24,22 @@ const char* message_of(netmesh_status status, const char* text) {
 
 void keep_said(netmesh_context* context, const netmesh_detail& detail, const char* text) {
     context->detail.said = detail;
-    context->detail.message_from = text == nullptr
-                                       ? 0
-                                       : static_cast<std::intptr_t>(reinterpret_cast<std::uintptr_t>(text) -
-                                                                    reinterpret_cast<std::uintptr_t>(text_origin));
+    context->detail.message_from = kept_text(text);
 }
 
 }  // namespace
+
+std::int64_t kept_text(const char* text) {
+    if (text == nullptr) return 0;
+    return static_cast<std::intptr_t>(reinterpret_cast<std::uintptr_t>(text) -
+                                      reinterpret_cast<std::uintptr_t>(text_origin));
+}
+
+const char* text_kept(std::int64_t from) {
+    if (from == 0) return nullptr;
+    const std::uintptr_t address = reinterpret_cast<std::uintptr_t>(text_origin) + static_cast<std::uintptr_t>(from);
+    return reinterpret_cast<const char*>(address);  // NOLINT(performance-no-int-to-ptr)
+}
 
 bool usable(netmesh_context* context) {
     if (context == nullptr || context->magic != context_magic) return false;
@@ -48,10 +57,7 @@ netmesh_detail detail_of(Status status, const char* text, std::uint64_t a, std::
 
 netmesh_detail kept_detail(const netmesh_context* context) {
     netmesh_detail detail = context->detail.said;
-    const std::int64_t from = context->detail.message_from;
-    const std::uintptr_t address = reinterpret_cast<std::uintptr_t>(text_origin) + static_cast<std::uintptr_t>(from);
-    const char* const text = reinterpret_cast<const char*>(address);  // NOLINT(performance-no-int-to-ptr)
-    detail.message = message_of(detail.status, from == 0 ? nullptr : text);
+    detail.message = message_of(detail.status, text_kept(context->detail.message_from));
     return detail;
 }
 
@@ -107,6 +113,8 @@ void clear(netmesh_context* context) {
     context->input = {};
     context->mesh = {};
     context->scales = {};
+    context->split = {};
+    context->piece = {};
     context->arena.adopt(context, context->arena.bytes());
     context->arena.release_low(context->start);
 }

@@ -42,17 +42,31 @@ inline netmesh_status refuse(netmesh_context* context, netmesh_field field, cons
 // A detail with everything that finish puts into the context's.
 netmesh_detail detail_of(Status status, const char* text, std::uint64_t a = 0, std::uint64_t b = 0);
 
+// A static text of this library as the context keeps it, and the text. 0: null.
+std::int64_t kept_text(const char* text);
+const char* text_kept(std::int64_t from);
+
 // What the last call said.
 netmesh_detail kept_detail(const netmesh_context* context);
 
 // Text for what read_struct finds at fault.
 Complaint complaint_about_struct(netmesh_field fault);
 
+// What is handed to a function that is not there was meant for one.
+constexpr char user_alone[] = "a user without its function; give both";
+inline Complaint complaint_about_monitor(const netmesh_monitor& monitor) {
+    return monitor.poll == nullptr && monitor.user != nullptr ? Complaint{NETMESH_FIELD_MONITOR, user_alone}
+                                                              : Complaint{};
+}
+
 // Begins a call: NETMESH_OK and a copy of the request, or the status to return.
-template <class Request> netmesh_status begin(netmesh_context* context, const Request* from, Request* request) {
+template <class Request>
+[[gnu::noinline]] netmesh_status begin(netmesh_context* context, const Request* from, Request* request) {
     if (!usable(context)) return NETMESH_INVALID_ARGUMENT;
     const netmesh_field fault = read_struct(from, request, sizeof *request);
-    return fault == NETMESH_FIELD_NONE ? NETMESH_OK : refuse(context, complaint_about_struct(fault));
+    const Complaint complaint =
+        fault == NETMESH_FIELD_NONE ? complaint_about_monitor(request->monitor) : complaint_about_struct(fault);
+    return complaint.text == nullptr ? NETMESH_OK : refuse(context, complaint);
 }
 
 inline Monitor monitor_of(const netmesh_monitor& monitor) { return Monitor(monitor.poll, monitor.user); }

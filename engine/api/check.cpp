@@ -1,7 +1,7 @@
 // Independent checkers of what the context holds.
 #include "delaunay/check.hpp"
 #include "api/measure.hpp"
-#include "api/requests.hpp"
+#include "api/request.hpp"
 #include "delaunay/any_kernel.hpp"
 #include "filtration/filters.hpp"
 #include "laboratory/fatness.hpp"
@@ -144,7 +144,7 @@ Status check_ratio(Context& context, const AnyStore& store, const RatioGoal& goa
     Interval* const interval = context.arena.take_high<Interval>(store.state.vertex_count);
     if (value == nullptr || interval == nullptr) return Status::out_of_memory;
     Evaluation evaluation = {value, interval};
-    const FilterRequest filter = {NETMESH_FILTER_COMPLETE, FilterValues::certified};
+    static const FilterRequest filter = {NETMESH_FILTER_COMPLETE, &complete_on_mesh, FilterValues::certified};
     const Work work = {context.arena, monitor};
     AnyMesh mesh(store, domain_of(context), context.input.distinct, goal.clipped);
     Status status = clip_cells(filter, work, &mesh);
@@ -219,11 +219,13 @@ extern "C" netmesh_status netmesh_check(netmesh_context* context, const netmesh_
     netmesh_check_request request;
     const netmesh_status begun = begin(context, from, &request);
     if (begun != NETMESH_OK) return begun;
-    if (request.what == 0 || (request.what & ~static_cast<uint32_t>(NETMESH_CHECK_ALL)) != 0)
+    if (request.what == 0) request.what = NETMESH_CHECK_ALL;
+    if ((request.what & ~static_cast<uint32_t>(NETMESH_CHECK_ALL)) != 0)
         return refuse(context, NETMESH_FIELD_WHAT, "unknown checks");
     if (!context->mesh.present) return finish(context, Status::no_result, "there is no triangulation or mesh");
     Promises promises;
-    const Complaint complaint = read_promises(request.mesh, context->input.dim, &promises);
+    ErrorSizes sizes;
+    const Complaint complaint = read_promises(context, request.promised, context->input.dim, &promises, &sizes);
     if (complaint.text != nullptr) return refuse(context, complaint);
     Monitor monitor = monitor_of(request.monitor);
     const Watch watch(context->arena, monitor);

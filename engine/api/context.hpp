@@ -46,15 +46,22 @@ struct KeptInput {
     std::uint32_t distinct = 0;  // inputs of a mesh, vertices of a complex
 };
 
+// What is wrong with cells that were loaded, so that whoever reads them needs no checker.
+struct KeptFlaw {
+    std::int64_t text_from = 0;  // as KeptDetail keeps a text; 0: nothing
+    std::uint32_t cell = 0;
+};
+
 // A Delaunay triangulation or a mesh.
 struct KeptMesh {
     bool present = false;
     bool is_mesh = false;       // has a domain, and what is said below `store`
     bool is_loaded = false;     // came through netmesh_load
+    KeptFlaw flaw;              // of a triangulation that was loaded: none of the convex hull of its vertices
     std::uint64_t low_end = 0;  // of the arena, with the mesh alone
     StoreState store = {};
     double centre[NETMESH_DIM_MAX] = {}, radius = 0, enclosing_radius = 0;  // the domain
-    netmesh_method method = NETMESH_METHOD_SVR;
+    netmesh_method_id method = NETMESH_METHOD_SVR;
     double tau = 0, aspect_ratio_max = 0;
     RatioGoal goal = {};  // ratio 0: the mesh is not refined by the certificate
     double size_eps = 0, size_ratio_max = 0;
@@ -69,7 +76,7 @@ struct KeptMesh {
 struct KeptDiagram {
     bool present = false;
     bool keeps_zero = false;
-    netmesh_filter filter = NETMESH_FILTER_NONE;
+    netmesh_filter_id filter = NETMESH_FILTER_NONE;
     netmesh_values values = NETMESH_VALUES_CERTIFIED;
     std::uint32_t max_degree = 0, k = 0;
     Slice<Pair> pairs;
@@ -93,13 +100,21 @@ struct KeptBounds {
 
 struct KeptVineyard {
     bool present = false;
-    netmesh_filter filter = NETMESH_FILTER_NONE;
+    netmesh_filter_id filter = NETMESH_FILTER_NONE;
     netmesh_values values = NETMESH_VALUES_CERTIFIED;
     std::uint32_t max_degree = 0, k_first = 0, k_last = 0, vines = 0;
     Slice<double> ratios;  // [k_last - k_first + 1]
     Slice<VinePoint> points;
     std::uint64_t simplices = 0, transpositions = 0;
     double certified_ratio = 0;
+};
+
+// What netmesh_split has made of points.
+struct KeptSplit {
+    bool present = false;
+    std::uint32_t levels = 0;
+    Slice<std::uint32_t> order;
+    Slice<double> boxes;
 };
 
 struct KeptScales {
@@ -111,9 +126,13 @@ struct KeptScales {
 
 // A complex that was listed simplex by simplex; of[k] in homology's FilteredComplex.
 struct KeptComplex {
+    // Simplices of one dimension: their facets and their values.
+    struct Simplices {
+        std::uint64_t rows = 0, values = 0;  // offsets
+        std::uint64_t count = 0;
+    };
     std::uint32_t dimension = 0;
-    Slice<std::uint32_t> rows[FilteredComplex::dimension_max + 1];
-    Slice<double> values[FilteredComplex::dimension_max + 1];
+    Simplices of[FilteredComplex::dimension_max + 1];
 };
 
 // Representatives of the diagram's pairs.
@@ -138,7 +157,8 @@ struct Context {
     std::uint64_t start;  // low end of an empty context
     Arena arena;
     KeptDetail detail;
-    bool complete;  // the job ran to its end
+    bool complete;            // the job ran to its end
+    netmesh_request request;  // of the call that runs, settled, where no stack has to hold it; else all 0
 
     KeptInput input;
     KeptMesh mesh;
@@ -147,6 +167,8 @@ struct Context {
     KeptVineyard vineyard;
     KeptScales scales;
     KeptCycles cycles;
+    KeptSplit split;
+    Slice<unsigned char> piece;  // of a leaf or a join; empty: none
 
     // In the caller's block; without the header <new>, which bare compilers may lack.
     static void* operator new(std::size_t, void* place) noexcept { return place; }

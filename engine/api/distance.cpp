@@ -17,7 +17,7 @@ template <class Request> Complaint read_request(const Request* from, Request* re
     if (reinterpret_cast<std::uintptr_t>(request->scratch) % Arena::alignment != 0 ||
         (request->scratch == nullptr && request->scratch_bytes > 0))
         return {NETMESH_FIELD_SCRATCH, "scratch is null or not 16-byte aligned"};
-    return {};
+    return complaint_about_monitor(request->monitor);
 }
 Complaint complaint_about_distance(const netmesh_bottleneck_request& request) {
     if (!in_range(request.scale, NETMESH_SCALE_PLAIN, NETMESH_SCALE_LOG)) return {NETMESH_FIELD_SCALE, "unknown scale"};

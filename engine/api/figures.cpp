@@ -57,7 +57,7 @@ template <> struct Figures_of<netmesh_report> {
     using Struct = netmesh_report;
     static constexpr Condition unconditional = {always, 0, 0};
     static constexpr Condition points = IF(input.dim), meshed = IF(mesh.present), domain = IF(mesh.is_mesh),
-                               hierarchy = IF_BIT(mesh.method, NETMESH_METHOD_HIERARCHY),
+                               hierarchy = IF(mesh.hierarchy.present),
                                location = IF_BIT(mesh.audit.what, NETMESH_AUDIT_LOCATION),
                                quality = IF_BIT(mesh.audit.what, NETMESH_AUDIT_QUALITY), diagram = IF(diagram.present),
                                function = IF_IS(diagram.filter, NETMESH_FILTER_FUNCTION), scales = IF(scales.present),
@@ -78,15 +78,15 @@ template <> struct Figures_of<netmesh_report> {
         ONE("mesh.vertices", uint64, mesh.vertices, meshed, 0, 0),
         ONE("mesh.inputs", uint64, mesh.inputs, meshed, 0, 0),
         ONE("mesh.steiner", uint64, mesh.steiner, meshed, 0, 0),
-        ONE("mesh.boundary", uint64, mesh.exempt, meshed, 0, 0),
+        ONE("mesh.exempt", uint64, mesh.exempt, meshed, 0, 0),
         ONE("mesh.cells", uint64, mesh.cells, meshed, 0, 0),
         ONE("mesh.cells_created", uint64, mesh.cells_created, meshed, 0, 0),
         ONE("mesh.aspect_ratio_max", real, mesh.aspect_ratio_max, domain, 0, 0),
         ONE("mesh.tau", real, mesh.tau, domain, positive, 0),
-        ONE("mesh.ratio", real, mesh.certificate.ratio, domain, on_request | positive, 0),
-        ONE("mesh.focus_ratio", real, mesh.certificate.focus_ratio, domain, on_request | positive, 0),
-        ONE("mesh.focus_from", real, mesh.certificate.focus_from, domain, on_request | positive, 0),
-        ONE("mesh.focus_to", real, mesh.certificate.focus_to, domain, on_request | positive, 0),
+        ONE("mesh.ratio", real, mesh.goal.ratio, domain, on_request | positive, 0),
+        ONE("mesh.focus_ratio", real, mesh.goal.focus_ratio, domain, on_request | positive, 0),
+        ONE("mesh.focus_from", real, mesh.goal.focus_from, domain, on_request | positive, 0),
+        ONE("mesh.focus_to", real, mesh.goal.focus_to, domain, on_request | positive, 0),
         ONE("mesh.clipped", flag, mesh.clipped, domain, on_request | positive, 0),
         ONE("mesh.size_eps", real, mesh.sizes.eps, domain, on_request | positive, 0),
         ONE("mesh.size_ratio_max", real, mesh.sizes.ratio_max, domain, on_request | positive, 0),
@@ -123,15 +123,15 @@ template <> struct Figures_of<netmesh_report> {
         ARRAY("diagram.essential", uint64, diagram.essential, degrees, diagram, diagram.max_degree, 1, 0, 0),
         ONE("diagram.certified_ratio", real, diagram.certified_ratio, diagram, 0, before_pairs),
         ONE("diagram.certified_ratio_best", real, diagram.certified_ratio_best, diagram, 0, 0),
-        ONE("diagram.from", real, diagram.certified_from, diagram, 0, 0),
+        ONE("diagram.certified_from", real, diagram.certified_from, diagram, 0, 0),
         ONE("diagram.certified_error", real, diagram.certified_error, function, on_request, 0),
         ONE("diagram.fitted_error", real, diagram.fitted_error, diagram, on_request | positive, 0),
-        ONE("diagram.focus", real, diagram.certified_focus, diagram, on_request | positive, 0),
+        ONE("diagram.certified_focus", real, diagram.certified_focus, diagram, on_request | positive, 0),
         ONE("diagram.simplices", uint64, diagram.simplices, diagram, 0, 0),
         ONE("diagram.scales.count", uint32, scales.count, scales, on_request, 0),
-        ONE("diagram.scales.extended_ball", real, scales.separation, scales, on_request, 0),
-        ONE("diagram.scales.largest_points", uint64, scales.points_max, scales, on_request, 0),
-        ONE("diagram.scales.largest_vertices", uint64, scales.vertices_max, scales, on_request, 0),
+        ONE("diagram.scales.separation", real, scales.separation, scales, on_request, 0),
+        ONE("diagram.scales.points_max", uint64, scales.points_max, scales, on_request, 0),
+        ONE("diagram.scales.vertices_max", uint64, scales.vertices_max, scales, on_request, 0),
         ONE("diagram.scales.vertices", uint64, scales.vertices, scales, on_request, 0),
         ARRAY("diagram.certain", uint64, bounds.certain, degrees, bounds, bounds.max_degree, 1, on_request, 0),
         ONE("diagram.steps", uint64, bounds.steps, bounds, on_request, 0),
@@ -152,7 +152,7 @@ template <> struct Figures_of<netmesh_report> {
         ONE("vineyard.simplices", uint64, vineyard.simplices, vines, on_request, 0),
         ONE("vineyard.certified_ratio", real, vineyard.certified_ratio, vines, on_request, before_vines),
 
-        ONE("memory.arena_bytes", uint64, memory.block_bytes, unconditional, positive, 0),
+        ONE("memory.block_bytes", uint64, memory.block_bytes, unconditional, positive, 0),
         ONE("memory.peak_bytes", uint64, memory.peak_bytes, unconditional, positive, 0),
         ONE("memory.used_bytes", uint64, memory.used_bytes, unconditional, positive, 0),
         ONE("predicates.in_ball.cached", uint64, predicates.in_ball[NETMESH_PREDICATE_CACHED], meshed, 0, 0),
@@ -266,6 +266,18 @@ netmesh_figure_type type_of(Kind kind) {
     }
 }
 
+const char* method_name(std::uint32_t method) {
+    switch (method) {
+    case NETMESH_METHOD_SVR: return "svr";
+    case NETMESH_METHOD_NETMESH: return "netmesh";
+    case NETMESH_METHOD_REFINE: return "refine";
+    case NETMESH_METHOD_CERTIFICATE: return "certificate";
+    case NETMESH_METHOD_THESIS: return "thesis";
+    case NETMESH_METHOD_DELAUNAY: return "delaunay";
+    default: return "unknown";
+    }
+}
+
 const char* why_name(std::uint32_t why) {
     switch (why) {
     case NETMESH_WHY_ASKED: return "asked";
@@ -275,19 +287,17 @@ const char* why_name(std::uint32_t why) {
     case NETMESH_WHY_MEMORY: return "memory";
     case NETMESH_WHY_FLAT: return "flat";
     case NETMESH_WHY_RANGE: return "range";
-    case NETMESH_WHY_NOT_BUILT: return "not-built";
     default: return "unknown";
     }
 }
 
 const char* text_of(Kind kind, std::uint32_t value) {
     switch (kind) {
-    case Kind::method:
-        return value == NETMESH_METHOD_HIERARCHY ? "netmesh" : value == NETMESH_METHOD_REFINE ? "refine" : "svr";
+    case Kind::method: return method_name(value);
     case Kind::values: return value == NETMESH_VALUES_THESIS ? "thesis" : "certified";
     case Kind::why: return why_name(value);
     case Kind::filter: {
-        const Filter* const row = find_filter(static_cast<netmesh_filter>(value));
+        const Filter* const row = find_filter(static_cast<netmesh_filter_id>(value));
         return row != nullptr ? filter_text(value - 1).name : "none";
     }
     default: return nullptr;

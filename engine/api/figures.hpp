@@ -3,7 +3,7 @@
 #pragma once
 #include <cstdint>
 
-#include "include/netmesh.h"
+#include "include/netmesh/laboratory.h"
 #include "numerics/fingerprint.hpp"
 
 namespace netmesh {

@@ -1,17 +1,36 @@
 // The table of filters, for callers.
 #include "filtration/filters.hpp"
 
+#include "api/objects.hpp"
 #include "api/structs.hpp"
 
 namespace netmesh {
 namespace {
 
+constexpr const netmesh_filter* objects[] = {
+    &netmesh_filter_complete,
+    &netmesh_filter_basic,
+    &netmesh_filter_alpha,
+    &netmesh_filter_knn,
+    &netmesh_filter_kdistance,
+    &netmesh_filter_function,
+    &netmesh_filter_tight,
+    &netmesh_filter_scales,
+    &netmesh_filter_rips,
+    &netmesh_filter_cech,
+    &netmesh_filter_barycentric_cech,
+    &netmesh_filter_barycentric_rips,
+};
+
 netmesh_filter_info info_of(const Filter& filter, const FilterText& text) {
     using namespace filter_trait;
     netmesh_filter_info info = {};
-    info.filter = filter.id;
-    info.source = static_cast<netmesh_source>(filter.source);
-    info.purpose = static_cast<netmesh_purpose>(filter.purpose);
+    info.id = filter.id;
+    info.filter = objects[filter.id - 1];
+    info.is_on_mesh = filter.source == FilterSource::mesh;
+    info.is_on_triangulation = filter.source == FilterSource::delaunay;
+    info.is_on_points = filter.source == FilterSource::points;
+    info.is_by_scales = filter.source == FilterSource::scales;
     info.name = text.name;
     info.reference = text.reference;
     info.needs_k = filter.has(needs_k);
@@ -28,6 +47,9 @@ netmesh_filter_info info_of(const Filter& filter, const FilterText& text) {
 }
 
 }  // namespace
+
+const netmesh_filter* filter_object(std::uint32_t index) { return objects[index]; }
+
 }  // namespace netmesh
 
 extern "C" netmesh_status netmesh_get_filter_info(uint32_t index, netmesh_filter_info* info) {

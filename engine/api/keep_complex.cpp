@@ -15,8 +15,7 @@ void keep_complex(netmesh_context* context, const ListedComplex& complex) {
     context->cycles.is_listed = true;
     kept.dimension = complex.dimension;
     for (std::uint32_t k = 0; k <= complex.dimension; ++k) {
-        kept.rows[k] = Slice<std::uint32_t>::of(arena, complex.rows[k], std::uint64_t{complex.count[k]} * (k + 1));
-        kept.values[k] = Slice<double>::of(arena, complex.value[k], complex.count[k]);
+        kept.of[k] = {arena.offset_of(complex.rows[k]), arena.offset_of(complex.value[k]), complex.count[k]};
     }
 }
 
@@ -38,9 +37,11 @@ FilteredComplex kept_complex(const netmesh_context* context, const std::uint32_t
     const void* const block = context;
     FilteredComplex complex = {};
     complex.dimension = kept.dimension;
-    for (std::uint32_t k = 0; k <= kept.dimension; ++k)
-        complex.of[k] = {static_cast<std::uint32_t>(kept.values[k].count), kept.rows[k].in(block),
-                         kept.values[k].in(block)};
+    for (std::uint32_t k = 0; k <= kept.dimension; ++k) {
+        const KeptComplex::Simplices& of = kept.of[k];
+        complex.of[k] = {static_cast<std::uint32_t>(of.count), Slice<std::uint32_t>{of.rows, of.count}.in(block),
+                         Slice<double>{of.values, of.count}.in(block)};
+    }
     *labels = complex.of[0].faces;
     return complex;
 }

@@ -2,10 +2,9 @@
 #include "delaunay/load.hpp"
 
 #include "api/measure.hpp"
-#include "api/requests.hpp"
+#include "api/request.hpp"
 #include "mesh/input_tree.hpp"
 #include "mesh/sizing.hpp"
-#include "vocabulary/features.hpp"
 
 namespace netmesh {
 namespace {
@@ -70,6 +69,13 @@ Status take_over(Store<D>& store, const netmesh_load_request& request, std::uint
     return find_origins(store, inputs);
 }
 
+// What keeps cells from being a triangulation of the convex hull of their vertices.
+KeptFlaw flaw_of_cells(const AnyStore& store, const Monitor& monitor) {
+    CheckResult found = check_combinatorial(store);
+    if (found.violation == nullptr && !monitor.has_stopped()) found = check_geometric(store);
+    return {kept_text(found.violation), found.cell};
+}
+
 // The domain given, with the least enclosing radius about its centre.
 AnyDomain domain_about(const AnyStore& store, std::uint32_t inputs, const double* given) {
     AnyDomain domain;
@@ -98,10 +104,12 @@ Status measure_domain(netmesh_context* context, Store<D>& store, const double* g
     return status == Status::ok ? measure_sizes(context, store, sizes) : status;
 }
 
-Complaint complaint_about_loaded_cages(const netmesh_cages_request& request) {
+Complaint read_cages(const netmesh_cages_request& given, netmesh_cages_request* to) {
+    netmesh_cages_request& request = *to;
+    request = given;
     if (request.cages == nullptr && request.cage_count > 0) return {NETMESH_FIELD_CAGES, "cages is null"};
-    if (!built::cages && request.cage_count > 0)
-        return {NETMESH_FIELD_CAGES, "left out of this build: NETMESH_WITH_CAGES", true};
+    if (request.cage_bytes == 0 && request.cage_count > 0) request.cage_bytes = request.cages->struct_bytes;
+    if (request.cage_count == 0) request.cage_bytes = sizeof(netmesh_cage);
     if (request.cage_count >= NETMESH_NONE) return {NETMESH_FIELD_CAGE_COUNT, "too many cages"};
     if (request.cage_bytes < sizeof(netmesh_cage))
         return {NETMESH_FIELD_CAGE_BYTES, "cage_bytes is not the size of a cage"};
@@ -133,7 +141,9 @@ netmesh_status netmesh_load(netmesh_context* context, const netmesh_load_request
     std::uint32_t inputs = 0;
     Complaint complaint = complaint_about_load(request, context->arena, &inputs);
     Promises promises;
-    if (complaint.text == nullptr) complaint = read_promises(request.mesh, request.dim, &promises);
+    ErrorSizes error_sizes;
+    if (complaint.text == nullptr)
+        complaint = read_promises(context, request.promised, request.dim, &promises, &error_sizes);
     if (complaint.text != nullptr) return refuse(context, complaint);
     for (size_t i = 0; i < request.vertex_count * request.dim;)
         for (const std::uint64_t piece = context->arena.piece(i, request.vertex_count * request.dim, 6); i < piece;
@@ -154,12 +164,16 @@ netmesh_status netmesh_load(netmesh_context* context, const netmesh_load_request
         KeptMesh& mesh = context->mesh;
         mesh.present = mesh.is_loaded = true;
         mesh.is_mesh = request.domain != nullptr;
+        if (!mesh.is_mesh) mesh.method = NETMESH_METHOD_DELAUNAY;
         mesh.low_end = context->arena.low_mark();
         mesh.tau = promises.goal.ratio > 0 ? 0 : promises.tau;
         mesh.goal = promises.goal;
         mesh.size_eps = promises.sizes.eps;
         mesh.cage_kind = promises.cages;
-        if (mesh.is_mesh) status = measure_domain<D>(context, store, request.domain, promises.sizes);
+        if (mesh.is_mesh)
+            status = measure_domain<D>(context, store, request.domain, promises.sizes);
+        else
+            mesh.flaw = flaw_of_cells(store, monitor);
         status = watch.heed(status);
         return status == Status::ok ? finish(context, status) : fail_and_clear(context, status);
     });
@@ -169,7 +183,7 @@ netmesh_status netmesh_load_cages(netmesh_context* context, const netmesh_cages_
     netmesh_cages_request request;
     const netmesh_status begun = begin(context, from, &request);
     if (begun != NETMESH_OK) return begun;
-    const Complaint complaint = complaint_about_loaded_cages(request);
+    const Complaint complaint = read_cages(request, &request);
     if (complaint.text != nullptr) return refuse(context, complaint);
     KeptMesh& mesh = context->mesh;
     if (!mesh.is_mesh) return finish(context, Status::no_result, "there is no mesh with a domain");

@@ -39,7 +39,7 @@ inline HierarchyRequest hierarchy_of(Context& context, const AnyDomain& outermos
 inline Status measure_quality(Context& context, const AnyStore& store, HierarchyQuality* quality) {
     const AnyDomain domain = domain_of(context);
     *quality = HierarchyQuality{};
-    return !built::cages || cage_count_of(context) == 0
+    return cage_count_of(context) == 0
                ? worst_aspect_ratio(store, domain, context.arena, &quality->worst, &quality->vertex)
                : measure_hierarchy(store, hierarchy_of(context, domain), context.arena, quality);
 }

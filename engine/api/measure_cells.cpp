@@ -1,6 +1,7 @@
 // What is measured of each Voronoi cell and of each D-ball.
 #include "api/measure.hpp"
 #include "delaunay/any_kernel.hpp"
+#include "include/netmesh/laboratory.h"
 #include "laboratory/fat_cell.hpp"
 #include "laboratory/structure.hpp"
 #include "laboratory/weighted_cells.hpp"

@@ -1,42 +1,29 @@
-// Persistence on the triangulation or mesh that the context holds.
-#include "api/measure.hpp"
-#include "api/requests.hpp"
-#include "delaunay/check.hpp"
-#include "jobs/diagram_of_mesh.hpp"
-#include "vocabulary/features.hpp"
+// From a request to its diagram, or to its mesh alone.
+#include "api/plan.hpp"
+#include "api/request.hpp"
 
 namespace netmesh {
 namespace {
 
-void keep_mesh_diagram(netmesh_context* context, const PersistRequest& request, netmesh_values values,
-                       const FilterDiagram& diagram) {
-    const Arena& arena = context->arena;
-    KeptDiagram& kept = context->diagram;
-    kept.present = true;
-    kept.keeps_zero = request.diagram.keep_zero;
-    kept.filter = request.filter.filter;
-    kept.values = values;
-    kept.max_degree = request.diagram.max_degree;
-    kept.k = request.filter.k;
-    kept.pairs = Slice<Pair>::of(arena, diagram.pairs.pairs, diagram.pairs.count);
-    kept.is_short = diagram.is_short;
-    if (diagram.value != nullptr)
-        kept.vertex_values = Slice<double>::of(arena, diagram.value, context->mesh.store.vertex_count);
-    kept.simplices = diagram.simplices;
-    kept.certified_ratio = diagram.certificate.ratio;
-    kept.certified_ratio_best = diagram.certificate.ratio_best;
-    kept.certified_from = diagram.certificate.from;
-    kept.certified_error = diagram.certificate.error;
-    if (diagram.clip_radius > 0) context->mesh.radius = diagram.clip_radius;
+// A diagram that is there stays where more is wanted of it.
+bool keeps_diagram(const netmesh_context* context) {
+    const netmesh_request& r = context->request;
+    return source_of(r) == Source::context && (r.bounds != nullptr || r.cycles != nullptr) && has_diagram_of(context);
 }
 
-// What is wrong with cells that were loaded: simplices of anything but a triangulation of the convex hull pair
-// otherwise than those of the points do.
-CheckResult check_loaded(netmesh_context& context, Monitor& monitor) {
-    const AnyStore store = store_of(context);
-    monitor.begin(NETMESH_STAGE_CHECK, store.state.cell_slots);
-    const CheckResult found = check_combinatorial(store);
-    return found.violation != nullptr || monitor.has_stopped() ? found : check_geometric(store);
+netmesh_status make_diagram(netmesh_context* context) {
+    const netmesh_request& r = context->request;
+    if (r.vines != nullptr) return dispatch(*r.vines, context);
+    if (r.fit != nullptr) return dispatch(*r.fit, context);
+    return dispatch(*r.filter, context);
+}
+
+// Settled, or all 0. Without a filter, but with a method, it is one of netmesh_mesh.
+Complaint read_settled(const netmesh_request* from, bool may_be_mesh, netmesh_request* request) {
+    const netmesh_field fault = read_struct(from, request, sizeof *request);
+    if (fault != NETMESH_FIELD_NONE) return complaint_about_struct(fault);
+    const bool is_mesh = may_be_mesh && request->filter == nullptr && request->mesh.method != nullptr;
+    return settle(is_mesh ? Call::mesh : Call::persist, 0, request);
 }
 
 }  // namespace
@@ -44,45 +31,44 @@ CheckResult check_loaded(netmesh_context& context, Monitor& monitor) {
 
 using namespace netmesh;
 
-extern "C" netmesh_status netmesh_persist(netmesh_context* context, const netmesh_persist_request* from) {
-    netmesh_persist_request request;
-    const netmesh_status begun = begin(context, from, &request);
-    if (begun != NETMESH_OK) return begun;
-    const Filter* const filter = find_filter(request.filter);
-    if (filter == nullptr || (filter->source != FilterSource::mesh && filter->source != FilterSource::delaunay))
-        return refuse(context, NETMESH_FIELD_FILTER, "not a filter on a triangulation or mesh");
-    netmesh_function function = {};
-    Complaint complaint = complaint_about_values(request.values);
-    if (complaint.text == nullptr && filter->has(filter_trait::needs_function))
-        complaint = read_function(request.function, &function);
-    if (complaint.text != nullptr) return refuse(context, complaint);
-    const char* const missing = missing_result(context, *filter);
-    if (missing != nullptr) return finish(context, Status::no_result, missing);
-    const std::uint32_t asked_k = request.k > 1 ? request.k : 1;
-    complaint = complaint_about_built_filter(request.filter, asked_k);
-    if (complaint.text != nullptr) return refuse(context, complaint);
-    const std::uint32_t k = !filter->has(filter_trait::needs_k) ? 0 : asked_k;
-    if (k > context->input.distinct)
-        return refuse(context, NETMESH_FIELD_K, "k is more than the number of different points");
-    const PersistRequest wanted = {{request.filter, values_of(request.values), k, &function},
-                                   {degree_of(request.max_degree, context->input.dim), request.keep_zero_pairs != 0}};
-    clear_diagram(context);
-    Monitor monitor = monitor_of(request.monitor);
-    const Watch watch(context->arena, monitor);
-    if (built::alpha && context->mesh.is_loaded && filter->source == FilterSource::delaunay) {
-        const CheckResult why = check_loaded(*context, monitor);
-        if (why.violation != nullptr) return finish(context, Status::check_failed, why.violation, why.cell);
-        if (monitor.has_stopped()) return finish(context, Status::cancelled);
-    }
-    FilterDiagram diagram;
-    const Status found = diagram_of_mesh(filtered_mesh_of(*context), wanted, {context->arena, monitor}, &diagram);
-    const Status status = watch.heed(found);
-    if (status == Status::ok) {
-        keep_mesh_diagram(context, wanted, request.values, diagram);
-        return finish(context, status);
-    }
-    clear_diagram(context);
-    if (status == Status::not_finite)
-        return finish(context, status, "the function is not finite at a vertex", diagram.culprit);
-    return finish(context, status);
+extern "C" {
+
+netmesh_status netmesh_persist(netmesh_context* context, const netmesh_request* from) {
+    const TakenRequest taken(context, from, Call::persist);
+    if (taken.status() != NETMESH_OK) return taken.status();
+    netmesh_status status = keeps_diagram(context) ? NETMESH_OK : make_diagram(context);
+    const netmesh_request& r = context->request;
+    if (status == NETMESH_OK && r.bounds != nullptr) status = dispatch(*r.bounds, context);
+    if (status == NETMESH_OK && r.cycles != nullptr) status = dispatch(*r.cycles, context);
+    return status;
 }
+
+netmesh_status netmesh_mesh(netmesh_context* context, const netmesh_request* from) {
+    const TakenRequest taken(context, from, Call::mesh);
+    if (taken.status() != NETMESH_OK) return taken.status();
+    const netmesh_request& r = context->request;
+    return dispatch(r.mesh.method != nullptr ? *r.mesh.method : *r.filter->by_tau, context);
+}
+
+netmesh_status netmesh_settle(const netmesh_request* from, netmesh_request* settled, netmesh_detail* detail) {
+    netmesh_request request;
+    Complaint complaint = read_settled(from, true, &request);
+    if (complaint.text == nullptr && !has_room(settled))
+        complaint = {NETMESH_FIELD_RESULT, "settled is null or its size is not set"};
+    if (complaint.text == nullptr) give_result(request, settled);
+    const Status status = complaint.text == nullptr ? Status::ok
+                          : complaint.not_built     ? Status::not_built
+                                                    : Status::invalid_argument;
+    netmesh_detail said = detail_of(status, complaint.text);
+    said.field = complaint.field;
+    give_result(said, detail);
+    return static_cast<netmesh_status>(status);
+}
+
+size_t netmesh_plan(const netmesh_request* from) {
+    netmesh_request request;
+    if (read_settled(from, false, &request).text != nullptr) return 0;
+    return source_of(request) == Source::context ? 0 : whole_bytes(dispatch_plan(*request.filter, request));
+}
+
+}  // extern "C"

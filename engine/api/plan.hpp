@@ -1,13 +1,24 @@
-// Bytes to plan for, as calls return them.
+// Bytes to plan for.
 #pragma once
 #include <cstddef>
+#include <cstdint>
+
+#include "include/netmesh.h"
 
 namespace netmesh {
 
 // What small jobs on complexes take besides what is in proportion to them: tables and scratch of sorting.
 constexpr double complex_overhead = 20480;
 
-// Rounded up to the block's alignment; SIZE_MAX when they do not fit a size_t.
+// Rounded up to the block's alignment; SIZE_MAX when they do not fit a size_t; 0 stays.
 std::size_t whole_bytes(double bytes);
+
+// Of requests that are settled. with_diagram: of the alpha complex as well.
+double plan_of_triangulation(const netmesh_points& points, bool with_diagram);
+double plan_of_alpha(const netmesh_request& request);
+double plan_of_leaf(std::uint32_t dim, std::uint64_t points, std::uint32_t pieces);
+double plan_of_mesh(const netmesh_request& request, bool with_diagram);
+double plan_of_mesh_diagram(const netmesh_request& request);
+double plan_of_scales(const netmesh_request& request);
 
 }  // namespace netmesh

@@ -2,6 +2,7 @@
 #pragma once
 #include "numerics/elementary.hpp"
 #include "numerics/square_root.hpp"
+#include "vocabulary/dimension.hpp"
 
 namespace netmesh {
 
@@ -36,22 +37,22 @@ struct PeakFigures {
 struct DelaunayFigures {
     PeakFigures triangulated, filtered, diagram;
 };
-template <int D> struct DelaunayFiguresOf;
-template <> struct DelaunayFiguresOf<2> {
-    static constexpr DelaunayFigures value = {{2200, 158, 0}, {2400, 334, 0}, {2400, 196.5, 0}};
-};
-template <> struct DelaunayFiguresOf<3> {
-    static constexpr DelaunayFigures value = {{2800, 554, 201}, {6000, 1333.5, 1200}, {4000, 762.5, 558}};
-};
-template <> struct DelaunayFiguresOf<4> {
-    static constexpr DelaunayFigures value = {{4100, 3209, 3885}, {2100, 9471, 14659}, {2100, 6092, 9257}};
-};
-template <> struct DelaunayFiguresOf<5> {
-    static constexpr DelaunayFigures value = {{14000, 24150, 40287}, {3000, 90250, 165768}, {2100, 65330, 119761}};
-};
-template <> struct DelaunayFiguresOf<6> {
-    static constexpr DelaunayFigures value = {{2100, 172700, 300000}, {2100, 802200, 1450000}, {2100, 635700, 1150000}};
-};
+constexpr DelaunayFigures delaunay_figures_in(int dim) {
+    using Peak = ByDimension<PeakFigures>;
+    DelaunayFigures f = {};
+    f.triangulated =
+        Peak{{{2200, 158, 0}, {2800, 554, 201}, {4100, 3209, 3885}, {14000, 24150, 40287}, {2100, 172700, 300000}}}.at(
+            dim);
+    f.filtered =
+        Peak{
+            {{2400, 334, 0}, {6000, 1333.5, 1200}, {2100, 9471, 14659}, {3000, 90250, 165768}, {2100, 802200, 1450000}}}
+            .at(dim);
+    f.diagram =
+        Peak{{{2400, 196.5, 0}, {4000, 762.5, 558}, {2100, 6092, 9257}, {2100, 65330, 119761}, {2100, 635700, 1150000}}}
+            .at(dim);
+    return f;
+}
+template <int D> struct DelaunayFiguresOf { static constexpr DelaunayFigures value = delaunay_figures_in(D); };
 
 // Vertices of meshes of uniform points in R^2, R^3, R^4: 1 + growth spread a point. The spread from set to set
 // is large where points are few: the largest of 60 sets of 100 points has 2.5 (D = 2) and 3 (3) times as many as the
@@ -74,28 +75,42 @@ struct MeshFigures {
     double made, with_cages, whole, clipped, fine;
     double pairs;  // of a diagram, a point
 };
-template <int D> struct MeshFiguresOf;
-// clang-format off
-template <> struct MeshFiguresOf<2> {
-    static constexpr MeshFigures value = {
-        {2.5, 3.5, 6}, {3.08, 1.23, 0.44}, {54.5, 25.3, 13.5, 6.1, 3.15, 2, 0.985, 0.302}, 0.91, 7.5, 40, 100,
-        0, 62, 700, 0.5, 12, 1, 10, 2.47,
-        161, 190, 163.5, 162, 179, 22};
-};
-template <> struct MeshFiguresOf<3> {
-    static constexpr MeshFigures value = {
-        {2.5, 3.5, 6}, {6.6, 1.72, 0.46}, {345, 167, 71, 21, 6.9, 3.45, 1.39, 0.31}, 1, 14.3, 75, 100,
-        0.3334, 17, 0, 0.25, 2450, 0.6, 48, 4.9,
-        516, 574, 498, 505, 512, 77};
-};
-// Not of nets and sizes.
-template <> struct MeshFiguresOf<4> {
-    static constexpr MeshFigures value = {
-        {3.08, 3.5, 6}, {5.05, 3.05, 0.63}, {950, 430, 165, 55, 17.4, 6.1, 2.1, 0.385}, 1, 5.5, 36, 250,
-        0.5, 16, 0, 0, 0, 0, 0, 0,
-        2490, 2500, 2490, 2490, 0, 180};
-};
-// clang-format on
+// In D = 2, 3, 4; of nets and sizes in 2 and 3 alone.
+constexpr MeshFigures mesh_figures_in(int dim) {
+    constexpr double tau[3][3] = {{2.5, 3.5, 6}, {2.5, 3.5, 6}, {3.08, 3.5, 6}};
+    constexpr double by_tau[3][3] = {{3.08, 1.23, 0.44}, {6.6, 1.72, 0.46}, {5.05, 3.05, 0.63}};
+    constexpr double by_ratio[3][ratio_places] = {{54.5, 25.3, 13.5, 6.1, 3.15, 2, 0.985, 0.302},
+                                                  {345, 167, 71, 21, 6.9, 3.45, 1.39, 0.31},
+                                                  {950, 430, 165, 55, 17.4, 6.1, 2.1, 0.385}};
+    const int at = dim - 2;
+    MeshFigures f = {};
+    for (int i = 0; i < 3; ++i) {
+        f.tau[i] = tau[at][i];
+        f.by_tau[i] = by_tau[at][i];
+    }
+    for (int i = 0; i < ratio_places; ++i) f.by_ratio[i] = by_ratio[at][i];
+    using Real = ByDimension<double>;
+    f.cages_growth = Real{{0.91, 1, 1}}.at(dim);
+    f.spread_root = Real{{7.5, 14.3, 5.5}}.at(dim);
+    f.spread = Real{{40, 75, 36}}.at(dim);
+    f.spread_from = Real{{100, 100, 250}}.at(dim);
+    f.shell_power = Real{{0, 0.3334, 0.5}}.at(dim);
+    f.shell = Real{{62, 17, 16}}.at(dim);
+    f.net_fixed = Real{{700, 0, 0}}.at(dim);
+    f.net_power = Real{{0.5, 0.25, 0}}.at(dim);
+    f.net = Real{{12, 2450, 0}}.at(dim);
+    f.net_each = Real{{1, 0.6, 0}}.at(dim);
+    f.sizes_each = Real{{10, 48, 0}}.at(dim);
+    f.sizes = Real{{2.47, 4.9, 0}}.at(dim);
+    f.made = Real{{161, 516, 2490}}.at(dim);
+    f.with_cages = Real{{190, 574, 2500}}.at(dim);
+    f.whole = Real{{163.5, 498, 2490}}.at(dim);
+    f.clipped = Real{{162, 505, 2490}}.at(dim);
+    f.fine = Real{{179, 512, 0}}.at(dim);
+    f.pairs = Real{{22, 77, 180}}.at(dim);
+    return f;
+}
+template <int D> struct MeshFiguresOf { static constexpr MeshFigures value = mesh_figures_in(D); };
 
 // Takes powers for granted between the places, which ascend, and beyond them as next to the ends.
 template <int n> double interpolated(double x, const double (&place)[n], const double (&value)[n]) {

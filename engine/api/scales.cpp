@@ -1,6 +1,8 @@
 // Persistence of points scale by scale.
 #include "api/keep_complex.hpp"
-#include "api/requests.hpp"
+#include "api/plan.hpp"
+#include "api/request.hpp"
+#include "api/settling.hpp"
 #include "delaunay/triangulate.hpp"
 #include "jobs/diagram_of_scales.hpp"
 #include "vocabulary/features.hpp"
@@ -8,36 +10,12 @@
 namespace netmesh {
 namespace {
 
-// Scales whose accuracy is given by eps are over-refined for the tight filter, others refined by the certificate.
-Complaint complaint_about_built_scales(bool by_ratio) {
-    if (by_ratio && !built::certificate)
-        return {NETMESH_FIELD_RATIO, "left out of this build: NETMESH_WITH_CERTIFICATE", true};
-    if (!by_ratio && !built::sizes) return {NETMESH_FIELD_EPS, "left out of this build: NETMESH_WITH_SIZES", true};
-    if (!by_ratio && !built::tight) return {NETMESH_FIELD_EPS, "left out of this build: NETMESH_WITH_TIGHT", true};
-    return {};
-}
-
-Complaint complaint_about_scales(const netmesh_scales_request& request) {
-    Complaint complaint = complaint_about_points(request);
-    if (complaint.text == nullptr) complaint = complaint_about_values(request.values);
-    if (complaint.text != nullptr) return complaint;
-    if (!is_valid_tau(tau_of(request.dim, request.tau)))
-        return {NETMESH_FIELD_TAU, "tau is not a finite number above 2"};
-    if (!is_valid_eps(eps_of(request.eps))) return {NETMESH_FIELD_EPS, "eps is not in (0, 1/2]"};
-    if (!is_valid_theta(theta_of(request.theta))) return {NETMESH_FIELD_THETA, "theta is not in (0, 1/9]"};
-    if (request.ratio == 0) return complaint_about_built_scales(false);
-    if (request.eps != 0) return {NETMESH_FIELD_EPS, "eps and ratio both say what is asked of the diagram"};
-    if (!is_valid_scales_ratio(request.ratio, theta_of(request.theta)))
-        return {NETMESH_FIELD_RATIO, "ratio is not a finite number above (1 + 3 theta) times the root of 2"};
-    return complaint_about_built_scales(true);
-}
-
-void keep_scales(netmesh_context* context, const netmesh_scales_request& request, const InputReport& input,
+void keep_scales(netmesh_context* context, const netmesh_request& request, const InputReport& input,
                  const ScalesResult& result) {
     context->complete = true;
     context->input = {true,
                       false,
-                      request.dim,
+                      request.points.dim,
                       input.rows,
                       input.duplicates,
                       input.fingerprint,
@@ -48,25 +26,26 @@ void keep_scales(netmesh_context* context, const netmesh_scales_request& request
     diagram.present = true;
     diagram.filter = NETMESH_FILTER_SCALES;
     diagram.values = request.values;
-    diagram.max_degree = degree_of(request.max_degree, request.dim);
+    diagram.max_degree = request.max_degree;
     diagram.pairs = Slice<Pair>::of(context->arena, result.pairs.pairs, result.pairs.count);
     diagram.simplices = result.simplices;
     diagram.certified_ratio = result.ratio;
     diagram.certified_ratio_best = result.ratio_best;
-    if (request.representatives != 0) keep_cycles(context, result.cycles, context->arena.bytes());
-    if (request.bounds == 0) return;
+    if (request.cycles != nullptr) keep_cycles(context, result.cycles, context->arena.bytes());
+    if (request.bounds == nullptr) return;
     context->bounds.present = true;
     context->bounds.bars = Slice<BarBounds>::of(context->arena, result.bounds, result.pairs.count);
     context->bounds.steps = Slice<ScaleStep>::of(context->arena, result.curve.steps, result.curve.count);
 }
 
 // The points live in a store of their own, which is empty again when the pairs are there.
-Status persist(netmesh_context* context, const netmesh_scales_request& request, const ScalesRequest& wanted,
-               Monitor& monitor, InputReport* input, ScalesResult* result) {
+Status persist(netmesh_context* context, const netmesh_request& request, const ScalesRequest& wanted, Monitor& monitor,
+               InputReport* input, ScalesResult* result) {
     StoreState state = {};
     std::uint32_t* order;
-    AnyStore points(static_cast<int>(request.dim), context->arena, state);
-    Status status = take_input(points, rows_of(request), request.point_count, request.seed, monitor, input, &order);
+    AnyStore points(static_cast<int>(request.points.dim), context->arena, state);
+    Status status =
+        take_input(points, rows_of(request.points), request.points.count, request.seed, monitor, input, &order);
     context->arena.release_low(context->start);  // the order
     if (status != Status::ok) return status;
     status = diagram_of_scales(points, state.vertex_count, wanted, {context->arena, monitor}, result);
@@ -75,28 +54,41 @@ Status persist(netmesh_context* context, const netmesh_scales_request& request, 
     return status;
 }
 
-}  // namespace
-}  // namespace netmesh
+// Scales whose accuracy is given by eps are over-refined for the tight filter, others refined by the certificate.
+Complaint settle_scales(const Settling& s) {
+    settle_mesh_degree(s);
+    if (s.source != Source::points) return fine();
+    const Complaint complaint = settle_accuracy(s);
+    if (complaint.text != nullptr) return complaint;
+    const double share = 1 + 3 * s.goal.theta, by_tau = s.ratio_of_tau() * share;
+    const bool by_ratio = is_given(s.goal.ratio);
+    if (by_ratio && is_given(s.rules.tau) && s.goal.ratio != by_tau)
+        return {NETMESH_FIELD_TAU, "ratio says what the meshes are made for; leave out tau"};
+    if (by_ratio && !is_valid_ratio(s.goal.ratio / share * (1 - 0x1p-40)))
+        return {NETMESH_FIELD_RATIO, "ratio is not a finite number above 1.4143 (1 + 3 theta)"};
+    if (!by_ratio || s.goal.ratio == by_tau) s.rules.tau = tau_of(s.dim, s.rules.tau);
+    if (by_ratio && !built::certificate)
+        return {NETMESH_FIELD_RATIO, "left out of this build: NETMESH_WITH_CERTIFICATE", true};
+    if (!by_ratio && !built::sizes) return {NETMESH_FIELD_EPS, "left out of this build: NETMESH_WITH_SIZES", true};
+    return fine();
+}
 
-using namespace netmesh;
-
-extern "C" netmesh_status netmesh_persist_scales(netmesh_context* context, const netmesh_scales_request* from) {
-    netmesh_scales_request request;
-    const netmesh_status begun = begin(context, from, &request);
-    if (begun != NETMESH_OK) return begun;
-    const Complaint complaint = complaint_about_scales(request);
-    if (complaint.text != nullptr) return refuse(context, complaint);
+netmesh_status run_scales(netmesh_context* context) {
+    const netmesh_request& request = context->request;
+    if (source_of(request) != Source::points)
+        return refuse(context, NETMESH_FIELD_POINTS, "this filter begins with points");
     clear(context);
-    const ScalesRequest wanted = {theta_of(request.theta),
-                                  eps_of(request.eps),
-                                  request.ratio,
-                                  tau_of(request.dim, request.tau),
+    const netmesh_goal& goal = request.goal;
+    const ScalesRequest wanted = {goal.theta,
+                                  goal.eps,
+                                  goal.ratio,
+                                  tau_of(request.points.dim, request.mesh.tau),
                                   request.seed,
                                   values_of(request.values),
-                                  degree_of(request.max_degree, request.dim),
+                                  request.max_degree,
                                   request.keep_zero_pairs != 0,
-                                  request.bounds != 0,
-                                  request.representatives != 0};
+                                  request.bounds != nullptr,
+                                  request.cycles != nullptr};
     Monitor monitor = monitor_of(request.monitor);
     const Watch watch(context->arena, monitor);
     InputReport input = {};
@@ -111,4 +103,22 @@ extern "C" netmesh_status netmesh_persist_scales(netmesh_context* context, const
     if (status != Status::invalid_argument) return fail_and_clear(context, status, nullptr, result.row_a, result.row_b);
     clear(context);
     return refuse(context, {NETMESH_FIELD_SIZES, "the size asked for is below what coordinates resolve"}, result.row_a);
+}
+
+}  // namespace
+}  // namespace netmesh
+
+using namespace netmesh;
+
+extern "C" {
+extern const netmesh_filter netmesh_filter_scales;
+const netmesh_filter netmesh_filter_scales = {NETMESH_FILTER_SCALES,
+                                              given::ratio | given::eps | given::theta | given::tau | given::cycles |
+                                                  given::seed,
+                                              run_scales,
+                                              plan_of_scales,
+                                              settle_scales,
+                                              nullptr,
+                                              nullptr,
+                                              nullptr};
 }

@@ -1,8 +1,11 @@
 // Versions, statuses and fields as text.
 #include "api/call.hpp"
+#include "api/objects.hpp"
 
 #define NETMESH_TEXT_OF(x) #x
 #define NETMESH_TEXT(x) NETMESH_TEXT_OF(x)
+#define NETMESH_NAMED(name, member, field, text)                                                                       \
+    case NETMESH_FIELD_##field: return text;
 
 extern "C" {
 
@@ -37,7 +40,7 @@ const char* netmesh_status_text(netmesh_status status) {
 }
 
 const char* netmesh_why_text(netmesh_why why) {
-    if (!netmesh::in_range(why, NETMESH_WHY_ASKED, NETMESH_WHY_NOT_BUILT)) return "unknown reason";
+    if (!netmesh::in_range(why, NETMESH_WHY_ASKED, NETMESH_WHY_RANGE)) return "unknown reason";
     switch (why) {
     case NETMESH_WHY_ASKED: return "it was asked for";
     case NETMESH_WHY_AFFORDABLE: return "the exact alpha complex is affordable";
@@ -46,7 +49,6 @@ const char* netmesh_why_text(netmesh_why why) {
     case NETMESH_WHY_MEMORY: return "the exact alpha complex does not fit in the memory";
     case NETMESH_WHY_FLAT: return "the points lie in a hyperplane and have no Delaunay triangulation";
     case NETMESH_WHY_RANGE: return "coordinates are too far apart in size for an exact alpha complex";
-    case NETMESH_WHY_NOT_BUILT: return "alpha is left out of this build";
     }
     return "unknown reason";
 }
@@ -54,15 +56,37 @@ const char* netmesh_why_text(netmesh_why why) {
 const char* netmesh_field_text(netmesh_field field) {
     if (!netmesh::in_range(field, NETMESH_FIELD_NONE, NETMESH_FIELD_COUNT)) return "unknown field";
     switch (field) {
+        NETMESH_EACH_GIVEN(NETMESH_NAMED)
     case NETMESH_FIELD_NONE: return "none";
     case NETMESH_FIELD_REQUEST: return "request";
     case NETMESH_FIELD_STRUCT_BYTES: return "struct_bytes";
     case NETMESH_FIELD_RESULT: return "result";
-    case NETMESH_FIELD_DIM: return "dim";
     case NETMESH_FIELD_POINTS: return "points";
-    case NETMESH_FIELD_POINT_COUNT: return "point_count";
+    case NETMESH_FIELD_DIM: return "dim";
+    case NETMESH_FIELD_POINT_COUNT: return "count";
+    case NETMESH_FIELD_POINT_FORMAT: return "format";
+    case NETMESH_FIELD_POINT_STRIDE_BYTES: return "stride_bytes";
+    case NETMESH_FIELD_DISTANCES: return "distances";
+    case NETMESH_FIELD_LAYOUT: return "layout";
+    case NETMESH_FIELD_NUMBERS: return "numbers";
+    case NETMESH_FIELD_ENTRIES: return "entries";
+    case NETMESH_FIELD_ENTRY_COUNT: return "entry_count";
+    case NETMESH_FIELD_EVALUATE: return "evaluate";
+    case NETMESH_FIELD_SIMPLICES: return "simplices";
     case NETMESH_FIELD_VERTICES: return "vertices";
     case NETMESH_FIELD_VERTEX_COUNT: return "vertex_count";
+    case NETMESH_FIELD_STARTS: return "starts";
+    case NETMESH_FIELD_SIMPLEX_COUNT: return "simplex_count";
+    case NETMESH_FIELD_STEP_COUNT: return "step_count";
+    case NETMESH_FIELD_FILTER: return "filter";
+    case NETMESH_FIELD_VALUES: return "values";
+    case NETMESH_FIELD_MAX_DEGREE: return "max_degree";
+    case NETMESH_FIELD_KEEP_ZERO_PAIRS: return "keep_zero_pairs";
+    case NETMESH_FIELD_LIPSCHITZ: return "lipschitz";
+    case NETMESH_FIELD_DISTANCE_FACTOR: return "distance_factor";
+    case NETMESH_FIELD_CUT: return "cut";
+    case NETMESH_FIELD_BOUNDS: return "bounds";
+    case NETMESH_FIELD_PROMISED: return "promised";
     case NETMESH_FIELD_MARKERS: return "markers";
     case NETMESH_FIELD_CELLS: return "cells";
     case NETMESH_FIELD_CELL_COUNT: return "cell_count";
@@ -70,59 +94,24 @@ const char* netmesh_field_text(netmesh_field field) {
     case NETMESH_FIELD_CAGES: return "cages";
     case NETMESH_FIELD_CAGE_COUNT: return "cage_count";
     case NETMESH_FIELD_CAGE_BYTES: return "cage_bytes";
-    case NETMESH_FIELD_STARTS: return "starts";
-    case NETMESH_FIELD_ENTRIES: return "entries";
-    case NETMESH_FIELD_SIMPLEX_COUNT: return "simplex_count";
+    case NETMESH_FIELD_WHAT: return "what";
+    case NETMESH_FIELD_TOLERANCE: return "tolerance";
     case NETMESH_FIELD_ORDER: return "order";
     case NETMESH_FIELD_THETAS: return "theta[]";
+    case NETMESH_FIELD_SCALE: return "scale";
+    case NETMESH_FIELD_SCRATCH: return "scratch";
     case NETMESH_FIELD_PAIRS_A: return "pairs_a";
     case NETMESH_FIELD_PAIRS_B: return "pairs_b";
     case NETMESH_FIELD_PAIR_BYTES: return "pair_bytes";
-    case NETMESH_FIELD_MESH: return "mesh";
-    case NETMESH_FIELD_PURPOSE: return "purpose";
-    case NETMESH_FIELD_METHOD: return "method";
-    case NETMESH_FIELD_TAU: return "tau";
-    case NETMESH_FIELD_DOMAIN_FACTOR: return "domain_factor";
-    case NETMESH_FIELD_TIGHT_EPS: return "tight_eps";
-    case NETMESH_FIELD_SIZES: return "sizes";
-    case NETMESH_FIELD_RATIO: return "ratio";
-    case NETMESH_FIELD_FOCUS_RATIO: return "focus_ratio";
-    case NETMESH_FIELD_FOCUS_FROM: return "focus_from";
-    case NETMESH_FIELD_FOCUS_TO: return "focus_to";
-    case NETMESH_FIELD_AUDIT: return "audit";
-    case NETMESH_FIELD_FILTER: return "filter";
-    case NETMESH_FIELD_VALUES: return "values";
-    case NETMESH_FIELD_K: return "k";
-    case NETMESH_FIELD_K_FIRST: return "k_first";
-    case NETMESH_FIELD_K_LAST: return "k_last";
-    case NETMESH_FIELD_MAX_DEGREE: return "max_degree";
-    case NETMESH_FIELD_REPRESENTATIVES: return "representatives";
-    case NETMESH_FIELD_FUNCTION: return "function";
-    case NETMESH_FIELD_LIPSCHITZ: return "lipschitz";
-    case NETMESH_FIELD_DISTANCE_FACTOR: return "distance_factor";
-    case NETMESH_FIELD_CUT: return "cut";
-    case NETMESH_FIELD_EPS: return "eps";
-    case NETMESH_FIELD_THETA: return "theta";
-    case NETMESH_FIELD_WHAT: return "what";
-    case NETMESH_FIELD_TOLERANCE: return "tolerance";
-    case NETMESH_FIELD_SCALE: return "scale";
-    case NETMESH_FIELD_SCRATCH: return "scratch";
-    case NETMESH_FIELD_SIZE_AT_INPUTS: return "size_at_inputs";
-    case NETMESH_FIELD_SIZE_GROWTH: return "size_growth";
-    case NETMESH_FIELD_NET_SPACING: return "net_spacing";
-    case NETMESH_FIELD_CAGE_KIND: return "cage_kind";
-    case NETMESH_FIELD_STEP_COUNT: return "step_count";
-    case NETMESH_FIELD_LONGER_THAN: return "longer_than";
     case NETMESH_FIELD_RELATIVE_ERROR: return "relative_error";
     case NETMESH_FIELD_MATES: return "mates_a";
     case NETMESH_FIELD_POTENTIALS: return "potentials_a, potentials_b";
-    case NETMESH_FIELD_POINT_FORMAT: return "point_format";
-    case NETMESH_FIELD_POINT_STRIDE_BYTES: return "point_stride_bytes";
-    case NETMESH_FIELD_LAYOUT: return "layout";
-    case NETMESH_FIELD_NUMBERS: return "numbers";
-    case NETMESH_FIELD_ENTRY_COUNT: return "entry_count";
-    case NETMESH_FIELD_EVALUATE: return "evaluate";
-    case NETMESH_FIELD_THRESHOLD: return "threshold";
+    case NETMESH_FIELD_SOURCE: return "source";
+    case NETMESH_FIELD_PIECES: return "pieces";
+    case NETMESH_FIELD_NODE: return "node";
+    case NETMESH_FIELD_ONE: return "one";
+    case NETMESH_FIELD_OTHER: return "other";
+    case NETMESH_FIELD_MONITOR: return "monitor";
     case NETMESH_FIELD_COUNT: break;
     }
     return "unknown field";
@@ -132,3 +121,4 @@ const char* netmesh_field_text(netmesh_field field) {
 
 #undef NETMESH_TEXT
 #undef NETMESH_TEXT_OF
+#undef NETMESH_NAMED

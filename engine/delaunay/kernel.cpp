@@ -217,8 +217,13 @@ template <int D> [[gnu::noinline]] bool Kernel<D>::undecided_conflict(CellId c, 
 template <int D> bool Kernel<D>::exact_conflict(CellId c, const double* q, VertexId id) {
     const Cell<D>& cell = store_.cell(c);
     const double* p[D + 1];
-    for (int i = 0; i <= D; ++i) p[i] = store_.point(cell.vertex[i]);
-    return in_ball_perturbed<D>(p, cell.vertex, q, id, store_.state.in_ball_counts) == Sign::positive;
+    VertexId name[D + 1];
+    for (int i = 0; i <= D; ++i) {
+        p[i] = store_.point(cell.vertex[i]);
+        name[i] = tie_order_ == TieOrder::of_rows ? VertexId(store_.vertex(cell.vertex[i]).origin) : cell.vertex[i];
+    }
+    if (tie_order_ == TieOrder::of_rows) id = VertexId(store_.vertex(id).origin);
+    return in_ball_perturbed<D>(p, name, q, id, store_.state.in_ball_counts) == Sign::positive;
 }
 
 // A point in the plane of the facet is compared with the ball of the finite cell behind it: both lifted simplices have

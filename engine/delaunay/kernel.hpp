@@ -42,6 +42,10 @@ struct PlanarLine {
 // Whether insertions keep Vertex::cell up to date, which visit_star and visit_neighbours need.
 enum class VertexCells : bool { ignored, kept };
 
+// What breaks ties: the numbers of vertices, or the rows that they come from (Vertex::origin), where vertices come in
+// another order than rows do.
+enum class TieOrder : bool { of_vertices, of_rows };
+
 // The cells that the search meets when it comes to this cell's turn: by then they are in the cache.
 template <int D> inline void ask_for_neighbours(const Cell<D>* cells, const Cell<D>& cell) {
     for (int i = 0; i <= D; ++i) {
@@ -68,8 +72,8 @@ template <int D> class Kernel {
 public:
     // error_max: a new ball whose error bound would exceed this (relative to its radius) is computed afresh. Conflicts
     // are decided exactly whatever it is; corners that results depend on want it small.
-    Kernel(Store<D>& store, double error_max, VertexCells vertex_cells)
-        : store_(store), error_max_(error_max), vertex_cells_(vertex_cells) {}
+    Kernel(Store<D>& store, double error_max, VertexCells vertex_cells, TieOrder tie_order = TieOrder::of_vertices)
+        : store_(store), error_max_(error_max), vertex_cells_(vertex_cells), tie_order_(tie_order) {}
 
     // Makes the D+1 points with these indices, affinely independent, the first cell with its ghosts. out_of_memory.
     Status start(const VertexId* ids);
@@ -152,6 +156,7 @@ private:
     double error_max_;
     std::uint64_t steps_ = 0;
     VertexCells vertex_cells_;
+    TieOrder tie_order_;
 };
 
 // Calls visit(w) for each vertex of the cells in conflict, at least once, until the cavity is filled. From space on a

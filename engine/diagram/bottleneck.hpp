@@ -4,7 +4,7 @@
 #include <cstdint>
 
 #include "diagram/pair_view.hpp"
-#include "include/netmesh.h"
+#include "include/netmesh/distance.h"
 #include "vocabulary/monitor.hpp"
 #include "vocabulary/status.hpp"
 

@@ -5,6 +5,7 @@
 
 #include "diagram/pair_view.hpp"
 #include "diagram/transport_cost.hpp"
+#include "include/netmesh/distance.h"
 #include "vocabulary/monitor.hpp"
 #include "vocabulary/status.hpp"
 
@@ -53,8 +54,8 @@ std::size_t wasserstein_bytes(std::uint64_t count_a, std::uint64_t count_b);
 // comes of it. Rounds are at most 60 and twice log2 of how many times the first matching costs what the best does.
 //
 // Sums of costs and of potentials are within a few roundings of the exact ones whatever their length (PositiveSum,
-// WholeSum, Total in wasserstein.cpp, where each bound has its roundings beside it). invalid_argument, out_of_memory,
-// cancelled, internal.
+// WholeSum, Total in transport_sums.hpp, where each bound has its roundings beside it). invalid_argument,
+// out_of_memory, cancelled, internal.
 Status wasserstein(const WassersteinRequest& request, Monitor& monitor, netmesh_wasserstein_distance* distance);
 
 }  // namespace netmesh

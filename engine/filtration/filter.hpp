@@ -11,11 +11,8 @@
 
 namespace netmesh {
 
-// What a filter filters. Numbers as in the interface.
-enum class FilterSource : std::uint32_t { mesh = 1, delaunay = 2, scales = 3, points = 4 };
-// What the mesh or triangulation is made for. Numbers as in the interface.
-enum class FilterPurpose : std::uint32_t { mesh = 0, persist = 1, tight = 2 };
-
+// What a filter filters.
+enum class FilterSource : std::uint32_t { mesh, delaunay, scales, points };
 // What holds of a filter; a row has a union of these.
 namespace filter_trait {
 enum : std::uint32_t {
@@ -39,9 +36,8 @@ enum : std::uint32_t {
 }  // namespace filter_trait
 
 struct Filter {
-    netmesh_filter id;
+    netmesh_filter_id id;
     FilterSource source;
-    FilterPurpose purpose;
     std::uint32_t traits;
 
     bool has(std::uint32_t trait) const { return (traits & trait) != 0; }
@@ -53,8 +49,11 @@ struct FilterText {
     const char* reference;  // the function whose diagram is certified; {k} and {D} stand for the numbers
 };
 
+struct MeshFilter;  // filters.hpp
+
 struct FilterRequest {
-    netmesh_filter filter;  // of source mesh
+    netmesh_filter_id filter;   // of source mesh
+    const MeshFilter* on_mesh;  // that filter's
     FilterValues values;
     std::uint32_t k = 0;                         // of filters that need it, at most the number of inputs; 0 counts as 1
     const netmesh_function* function = nullptr;  // of the filter FUNCTION

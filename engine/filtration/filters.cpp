@@ -22,33 +22,29 @@ struct ListedFilter {
     FilterText text;
 };
 constexpr ListedFilter listed[] = {
-    {{NETMESH_FILTER_COMPLETE, FilterSource::mesh, FilterPurpose::persist,
+    {{NETMESH_FILTER_COMPLETE, FilterSource::mesh,
       has_values | has_goal | has_cycles | zero_at_inputs | inputs_enter_first | bounds_by_scale | has_tighter_cells |
           clips_cells},
      {"complete", offsets}},
-    {{NETMESH_FILTER_BASIC, FilterSource::mesh, FilterPurpose::persist,
+    {{NETMESH_FILTER_BASIC, FilterSource::mesh,
       has_values | has_cycles | zero_at_inputs | bounds_by_scale | has_tighter_cells | clips_cells},
      {"basic", offsets}},
-    {{NETMESH_FILTER_ALPHA, FilterSource::delaunay, FilterPurpose::persist, has_cycles}, {"alpha", offsets}},
-    {{NETMESH_FILTER_KNN, FilterSource::mesh, FilterPurpose::persist,
-      needs_k | has_values | has_vineyard | has_cycles | bounds_by_scale},
+    {{NETMESH_FILTER_ALPHA, FilterSource::delaunay, has_cycles}, {"alpha", offsets}},
+    {{NETMESH_FILTER_KNN, FilterSource::mesh, needs_k | has_values | has_vineyard | has_cycles | bounds_by_scale},
      {"knn", kth}},
-    {{NETMESH_FILTER_KDISTANCE, FilterSource::mesh, FilterPurpose::persist,
-      needs_k | has_values | has_vineyard | has_cycles | bounds_by_scale},
+    {{NETMESH_FILTER_KDISTANCE, FilterSource::mesh, needs_k | has_values | has_vineyard | has_cycles | bounds_by_scale},
      {"kdistance", "sublevel sets of the k-distance, k = {k}, in R^{D}"}},
-    {{NETMESH_FILTER_FUNCTION, FilterSource::mesh, FilterPurpose::persist,
-      needs_function | has_values | has_cycles | bounds_by_scale},
+    {{NETMESH_FILTER_FUNCTION, FilterSource::mesh, needs_function | has_values | has_cycles | bounds_by_scale},
      {"function", "sublevel sets of the function in R^{D}"}},
-    {{NETMESH_FILTER_TIGHT, FilterSource::mesh, FilterPurpose::tight,
+    {{NETMESH_FILTER_TIGHT, FilterSource::mesh,
       has_eps | has_values | has_cycles | zero_at_inputs | inputs_enter_first | bounds_by_scale},
      {"tight", offsets}},
-    {{NETMESH_FILTER_SCALES, FilterSource::scales, FilterPurpose::mesh, has_eps | has_theta | has_values | has_cycles},
-     {"scales", offsets}},
-    {{NETMESH_FILTER_RIPS, FilterSource::points, FilterPurpose::mesh, has_cycles | made_of_edges},
+    {{NETMESH_FILTER_SCALES, FilterSource::scales, has_eps | has_theta | has_values | has_cycles}, {"scales", offsets}},
+    {{NETMESH_FILTER_RIPS, FilterSource::points, has_cycles | made_of_edges},
      {"rips", "Vietoris-Rips complex of the points, edges at half their length"}},
-    {{NETMESH_FILTER_CECH, FilterSource::points, FilterPurpose::mesh, has_cycles}, {"cech", offsets}},
-    {{NETMESH_FILTER_BARYCENTRIC_CECH, FilterSource::points, FilterPurpose::mesh, needs_k}, {"barycentric-cech", kth}},
-    {{NETMESH_FILTER_BARYCENTRIC_RIPS, FilterSource::points, FilterPurpose::mesh, needs_k | has_values | made_of_edges},
+    {{NETMESH_FILTER_CECH, FilterSource::points, has_cycles}, {"cech", offsets}},
+    {{NETMESH_FILTER_BARYCENTRIC_CECH, FilterSource::points, needs_k}, {"barycentric-cech", kth}},
+    {{NETMESH_FILTER_BARYCENTRIC_RIPS, FilterSource::points, needs_k | has_values | made_of_edges},
      {"barycentric-rips", kth}},
 };
 
@@ -98,22 +94,22 @@ const std::uint32_t filter_count = rows;
 const Filter& filter_row(std::uint32_t index) { return table[index]; }
 const FilterText& filter_text(std::uint32_t index) { return texts[index]; }
 
-const Filter* find_filter(const netmesh_filter& filter) {
+const Filter* find_filter(const netmesh_filter_id& filter) {
     // As a number: C++ must not read an enumeration whose value is none of its names.
-    std::underlying_type_t<netmesh_filter> number;
+    std::underlying_type_t<netmesh_filter_id> number;
     __builtin_memcpy(&number, &filter, sizeof number);
     const std::uint32_t index = static_cast<std::uint32_t>(number) - 1;
     return index < rows ? &table[index] : nullptr;
 }
 
-const Filter& evaluated_filter(netmesh_filter filter, std::uint32_t k) {
+const Filter& evaluated_filter(netmesh_filter_id filter, std::uint32_t k) {
     const Filter& row = table[filter - 1];
     return row.source == FilterSource::mesh && row.has(filter_trait::needs_k) && k <= 1
                ? table[NETMESH_FILTER_COMPLETE - 1]
                : row;
 }
 
-std::uint32_t zero_born_count(netmesh_filter filter, std::uint32_t k, std::uint32_t inputs) {
+std::uint32_t zero_born_count(netmesh_filter_id filter, std::uint32_t k, std::uint32_t inputs) {
     return evaluated_filter(filter, k).has(filter_trait::inputs_enter_first) ? inputs : 0;
 }
 
@@ -131,27 +127,45 @@ Status clip_cells(const FilterRequest& request, const Work& work, AnyMesh* mesh)
     return status;
 }
 
+namespace {
+
+Status evaluate_complete(const AnyMesh& mesh, const FilterRequest& request, const Work& work, Evaluation* out) {
+    return complete_filter(mesh, request.values, work, out);
+}
+Status evaluate_basic(const AnyMesh& mesh, const FilterRequest& request, const Work& work, Evaluation* out) {
+    return basic_filter(mesh, request.values, work, out);
+}
+// With one neighbour both are the complete filter (7.4.2).
+template <InputDistance distance>
+Status evaluate_nearest(const AnyMesh& mesh, const FilterRequest& request, const Work& work, Evaluation* out) {
+    if (request.k <= 1) return complete_filter(mesh, request.values, work, out);
+    return distance_filter(mesh, {distance, request.k}, request.values, work, out);
+}
+Status evaluate_function(const AnyMesh& mesh, const FilterRequest& request, const Work& work, Evaluation* out) {
+    return function_filter(mesh, *request.function, request.values, work, out);
+}
+Status evaluate_tight(const AnyMesh& mesh, const FilterRequest& request, const Work& work, Evaluation* out) {
+    return tight_filter(mesh, request.values, work, out);
+}
+
+}  // namespace
+
+// The objects of api/on_meshes.cpp name them.
+#define NETMESH_EVALUATED(name, by)                                                                                    \
+    extern const MeshFilter name##_on_mesh;                                                                            \
+    const MeshFilter name##_on_mesh = {by};
+NETMESH_EVALUATED(complete, evaluate_complete)
+NETMESH_EVALUATED(basic, evaluate_basic)
+NETMESH_EVALUATED(knn, evaluate_nearest<InputDistance::kth>)
+NETMESH_EVALUATED(kdistance, evaluate_nearest<InputDistance::root_mean_square>)
+NETMESH_EVALUATED(function, evaluate_function)
+NETMESH_EVALUATED(tight, evaluate_tight)
+#undef NETMESH_EVALUATED
+
 Status evaluate(const AnyMesh& mesh, const FilterRequest& request, const Work& work, Evaluation* out) {
-    const Filter& filter = evaluated_filter(request.filter, request.k);
-    out->zero_born = filter.has(filter_trait::inputs_enter_first) ? mesh.inputs : 0;
-    if (filter.id == NETMESH_FILTER_COMPLETE) return complete_filter(mesh, request.values, work, out);
-    if constexpr (built::basic) {
-        if (filter.id == NETMESH_FILTER_BASIC) return basic_filter(mesh, request.values, work, out);
-    }
-    if constexpr (built::tight) {
-        if (filter.id == NETMESH_FILTER_TIGHT) return tight_filter(mesh, request.values, work, out);
-    }
-    if constexpr (built::nearest_k) {
-        if (filter.id == NETMESH_FILTER_KNN)
-            return distance_filter(mesh, {InputDistance::kth, request.k}, request.values, work, out);
-        if (filter.id == NETMESH_FILTER_KDISTANCE)
-            return distance_filter(mesh, {InputDistance::root_mean_square, request.k}, request.values, work, out);
-    }
-    if constexpr (built::function) {
-        if (filter.id == NETMESH_FILTER_FUNCTION && request.function != nullptr)
-            return function_filter(mesh, *request.function, request.values, work, out);
-    }
-    return Status::invalid_argument;
+    out->zero_born =
+        evaluated_filter(request.filter, request.k).has(filter_trait::inputs_enter_first) ? mesh.inputs : 0;
+    return request.on_mesh->evaluate(mesh, request, work, out);
 }
 
 }  // namespace netmesh

@@ -194,7 +194,7 @@ double CellTightener::farthest_corner(const double* mean, double square, std::ui
 // of its points and of their squares.
 double CellTightener::input_distance_high(VertexId v) {
     constexpr int rounds = 8;
-    constexpr double steps[] = {1, 0.7, 0.5, 0.35, 0.25, 0.15, 0.08};
+    static constexpr double steps[] = {1, 0.7, 0.5, 0.35, 0.25, 0.15, 0.08};
     std::uint32_t near = nearest_input(store_, v);
     double mean[dimension_max];
     from_vertex(near, mean);

@@ -59,11 +59,12 @@ struct CircumsphereBounds {
     double centre_error, beta_error, digit_error;  // a, beta_error and the factor of m^2 in 6
     double off_span, off_sum;                      // squares of the factors of P L and L in 7
     static constexpr double volume_min = 0x1p-24;
+    // sqrt(e K) and sqrt(K), rounded up.
+    static constexpr double root_ek[7] = {0, 1.65, 2.34, 2.86, 3.30, 3.69, 4.04},
+                            root_k[7] = {0, 1, 1.42, 1.74, 2, 2.24, 2.45};
 
     constexpr CircumsphereBounds(int k, int dim)
         : centre_error(0), beta_error(0), digit_error(0), off_span(0), off_sum(0) {
-        constexpr double root_ek[7] = {0, 1.65, 2.34, 2.86, 3.30, 3.69, 4.04};  // sqrt(e K), rounded up
-        constexpr double root_k[7] = {0, 1, 1.42, 1.74, 2, 2.24, 2.45};
         const double angles = (k - 1.0) * (2 * dim + 2 * k + 4) * (1 << k) / 4;  // (K-1) w / u P
         const double centre = root_ek[k] * (dim + 2 + 6 * k);
         centre_error = 1.05 * unit_roundoff * (angles + centre + (dim + 2) * root_k[k] + 2 * k * k * k);

@@ -31,9 +31,9 @@ public:
     bool add_essential(double birth, std::uint32_t degree) { return add(birth, __builtin_inf(), degree); }
     // Moves what is noted down to `offset`, from where on nothing but pairs stands at the low end any more.
     void move_down(std::size_t offset);
-    // Whether add() would note such a pair.
+    // Whether add() would note such a pair. What never enters, beyond the largest double, is none.
     bool keeps(double birth, double death, std::uint32_t degree) const {
-        return degree <= request_.max_degree && (birth != death || request_.keep_zero);
+        return degree <= request_.max_degree && (birth != death || (request_.keep_zero && birth < __builtin_inf()));
     }
     bool keeps_zero() const { return request_.keep_zero; }
 

@@ -1,12 +1,11 @@
-// netmesh for C++17: the C interface of netmesh.h with requests that are born initialised, and results as ranges of
-// values. Header only, nothing numeric in it, no exceptions, no allocation. See netmesh.h for what each call does,
-// costs and returns; every call of it stands here.
+// netmesh for C++17: the C interface with requests that are born initialised, and results as ranges of values. Header
+// only, nothing numeric in it, no exceptions, no allocation. See netmesh.h for what each call does, costs and returns;
+// every call of it stands here.
 //
 //     netmesh::EngineIn<1 << 20> engine;                                // with its block
-//     netmesh::requests::Mesh mesh(3);
-//     netmesh::set_points(&mesh, points);                               // a vector, an array, a Span of numbers
-//     if (engine.mesh(mesh) != NETMESH_OK) puts(engine.detail().message);
-//     if (engine.persist() != NETMESH_OK) puts(engine.detail().message);
+//     netmesh::Request request(&netmesh_filter_alpha);
+//     request.set_points(3, points);                                    // a vector, an array, a Span of numbers
+//     if (engine.persist(request) != NETMESH_OK) puts(engine.detail().message);
 //     for (const netmesh_pair& bar : engine.pairs(1)) printf("%g %g\n", bar.birth, bar.death);
 #ifndef NETMESH_HPP
 #define NETMESH_HPP
@@ -15,6 +14,7 @@
 #include <cstdint>
 
 #include "netmesh.h"
+#include "netmesh/laboratory.h"
 
 namespace netmesh {
 
@@ -49,22 +49,16 @@ inline Span<const std::uint32_t> vertices(const netmesh_simplex& simplex) {
     return {simplex.vertices, std::size_t{simplex.degree} + 1};
 }
 
-// The points of a request: container.data() and .size() of doubles or floats, dim numbers a point, which stay there
-// until the job is done. Numbers behind the last whole point are not read.
-template <class Request> void set_points(Request* request, const double* numbers, std::size_t count) {
-    request->points = numbers;
-    request->point_count = request->dim == 0 ? 0 : count / request->dim;
-    request->point_format = NETMESH_POINTS_FLOAT64;
-    request->point_stride_bytes = 0;
+// Points that stay where they are until the job is done: container.data() and .size() of doubles or floats, dim numbers
+// a point. Numbers behind the last whole point are not read.
+inline netmesh_points points_of(std::uint32_t dim, const double* numbers, std::size_t count) {
+    return {numbers, dim == 0 ? 0 : count / dim, dim, NETMESH_POINTS_FLOAT64, 0};
 }
-template <class Request> void set_points(Request* request, const float* numbers, std::size_t count) {
-    request->points = numbers;
-    request->point_count = request->dim == 0 ? 0 : count / request->dim;
-    request->point_format = NETMESH_POINTS_FLOAT32;
-    request->point_stride_bytes = 0;
+inline netmesh_points points_of(std::uint32_t dim, const float* numbers, std::size_t count) {
+    return {numbers, dim == 0 ? 0 : count / dim, dim, NETMESH_POINTS_FLOAT32, 0};
 }
-template <class Request, class Container> void set_points(Request* request, const Container& container) {
-    set_points(request, container.data(), container.size());
+template <class Container> netmesh_points points_of(std::uint32_t dim, const Container& container) {
+    return points_of(dim, container.data(), container.size());
 }
 
 // Items of a result by their index, read one by one: of a context, until it is changed. read(index, &item) tells
@@ -170,92 +164,27 @@ struct InCycle {
 };
 template <class Item> using Indexed = Items<Item, ByIndex<Item>>;
 
-// The structs of netmesh.h with their defaults. Each converts to the struct of the same name.
-namespace requests {
-
-struct Delaunay : netmesh_delaunay_request {
-    explicit Delaunay(std::uint32_t d) { netmesh_delaunay_request_init(this, sizeof(netmesh_delaunay_request), d); }
-};
-struct Mesh : netmesh_mesh_request {
-    explicit Mesh(std::uint32_t d) { netmesh_mesh_request_init(this, sizeof(netmesh_mesh_request), d); }
-};
-struct Load : netmesh_load_request {
-    explicit Load(std::uint32_t d) { netmesh_load_request_init(this, sizeof(netmesh_load_request), d); }
-};
-struct Cages : netmesh_cages_request {
-    Cages() { netmesh_cages_request_init(this, sizeof(netmesh_cages_request), sizeof(netmesh_cage)); }
-};
-struct Check : netmesh_check_request {
-    Check() { netmesh_check_request_init(this, sizeof(netmesh_check_request)); }
-};
-struct Function : netmesh_function {
-    Function() { netmesh_function_init(this, sizeof(netmesh_function)); }
-    double size_for_error(double error, const double* x) const { return netmesh_size_for_error(this, error, x); }
-};
-struct Persist : netmesh_persist_request {
-    explicit Persist(netmesh_filter f = NETMESH_FILTER_COMPLETE) {
-        netmesh_persist_request_init(this, sizeof(netmesh_persist_request));
-        filter = f;
-    }
-};
-struct Bounds : netmesh_bounds_request {
-    Bounds() { netmesh_bounds_request_init(this, sizeof(netmesh_bounds_request)); }
-};
-struct Represent : netmesh_represent_request {
-    Represent() { netmesh_represent_request_init(this, sizeof(netmesh_represent_request)); }
-};
-struct Fit : netmesh_fit_request {
-    explicit Fit(std::uint32_t d) { netmesh_fit_request_init(this, sizeof(netmesh_fit_request), d); }
-};
-struct Vineyard : netmesh_vineyard_request {
-    explicit Vineyard(netmesh_filter f) { netmesh_vineyard_request_init(this, sizeof(netmesh_vineyard_request), f); }
-};
-struct Scales : netmesh_scales_request {
-    explicit Scales(std::uint32_t d) { netmesh_scales_request_init(this, sizeof(netmesh_scales_request), d); }
-};
-struct Alpha : netmesh_alpha_request {
-    explicit Alpha(std::uint32_t d) { netmesh_alpha_request_init(this, sizeof(netmesh_alpha_request), d); }
-};
-struct Auto : netmesh_auto_request {
-    explicit Auto(std::uint32_t d) { netmesh_auto_request_init(this, sizeof(netmesh_auto_request), d); }
-};
-struct Points : netmesh_points_request {
-    Points(std::uint32_t d, netmesh_filter f) {
-        netmesh_points_request_init(this, sizeof(netmesh_points_request), d, f);
-    }
-};
-struct Distances : netmesh_distances_request {
-    Distances() { netmesh_distances_request_init(this, sizeof(netmesh_distances_request)); }
-};
-struct PointsVineyard : netmesh_points_vineyard_request {
-    PointsVineyard(std::uint32_t d, netmesh_filter f) {
-        netmesh_points_vineyard_request_init(this, sizeof(netmesh_points_vineyard_request), d, f);
-    }
-};
-struct Homology : netmesh_homology_request {
-    Homology() { netmesh_homology_request_init(this, sizeof(netmesh_homology_request)); }
-};
-struct ValueVineyard : netmesh_value_vineyard_request {
-    ValueVineyard() { netmesh_value_vineyard_request_init(this, sizeof(netmesh_value_vineyard_request)); }
-};
-struct Bottleneck : netmesh_bottleneck_request {
-    Bottleneck() { netmesh_bottleneck_request_init(this, sizeof(netmesh_bottleneck_request), sizeof(netmesh_pair)); }
-};
-struct Wasserstein : netmesh_wasserstein_request {
-    Wasserstein() { netmesh_wasserstein_request_init(this, sizeof(netmesh_wasserstein_request), sizeof(netmesh_pair)); }
-};
-struct Analyse : netmesh_analyse_request {
-    Analyse() { netmesh_analyse_request_init(this, sizeof(netmesh_analyse_request)); }
-};
-
-}  // namespace requests
-
-// An empty struct for a result, with its size set: sized<netmesh_report>().
+// An empty struct with its size set: sized<netmesh_report>(), sized<netmesh_load_request>().
 template <class Struct> Struct sized() {
     Struct s = {};
     s.struct_bytes = sizeof s;
     return s;
 }
+
+// A request with its defaults; every member can be set.
+struct Request : netmesh_request {
+    explicit Request(const netmesh_filter* f = nullptr) : netmesh_request(netmesh_default_request()) { filter = f; }
+    template <class Container> Request& set_points(std::uint32_t dim, const Container& container) {
+        points = points_of(dim, container);
+        return *this;
+    }
+};
+struct Bottleneck : netmesh_bottleneck_request {
+    Bottleneck() : netmesh_bottleneck_request(netmesh_default_bottleneck()) {}
+};
+struct Wasserstein : netmesh_wasserstein_request {
+    Wasserstein() : netmesh_wasserstein_request(netmesh_default_wasserstein()) {}
+};
 
 // Of the library, which may differ from NETMESH_VERSION.
 inline std::uint32_t version() { return netmesh_version(); }
@@ -263,21 +192,30 @@ inline const char* version_text() { return netmesh_version_text(); }
 inline const char* status_text(netmesh_status status) { return netmesh_status_text(status); }
 inline const char* why_text(netmesh_why why) { return netmesh_why_text(why); }
 inline const char* field_text(netmesh_field field) { return netmesh_field_text(field); }
-inline double tau(const netmesh_mesh_request& request) { return netmesh_tau(&request); }
 
-// Bytes of block to plan for.
-inline std::size_t plan(const netmesh_delaunay_request& request) { return netmesh_plan_delaunay(&request); }
-inline std::size_t plan(const netmesh_mesh_request& request) { return netmesh_plan_mesh(&request); }
-inline std::size_t plan(const netmesh_scales_request& request) { return netmesh_plan_scales(&request); }
-inline std::size_t plan(const netmesh_alpha_request& request) { return netmesh_plan_alpha(&request); }
-inline std::size_t plan(const netmesh_auto_request& request) { return netmesh_plan_auto(&request); }
-inline std::size_t plan(const netmesh_points_request& request) { return netmesh_plan_points(&request); }
-inline std::size_t plan(const netmesh_distances_request& request) { return netmesh_plan_distances(&request); }
-inline std::size_t plan(const netmesh_points_vineyard_request& request) {
-    return netmesh_plan_points_vineyard(&request);
+// The request with nothing left open.
+inline netmesh_status settle(const netmesh_request& request, netmesh_request* settled,
+                             netmesh_detail* detail = nullptr) {
+    settled->struct_bytes = sizeof *settled;
+    if (detail != nullptr) detail->struct_bytes = sizeof *detail;
+    return netmesh_settle(&request, settled, detail);
 }
-inline std::size_t plan(const netmesh_homology_request& request) { return netmesh_plan_homology(&request); }
-inline std::size_t plan(const netmesh_value_vineyard_request& request) { return netmesh_plan_value_vineyard(&request); }
+// Bytes of block to plan for: of the diagram, of the mesh alone.
+inline std::size_t plan(const netmesh_request& request) { return netmesh_plan(&request); }
+inline std::size_t plan_mesh(const netmesh_request& request) { return netmesh_plan_mesh(&request); }
+inline std::size_t plan_leaf(std::uint32_t dim, std::uint64_t points, std::uint32_t pieces) {
+    return netmesh_plan_leaf(dim, points, pieces);
+}
+
+// Calls visit(netmesh_option) for each option, visit(netmesh_option_word) for each of its words.
+template <class Visit> void for_each_option(Visit&& visit) {
+    netmesh_option option = sized<netmesh_option>();
+    for (std::uint32_t i = 0; netmesh_get_option(i, &option) == NETMESH_OK; ++i) visit(i, option);
+}
+template <class Visit> void for_each_option_word(std::uint32_t index, Visit&& visit) {
+    netmesh_option_word word = sized<netmesh_option_word>();
+    for (std::uint32_t i = 0; netmesh_get_option_word(index, i, &word) == NETMESH_OK; ++i) visit(word);
+}
 
 // Bottleneck distance, with request.scratch of bottleneck_bytes(request).
 inline std::size_t bottleneck_bytes(const netmesh_bottleneck_request& request) {
@@ -354,48 +292,39 @@ public:
     netmesh_context* context() const { return context_; }
 
     // Jobs.
-    netmesh_status delaunay(const netmesh_delaunay_request& r) { return status_ = netmesh_delaunay(context_, &r); }
-    netmesh_status mesh(const netmesh_mesh_request& r) { return status_ = netmesh_mesh(context_, &r); }
+    netmesh_status persist(const netmesh_request& r) { return status_ = netmesh_persist(context_, &r); }
+    netmesh_status mesh(const netmesh_request& r) { return status_ = netmesh_mesh(context_, &r); }
     netmesh_status load(const netmesh_load_request& r) { return status_ = netmesh_load(context_, &r); }
     netmesh_status load_cages(const netmesh_cages_request& r) { return status_ = netmesh_load_cages(context_, &r); }
-    netmesh_status check(const netmesh_check_request& r = requests::Check()) {
+    netmesh_status check(const netmesh_check_request& r = sized<netmesh_check_request>()) {
         return status_ = netmesh_check(context_, &r);
     }
-    netmesh_status persist(const netmesh_persist_request& r = requests::Persist()) {
-        return status_ = netmesh_persist(context_, &r);
-    }
-    netmesh_status bound_bars(const netmesh_bounds_request& r = requests::Bounds()) {
-        return status_ = netmesh_bound_bars(context_, &r);
-    }
-    netmesh_status represent(const netmesh_represent_request& r = requests::Represent()) {
-        return status_ = netmesh_represent(context_, &r);
-    }
-    netmesh_status fit(const netmesh_fit_request& r) { return status_ = netmesh_fit(context_, &r); }
-    netmesh_status vineyard(const netmesh_vineyard_request& r) { return status_ = netmesh_vineyard(context_, &r); }
-    netmesh_status persist_scales(const netmesh_scales_request& r) {
-        return status_ = netmesh_persist_scales(context_, &r);
-    }
-    netmesh_status persist_alpha(const netmesh_alpha_request& r) {
-        return status_ = netmesh_persist_alpha(context_, &r);
-    }
-    netmesh_status persist_auto(const netmesh_auto_request& r) { return status_ = netmesh_persist_auto(context_, &r); }
-    netmesh_status persist_points(const netmesh_points_request& r) {
-        return status_ = netmesh_persist_points(context_, &r);
-    }
-    netmesh_status persist_distances(const netmesh_distances_request& r) {
-        return status_ = netmesh_persist_distances(context_, &r);
-    }
-    netmesh_status points_vineyard(const netmesh_points_vineyard_request& r) {
-        return status_ = netmesh_points_vineyard(context_, &r);
-    }
-    netmesh_status homology(const netmesh_homology_request& r) { return status_ = netmesh_homology(context_, &r); }
-    netmesh_status value_vineyard(const netmesh_value_vineyard_request& r) {
-        return status_ = netmesh_value_vineyard(context_, &r);
-    }
-    netmesh_status analyse(netmesh_analysis* analysis, const netmesh_analyse_request& r = requests::Analyse()) {
+    netmesh_status analyse(netmesh_analysis* analysis,
+                           const netmesh_analyse_request& r = sized<netmesh_analyse_request>()) {
         analysis->struct_bytes = sizeof *analysis;
         return status_ = netmesh_analyse(context_, &r, analysis);
     }
+    // Pieces of alpha diagrams.
+    netmesh_status split(const netmesh_split_request& r) { return status_ = netmesh_split(context_, &r); }
+    netmesh_split_result split_result() const {
+        netmesh_split_result result = sized<netmesh_split_result>();
+        netmesh_get_split(context_, &result);
+        return result;
+    }
+    netmesh_status leaf(const netmesh_leaf_request& r) { return status_ = netmesh_leaf(context_, &r); }
+    netmesh_status join(const netmesh_join_request& r) { return status_ = netmesh_join(context_, &r); }
+    // No bytes: there is none.
+    netmesh_piece piece() const {
+        netmesh_piece piece = {};
+        netmesh_get_piece(context_, &piece);
+        return piece;
+    }
+    static netmesh_piece_info read_piece(const netmesh_piece& piece) {
+        netmesh_piece_info info = sized<netmesh_piece_info>();
+        netmesh_read_piece(&piece, &info);
+        return info;
+    }
+    netmesh_status collect(const netmesh_collect_request& r) { return status_ = netmesh_collect(context_, &r); }
     // ratios[vertices], domains[vertices].
     netmesh_status measure_cells(double* ratios, std::uint32_t* domains) {
         return status_ = netmesh_measure_cells(context_, ratios, domains);

@@ -56,7 +56,7 @@ struct Spacing {
 // For each scale a from `from` up to the next step's: phi(a) <= max(high, a), psi^-(a) >= min(low, a), psi(phi(a)) <=
 // max(reach, a), and a birth or death at a is off by the factor c(a) = max(phi(a) / a, a / psi^-(a)) <= ratio at most.
 // Before the first step all is exact: c = 1. From the scale on from which the filter's own ratio c holds c(a) <= c, as
-// hi_v <= c t_v and t_v <= c lo_v. (0.1.0 said sqrt(psi(phi(a)) / a), see DESIGN.md.)
+// hi_v <= c t_v and t_v <= c lo_v. (0.1.0 said sqrt(psi(phi(a)) / a), see engine/decisions/ratio-by-scale.md.)
 struct ScaleStep {
     double from, low, high, reach, ratio;
     double error;  // the same as a difference: e(a) <= error

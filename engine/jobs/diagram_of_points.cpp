@@ -9,7 +9,7 @@
 namespace netmesh {
 namespace {
 
-bool is_rips(netmesh_filter filter) { return has_edges(filter) && !is_barycentric(filter); }
+bool is_rips(netmesh_filter_id filter) { return has_edges(filter) && !is_barycentric(filter); }
 
 // Dimension of the complex on n points, and of the nested sets in it.
 std::uint32_t skeleton_dimension(const PointsFilter& filter, std::uint64_t n) {

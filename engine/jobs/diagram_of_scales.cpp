@@ -162,7 +162,9 @@ Status ScalesJoin::find_chains(const AnyMesh& mesh, const double* value, MeshBar
 Status ScalesJoin::make_mesh(const double* x, std::uint32_t n, StoreState* state, AnyDomain* domain) {
     AnyStore store(points_.dim, arena_, *state);
     AnyMeshResult mesh;
-    const Status status = mesh_points(store, x, n, mesh_request(), {arena_, monitor_}, &mesh);
+    const Work work = {arena_, monitor_};
+    const Status status = goal_ > 0 ? mesh_for_certificate(store, x, n, mesh_request(), work, &mesh)
+                                    : mesh_of_quality(store, x, n, mesh_request(), work, &mesh);
     const InputReport& input = mesh.input;
     if (status == Status::out_of_range || status == Status::too_close || status == Status::invalid_argument) {
         const std::uint64_t a = points_.vertex(partition_.chosen()[input.row_a]).origin;
@@ -186,7 +188,8 @@ Status ScalesJoin::persist_mesh(const AnyMesh& whole, MeshBars* bars) {
         filter.interval = arena_.take_high<Interval>(vertices);
         if (filter.interval == nullptr) return Status::out_of_memory;
     }
-    const FilterRequest which = {goal_ > 0 ? NETMESH_FILTER_COMPLETE : NETMESH_FILTER_TIGHT, request_.values};
+    const FilterRequest which = {goal_ > 0 ? NETMESH_FILTER_COMPLETE : NETMESH_FILTER_TIGHT,
+                                 goal_ > 0 ? &complete_on_mesh : &tight_on_mesh, request_.values};
     AnyMesh mesh = whole;
     Status status = clip_cells(which, work, &mesh);
     if (status == Status::ok) status = evaluate(mesh, which, work, &filter);

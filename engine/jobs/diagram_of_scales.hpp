@@ -14,7 +14,7 @@ namespace netmesh {
 
 struct ScalesRequest {
     double theta;       // in (0, 1/9]
-    double eps, ratio;  // eps in (0, 1/2] and ratio 0, or the ratio of the joined diagram, above sqrt 2 (1 + 3 theta)
+    double eps, ratio;  // eps in (0, 1/2] and ratio 0, or the ratio of the joined diagram, above 1.4143 (1 + 3 theta)
     double tau;         // with eps
     std::uint64_t seed;
     FilterValues values;

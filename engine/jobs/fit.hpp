@@ -52,8 +52,7 @@ public:
 
 private:
     bool is_focused() const { return from_ != 0 || to_ != 0; }
-    // A ratio that refinement by the certificate can reach.
-    static bool is_certifiable(double ratio) { return ratio > 1 && ratio * ratio > 2 && ratio < 0x1p100; }
+    static bool is_certifiable(double ratio) { return ratio >= ratio_least && ratio < 0x1p100; }
     double coarsest_, from_, to_;
 };
 

@@ -38,7 +38,7 @@ struct FacesByNeighbours {
 
     Status filter(std::uint32_t k, double* const* value, double* ratio) {
         Evaluation evaluation = {vertex_value};
-        const Status status = evaluate(mesh, {request.filter, request.values, k}, work, &evaluation);
+        const Status status = evaluate(mesh, {request.filter, request.on_mesh, request.values, k}, work, &evaluation);
         if (status != Status::ok) return status;
         *ratio = evaluation.certificate.ratio;
         for (std::uint32_t f = 0; f < complex.count[0];)

@@ -9,7 +9,8 @@
 namespace netmesh {
 
 struct VineRequest {
-    netmesh_filter filter;          // with has_vineyard
+    netmesh_filter_id filter;       // with has_vineyard
+    const MeshFilter* on_mesh;      // that filter's
     std::uint32_t k_first, k_last;  // 1 <= k_first <= k_last <= number of inputs; k = 1 is the complete filter (7.4.2)
     FilterValues values;
     std::uint32_t max_degree;  // 0..D-1

@@ -67,8 +67,8 @@ Status take_points(const GivenPoints& given, Arena& arena, PointSet* out, std::u
     return Status::ok;
 }
 
-bool is_barycentric(netmesh_filter filter) { return find_filter(filter)->has(filter_trait::needs_k); }
-bool has_edges(netmesh_filter filter) { return find_filter(filter)->has(filter_trait::made_of_edges); }
+bool is_barycentric(netmesh_filter_id filter) { return find_filter(filter)->has(filter_trait::needs_k); }
+bool has_edges(netmesh_filter_id filter) { return find_filter(filter)->has(filter_trait::made_of_edges); }
 
 double factor_of(const PointsFilter& filter) {
     return is_approximate(filter) && filter.values == FilterValues::certified ? values_factor : 1;
@@ -78,7 +78,7 @@ double ratio_of(const PointsFilter& filter) {
     return filter.values == FilterValues::certified ? certified_ratio : root_of_two;
 }
 
-Status list_sets(const PointSet& set, netmesh_filter filter, std::uint32_t dimension, const Work& work,
+Status list_sets(const PointSet& set, netmesh_filter_id filter, std::uint32_t dimension, const Work& work,
                  ListedComplex* out) {
     const int dim = static_cast<int>(set.dim);
     const double* const x = set.coordinates;

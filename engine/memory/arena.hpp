@@ -6,7 +6,7 @@
 // Nothing has a pool of its own: whatever one structure leaves free, any other can take. Both ends are
 // stacks; a mark taken before a piece of work gives all of its memory back at once. What lives in the
 // block refers to the block by offset or index only, so the block may be copied elsewhere byte by byte. What stands at
-// which end, job by job: engine/DESIGN.md, "The block".
+// which end, job by job: engine/ARCHITECTURE.md, "The block".
 #pragma once
 #include <cstddef>
 #include <cstdint>

@@ -18,12 +18,16 @@ enum class MeshMethod {
     certificate,  // the coarsest mesh that proves a ratio: certificate_rule.hpp
 };
 
+// The least ratio that can be asked for. Points have to be 64 / (ratio^2 / 2 - 1) units in the last place apart: 5.3e5
+// at this one. No mesh reaches the root of 2.
+constexpr double ratio_least = 1.4143;
+
 // For the method certificate. With lo <= F <= hi on the cell of a vertex as in certificate/interval.hpp: hi <= ratio^2
 // lo everywhere, and hi <= focus^2 lo in each Steiner cell that matters to scales of interest, those with hi > from
 // and lo < to. `clipped`: of cells clipped to the ball of clip_factor enclosing radii (domain.hpp), which is the
 // domain.
 struct RatioGoal {
-    double ratio;          // > sqrt 2
+    double ratio;          // >= ratio_least
     double focus;          // > 1; 0: there are no scales of interest
     double from, to;       // 0 < from < to
     bool clipped = false;  // of cells clipped to the ball of the domain, a hair larger than the smallest enclosing one

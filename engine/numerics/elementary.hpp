@@ -44,7 +44,7 @@ inline double power(double x, int n) {
 
 // Volume of the unit ball in R^d, d = 0..6.
 inline double unit_ball_volume(int d) {
-    constexpr double volume[] = {
+    static constexpr double volume[] = {
         1, 2, 3.141592653589793, 4.188790204786391, 4.934802200544679, 5.263789013914325, 5.167712780049970};
     return volume[d];
 }

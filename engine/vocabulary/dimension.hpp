@@ -103,22 +103,34 @@ struct Figures {
     double affordable_work;  // cells a point that a Delaunay triangulation makes where alpha complexes are affordable
 };
 
-template <int D> struct FiguresOf;
-template <> struct FiguresOf<2> {
-    static constexpr Figures value = {2.5, 1.25, 32, 4, 0.1, 0.5, 4, 24, 2.05, 3.0, 2.1, 7, 6, 16, 8, 40};
+// One number each for D = 2, 3, 4, 5, 6.
+template <class Number> struct ByDimension {
+    Number of[5];
+    constexpr Number at(int dim) const { return of[dim - 2]; }
 };
-template <> struct FiguresOf<3> {
-    static constexpr Figures value = {2.5, 1.1, 24, 4, 0.25, 0.5, 20, 240, 6.5, 4.35, 4.1, 10, 15, 32, 24, 150};
-};
-template <> struct FiguresOf<4> {
-    static constexpr Figures value = {3.08, 1.05, 20, 4.6, 1, 0.5, 120, 3000, 28, 6.3, 8.5, 12, 21, 64, 96, 250};
-};
-template <> struct FiguresOf<5> {
-    static constexpr Figures value = {4, 1, 20, 5.2, 4, 0.6, 700, 40000, 140, 9.1, 12, 13, 26, 128, 480, 1500};
-};
-template <> struct FiguresOf<6> {
-    static constexpr Figures value = {4, 1, 20, 5.7, 16, 0.7, 4000, 400000, 600, 13.3, 15, 14, 36, 256, 2400, 8000};
-};
+constexpr Figures figures_in(int dim) {
+    using Real = ByDimension<double>;
+    using Count = ByDimension<std::uint32_t>;
+    Figures f = {};
+    f.tau_default = Real{{2.5, 2.5, 3.08, 4, 4}}.at(dim);
+    f.pull_back = Real{{1.25, 1.1, 1.05, 1, 1}}.at(dim);
+    f.waiting_tau = Real{{32, 24, 20, 20, 20}}.at(dim);
+    f.frame_factor = Real{{4, 4, 4.6, 5.2, 5.7}}.at(dim);
+    f.integral_tolerance = Real{{0.1, 0.25, 1, 4, 16}}.at(dim);
+    f.coarsest_box = Real{{0.5, 0.5, 0.5, 0.6, 0.7}}.at(dim);
+    f.ply_expected = Count{{4, 20, 120, 700, 4000}}.at(dim);
+    f.intersections_expected = Count{{24, 240, 3000, 40000, 400000}}.at(dim);
+    f.mesh_cells_per_vertex = Real{{2.05, 6.5, 28, 140, 600}}.at(dim);
+    f.simplices_per_cell = Real{{3.0, 4.35, 6.3, 9.1, 13.3}}.at(dim);
+    f.growth = Real{{2.1, 4.1, 8.5, 12, 15}}.at(dim);
+    f.growth_eighths = ByDimension<int>{{7, 10, 12, 13, 14}}.at(dim);
+    f.over_refined = Real{{6, 15, 21, 26, 36}}.at(dim);
+    f.tight_surroundings = Real{{16, 32, 64, 128, 256}}.at(dim);
+    f.audit_balls_per_point = Real{{8, 24, 96, 480, 2400}}.at(dim);
+    f.affordable_work = Real{{40, 150, 250, 1500, 8000}}.at(dim);
+    return f;
+}
+template <int D> struct FiguresOf { static constexpr Figures value = figures_in(D); };
 template <int D> constexpr const Figures& figures = FiguresOf<D>::value;
 
 namespace detail {

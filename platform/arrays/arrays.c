@@ -135,3 +135,25 @@ netmesh_status netmesh_array_vines(const netmesh_context* context, uint64_t coun
     }
     return NETMESH_OK;
 }
+
+static netmesh_status read_points(void* user, uint64_t first, uint32_t count, double* points, uint32_t* rows) {
+    const netmesh_point_arrays* const from = user;
+    for (uint64_t i = 0; i < (uint64_t)count * from->dim; ++i) points[i] = from->points[first * from->dim + i];
+    for (uint32_t i = 0; i < count; ++i) rows[i] = from->rows[first + i];
+    return NETMESH_OK;
+}
+
+static netmesh_status read_box(void* user, uint32_t node, double* box) {
+    const netmesh_point_arrays* const from = user;
+    const uint64_t numbers = 2 * (uint64_t)from->dim;
+    for (uint64_t i = 0; i < numbers; ++i) box[i] = from->boxes[(node - 1) * numbers + i];
+    return NETMESH_OK;
+}
+
+netmesh_status netmesh_array_source(netmesh_point_arrays* arrays, netmesh_source* source) {
+    source->dim = arrays->dim;
+    source->read = read_points;
+    source->box = read_box;
+    source->user = arrays;
+    return NETMESH_OK;
+}

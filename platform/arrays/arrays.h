@@ -44,6 +44,16 @@ netmesh_status netmesh_array_cycle(const netmesh_context* context, uint64_t pair
 netmesh_status netmesh_array_vines(const netmesh_context* context, uint64_t count, uint32_t* vines, uint32_t* degrees,
                                    uint32_t* ks, double* intervals);
 
+/* Points in the order of the tree, their rows and the boxes of nodes, as netmesh_split has made them. */
+typedef struct netmesh_point_arrays {
+    const double* points;
+    const uint32_t* rows;
+    const double* boxes;
+    uint32_t dim;
+} netmesh_point_arrays;
+/* The functions of a source that reads these, which must outlive it. */
+netmesh_status netmesh_array_source(netmesh_point_arrays* arrays, netmesh_source* source);
+
 #ifdef __cplusplus
 }
 #endif

@@ -10,7 +10,7 @@
 
 enum { SWEEP_ANGLES = 360 };
 
-/* The engine's memory: all of it. It is planned before the part is bought: netmesh_plan_alpha says how much uniform
+/* The engine's memory: all of it. It is planned before the part is bought: netmesh_plan says how much uniform
  * points take, netmesh_report.memory.peak_bytes how much yours took. A block that is too small is no accident: the call
  * answers NETMESH_OUT_OF_MEMORY, and writes nowhere else. */
 static unsigned char block[72 * 1024] __attribute__((aligned(16)));
@@ -31,7 +31,7 @@ static netmesh_status find_loop(const uint16_t* range_mm, loop* largest) {
     /* Sine and cosine by turning a direction one degree at a time: no library. */
     const double cosine = 0.99984769515639127, sine = 0.017452406437283512;
     netmesh_context* context;
-    netmesh_alpha_request request;
+    netmesh_request request = netmesh_default_request();
     netmesh_pair pair;
     netmesh_status status;
     double x = 1e-3, y = 0;
@@ -50,10 +50,11 @@ static netmesh_status find_loop(const uint16_t* range_mm, loop* largest) {
     }
     /* A task of an RTOS that does this needs as much stack as `stack` in part 3: it makes the deepest call. */
     if ((status = netmesh_init(block, sizeof block, &context)) != NETMESH_OK) return status;
-    netmesh_alpha_request_init(&request, sizeof request, 2);
-    request.points = points[0];
-    request.point_count = count;
-    if ((status = netmesh_persist_alpha(context, &request)) != NETMESH_OK) return status;
+    request.points.coordinates = points[0];
+    request.points.count = count;
+    request.points.dim = 2;
+    request.filter = &netmesh_filter_alpha;
+    if ((status = netmesh_persist(context, &request)) != NETMESH_OK) return status;
 
     *largest = none;
     pair.struct_bytes = sizeof pair;
@@ -145,8 +146,8 @@ void fault(void);
 
 enum { PAINT = 0x5AC35A3C };
 
-/* netmesh_persist_alpha takes no more whatever the points are; the rest is for the functions above and for one
- * interrupt, which pushes up to 104 bytes where there is a floating-point unit. */
+/* netmesh_persist by the filter alpha takes no more whatever the points are; the rest is for the functions above and
+ * for one interrupt, which pushes up to 104 bytes where there is a floating-point unit. */
 enum { OWN_STACK = 512, STACK = (NETMESH_STACK_BYTES_ALPHA(2) + OWN_STACK) / 8 };
 __attribute__((section(".bss.stack"), used)) static uint64_t stack[STACK];
 

@@ -32,8 +32,3 @@ int netmesh_python_poll(void* user, const netmesh_progress* progress) {
     }
     return stop;
 }
-
-double netmesh_python_size(void* user, const double* x) {
-    const netmesh_python_sizes* const sizes = user;
-    return netmesh_size_for_error(sizes->function, sizes->error, x);
-}

@@ -29,14 +29,6 @@ typedef struct netmesh_python_watch {
 /* A netmesh_poll; user is a netmesh_python_watch. */
 int netmesh_python_poll(void* user, const netmesh_progress* progress);
 
-typedef struct netmesh_python_sizes {
-    void* function; /* const netmesh_function* */
-    double error;
-} netmesh_python_sizes;
-
-/* A netmesh_size: that of netmesh_size_for_error; user is a netmesh_python_sizes. */
-double netmesh_python_size(void* user, const double* x);
-
 #ifdef __cplusplus
 }
 #endif

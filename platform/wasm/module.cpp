@@ -36,95 +36,31 @@ const Item* item_at(netmesh_status (*get)(const netmesh_context*, std::uint64_t,
     return get(context, static_cast<std::uint64_t>(i), &item) == NETMESH_OK ? &item : nullptr;
 }
 
-bool choose(std::uint32_t id) {
-    bool found = false;
+// Of that number, 0: the engine chooses; null: there is none.
+const netmesh_filter* choose(std::uint32_t id) {
+    const netmesh_filter* found = id == 0 ? &netmesh_filter_auto : nullptr;
     netmesh::for_each_filter([&](const netmesh_filter_info& info) {
-        if (info.filter != static_cast<netmesh_filter>(id)) return;
+        if (info.id != static_cast<netmesh_filter_id>(id)) return;
         filter = info;
-        found = true;
+        found = info.filter;
     });
     return found;
 }
 
-// What a job asks for. ratio 0: what the dimension's tau promises.
-struct Asked {
-    const double* points;
-    std::uint32_t count, dim, k, max_degree;
-    double ratio;
-    bool bounds, cycles, automatic;
-};
-
-netmesh::requests::Mesh mesh_request(const Asked& asked) {
-    netmesh::requests::Mesh mesh(asked.dim);
-    mesh.points = asked.points;
-    mesh.point_count = asked.count;
-    mesh.purpose = NETMESH_PURPOSE_PERSIST;
-    mesh.monitor = monitor;
-    mesh.certificate.ratio = asked.ratio > 0 ? asked.ratio : __builtin_sqrt(2 + netmesh::tau(mesh));
-    mesh.whole_cells = filter.clips_cells == 0;
-    return mesh;
-}
-
-netmesh::requests::Delaunay delaunay_request(const Asked& asked) {
-    netmesh::requests::Delaunay delaunay(asked.dim);
-    delaunay.points = asked.points;
-    delaunay.point_count = asked.count;
-    delaunay.purpose = filter.purpose;
-    delaunay.monitor = monitor;
-    return delaunay;
-}
-
-netmesh::requests::Points points_request(const Asked& asked) {
-    netmesh::requests::Points points(asked.dim, filter.filter);
-    points.points = asked.points;
-    points.point_count = asked.count;
-    points.max_degree = asked.max_degree;
-    points.representatives = asked.cycles && filter.has_representatives != 0;
-    points.monitor = monitor;
-    if (filter.needs_k != 0) points.k = asked.k;
-    return points;
-}
-
-netmesh::requests::Auto auto_request(const Asked& asked) {
-    netmesh::requests::Auto request(asked.dim);
-    request.points = asked.points;
-    request.point_count = asked.count;
-    request.max_degree = asked.max_degree;
+// ratio 0: what the dimension's tau promises.
+netmesh::Request request_of(const double* points, std::uint32_t n, std::uint32_t dim, std::uint32_t id, std::uint32_t k,
+                            std::uint32_t max_degree, double ratio) {
+    filter = {};
+    netmesh::Request request(choose(id));
+    request.points = {points, n, dim, NETMESH_POINTS_FLOAT64, 0};
+    request.max_degree = max_degree;
     request.monitor = monitor;
-    return request;
-}
-
-netmesh_status bound(netmesh::Engine& engine, netmesh_status status, const Asked& asked) {
-    if (status != NETMESH_OK || !asked.bounds) return status;
-    netmesh::requests::Bounds bounds;
-    bounds.monitor = monitor;
-    return engine.bound_bars(bounds);
-}
-
-netmesh_status make(netmesh::Engine& engine, const Asked& asked) {
-    if (asked.automatic) {
-        const netmesh_status made = engine.persist_auto(auto_request(asked));
-        choose(engine.report().diagram.filter);
-        return bound(engine, made, asked);
+    if (filter.needs_k != 0) request.k = k;
+    if (filter.is_on_mesh != 0) {
+        request.mesh.method = &netmesh_method_certificate;
+        request.goal.ratio = ratio;
     }
-    if (filter.source == NETMESH_SOURCE_POINTS) return engine.persist_points(points_request(asked));
-    netmesh_status status = filter.source == NETMESH_SOURCE_DELAUNAY ? engine.delaunay(delaunay_request(asked))
-                                                                     : engine.mesh(mesh_request(asked));
-    if (status != NETMESH_OK) return status;
-    netmesh::requests::Persist persist(filter.filter);
-    persist.max_degree = asked.max_degree;
-    persist.k = filter.needs_k != 0 ? asked.k : 0;
-    persist.monitor = monitor;
-    return bound(engine, engine.persist(persist), asked);
-}
-
-netmesh_status make_all(netmesh::Engine& engine, const Asked& asked) {
-    const netmesh_status status = make(engine, asked);
-    if (status != NETMESH_OK || !asked.cycles || filter.has_representatives == 0) return status;
-    if (filter.source == NETMESH_SOURCE_POINTS) return status;
-    netmesh::requests::Represent represent;
-    represent.monitor = monitor;
-    return engine.represent(represent);
+    return request;
 }
 
 }  // namespace
@@ -141,14 +77,7 @@ EXPORT(watch) void watch(std::uint32_t poll) { monitor.poll = reinterpret_cast<n
 EXPORT(plan)
 double plan(std::uint32_t n, std::uint32_t dim, std::uint32_t id, std::uint32_t k, std::uint32_t max_degree,
             double ratio) {
-    const Asked asked{nullptr, n, dim, k, max_degree, ratio, false, false, id == 0};
-    if (asked.automatic) return static_cast<double>(netmesh::plan(auto_request(asked)));
-    if (!choose(id)) return 0;
-    std::size_t bytes = 0;
-    if (filter.source == NETMESH_SOURCE_POINTS) bytes = netmesh::plan(points_request(asked));
-    if (filter.source == NETMESH_SOURCE_DELAUNAY) bytes = netmesh::plan(delaunay_request(asked));
-    if (filter.source == NETMESH_SOURCE_MESH) bytes = netmesh::plan(mesh_request(asked));
-    return static_cast<double>(bytes);
+    return static_cast<double>(netmesh::plan(request_of(nullptr, n, dim, id, k, max_degree, ratio)));
 }
 
 // Mesh and diagram of n points in block[0, bytes); a netmesh_status.
@@ -158,11 +87,13 @@ int run(const double* points, std::uint32_t n, std::uint32_t dim, void* block, s
     context = nullptr;
     report = {};
     detail = netmesh::sized<netmesh_detail>();
-    if (id != 0 && !choose(id)) return NETMESH_INVALID_ARGUMENT;
     netmesh::Engine engine(block, bytes);
     if (engine.status() != NETMESH_OK) return engine.status();
-    const netmesh_status status =
-        make_all(engine, {points, n, dim, k, max_degree, ratio, bounds != 0, cycles != 0, id == 0});
+    netmesh::Request request = request_of(points, n, dim, id, k, max_degree, ratio);
+    if (filter.is_on_points == 0 && bounds != 0) request.bounds = &netmesh_bounds;
+    if ((id == 0 || filter.has_representatives != 0) && cycles != 0) request.cycles = &netmesh_cycles;
+    request.keep_mesh = id == 0 || filter.is_on_triangulation != 0;
+    const netmesh_status status = engine.persist(request);
     context = engine.context();
     report = engine.report();
     detail = engine.detail();

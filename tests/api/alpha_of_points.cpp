@@ -1,4 +1,4 @@
-// netmesh_persist_alpha: the diagram of netmesh_persist on netmesh_delaunay, in less memory and without what they keep.
+// Alpha of points: the diagram of alpha on a triangulation that is kept, in less memory and without the triangulation.
 #include <doctest/doctest.h>
 
 #include <algorithm>
@@ -27,17 +27,17 @@ Told told(const Session& s) { return {s.pairs(), s.report()}; }
 void expect_same(int dim, const inputs::Points& points, std::uint32_t max_degree, bool keep_zero) {
     INFO("D = " << dim << ", " << points.size() / static_cast<std::size_t>(dim) << " points, degree " << max_degree);
     Session s(dim);
-    netmesh_persist_request persist = persist_by(NETMESH_FILTER_ALPHA);
+    netmesh::Request persist = persist_by(&netmesh_filter_alpha);
     persist.max_degree = max_degree;
     persist.keep_zero_pairs = keep_zero ? 1 : 0;
     s.reserve(std::size_t{1} << 26);
     REQUIRE(s.delaunay(points) == NETMESH_OK);
     REQUIRE(s.persist(persist) == NETMESH_OK);
     const Told two = told(s);
-    netmesh_alpha_request request = s.alpha_request(points);
+    netmesh::Request request = s.alpha_request(points);
     request.max_degree = max_degree;
     request.keep_zero_pairs = persist.keep_zero_pairs;
-    REQUIRE(netmesh_persist_alpha(s.context, &request) == NETMESH_OK);
+    REQUIRE(netmesh_persist(s.context, &request) == NETMESH_OK);
     const Told one = told(s);
     REQUIRE(one.pairs.size() == two.pairs.size());
     for (std::size_t i = 0; i < one.pairs.size(); ++i) {
@@ -82,8 +82,8 @@ TEST_CASE("it takes less memory than a triangulation that is kept") {
         two.reserve(std::size_t{1} << 26);
         one.reserve(std::size_t{1} << 26);
         REQUIRE(two.alpha(points) == NETMESH_OK);
-        const netmesh_alpha_request request = one.alpha_request(points);
-        REQUIRE(netmesh_persist_alpha(one.context, &request) == NETMESH_OK);
+        const netmesh::Request request = one.alpha_request(points);
+        REQUIRE(netmesh_persist(one.context, &request) == NETMESH_OK);
         INFO("D = " << dim << ", " << one.report().memory.peak_bytes << " bytes, " << two.report().memory.peak_bytes);
         CHECK(static_cast<double>(one.report().memory.peak_bytes) <
               0.85 * static_cast<double>(two.report().memory.peak_bytes));
@@ -104,9 +104,9 @@ TEST_CASE("radii next to the least double are those of a larger size, rounded") 
             whole.push_back(static_cast<double>(random.below(4 + 2 * (seed % 11))));
         for (const double x : whole) tiny.push_back(std::ldexp(x, -1074));
         Session exact(2), rounded(2);
-        const netmesh_alpha_request in_units = exact.alpha_request(whole), in_doubles = rounded.alpha_request(tiny);
-        if (netmesh_persist_alpha(exact.context, &in_units) == NETMESH_FLAT) continue;
-        REQUIRE(netmesh_persist_alpha(rounded.context, &in_doubles) == NETMESH_OK);
+        const netmesh::Request in_units = exact.alpha_request(whole), in_doubles = rounded.alpha_request(tiny);
+        if (netmesh_persist(exact.context, &in_units) == NETMESH_FLAT) continue;
+        REQUIRE(netmesh_persist(rounded.context, &in_doubles) == NETMESH_OK);
         std::vector<std::array<double, 3>> due, made;
         for (const netmesh_pair& pair : told(exact).pairs) {
             const double birth = std::nearbyint(pair.birth), death = std::nearbyint(pair.death);
@@ -132,10 +132,10 @@ TEST_CASE("a block of the peak is enough") {
         for (const inputs::Points& points : {circle, inputs::uniform(2, n), inputs::grid(2, n < 100 ? 8 : 31)}) {
             CAPTURE(points.size());
             Session large(2), exact(2);
-            const netmesh_alpha_request request = large.alpha_request(points);
-            REQUIRE(netmesh_persist_alpha(large.context, &request) == NETMESH_OK);
+            const netmesh::Request request = large.alpha_request(points);
+            REQUIRE(netmesh_persist(large.context, &request) == NETMESH_OK);
             exact.reserve(large.report().memory.peak_bytes + 16);
-            CHECK(netmesh_persist_alpha(exact.context, &request) == NETMESH_OK);
+            CHECK(netmesh_persist(exact.context, &request) == NETMESH_OK);
             CHECK(exact.report().fingerprint == large.report().fingerprint);
             REQUIRE(large.delaunay(points) == NETMESH_OK);
             exact.reserve(large.report().memory.peak_bytes + 16);
@@ -149,8 +149,8 @@ TEST_CASE("what cannot be done is said, and leaves an empty context") {
         Session s(dim);
         inputs::Points points = inputs::uniform(dim, 20);
         const auto run = [&] {
-            const netmesh_alpha_request request = s.alpha_request(points);
-            return netmesh_persist_alpha(s.context, &request);
+            const netmesh::Request request = s.alpha_request(points);
+            return netmesh_persist(s.context, &request);
         };
         REQUIRE(run() == NETMESH_OK);
         points[7] = std::numeric_limits<double>::quiet_NaN();
@@ -162,17 +162,17 @@ TEST_CASE("what cannot be done is said, and leaves an empty context") {
         if (7 % dim == 0) points[7] = 1;
         CHECK(run() == NETMESH_FLAT);
         CHECK(s.report().input.present == 0);
-        netmesh_alpha_request request = s.alpha_request(points);
-        request.points = nullptr;
-        CHECK(netmesh_persist_alpha(s.context, &request) == NETMESH_INVALID_ARGUMENT);
+        netmesh::Request request = s.alpha_request(points);
+        request.points.coordinates = nullptr;
+        CHECK(netmesh_persist(s.context, &request) == NETMESH_INVALID_ARGUMENT);
         CHECK(s.detail().field == NETMESH_FIELD_POINTS);
         request = s.alpha_request(points);
-        request.dim = 7;
-        CHECK(netmesh_persist_alpha(s.context, &request) == NETMESH_INVALID_ARGUMENT);
-        CHECK(netmesh_plan_alpha(&request) == 0);
-        request.dim = static_cast<std::uint32_t>(dim);
-        request.point_count = 0;
-        CHECK(netmesh_plan_alpha(&request) == 0);
+        request.points.dim = 7;
+        CHECK(netmesh_persist(s.context, &request) == NETMESH_INVALID_ARGUMENT);
+        CHECK(netmesh_plan(&request) == 0);
+        request.points.dim = static_cast<std::uint32_t>(dim);
+        request.points.count = 0;
+        CHECK(netmesh_plan(&request) == 0);
     }
 }
 
@@ -180,8 +180,8 @@ TEST_CASE("its diagram has bounds by its ratio, and no representatives") {
     const int dim = dimensions().front();
     Session s(dim);
     const inputs::Points points = inputs::uniform(dim, 30);
-    const netmesh_alpha_request request = s.alpha_request(points);
-    REQUIRE(netmesh_persist_alpha(s.context, &request) == NETMESH_OK);
+    const netmesh::Request request = s.alpha_request(points);
+    REQUIRE(s.persist(request) == NETMESH_OK);
     CHECK(s.represent() == NETMESH_NO_RESULT);
     REQUIRE(s.bound_bars() == NETMESH_OK);
     const std::vector<netmesh_pair> pairs = s.pairs();

@@ -1,4 +1,4 @@
-// netmesh_persist_auto: the filter that it takes and why, by counts of work, and that the result is that filter's.
+// The filter auto: the filter that it takes and why, by counts of work, and that the result is that filter's.
 #include <doctest/doctest.h>
 
 #include <cmath>
@@ -15,20 +15,15 @@
 namespace {
 
 netmesh_status persist_auto(Session& s, const inputs::Points& points) {
-    const netmesh_auto_request request = s.auto_request(points);
-    return netmesh_persist_auto(s.context, &request);
+    const netmesh::Request request = s.auto_request(points);
+    return netmesh_persist(s.context, &request);
 }
 
-// The same by the calls of the filter itself.
-netmesh_status persist_by_filter(Session& s, const inputs::Points& points, netmesh_filter filter) {
-    if (filter == NETMESH_FILTER_ALPHA) {
-        const netmesh_status status = s.delaunay_in_block(points);
-        return status == NETMESH_OK ? s.persist(filter) : status;
-    }
-    netmesh_mesh_request mesh = s.mesh_request(points, NETMESH_PURPOSE_PERSIST);
-    mesh.certificate.ratio = std::sqrt(2 + netmesh_tau(&mesh));
-    const netmesh_status status = netmesh_mesh(s.context, &mesh);
-    return status == NETMESH_OK ? s.persist(filter) : status;
+// The same by the filter itself.
+netmesh_status persist_by_filter(Session& s, const inputs::Points& points, netmesh_filter_id filter) {
+    netmesh::Request request = on(points, s.plain(filter_of(filter)));
+    request.keep_mesh = 1;
+    return netmesh_persist(s.context, &request);
 }
 
 void expect_result_of(Session& s, const inputs::Points& points) {
@@ -54,10 +49,10 @@ struct Choice {
     const char* kind;
     int dim;
     std::size_t count;
-    netmesh_filter filter;
+    netmesh_filter_id filter;
 };
 
-constexpr netmesh_filter exact = NETMESH_FILTER_ALPHA, meshed = NETMESH_FILTER_COMPLETE;
+constexpr netmesh_filter_id exact = NETMESH_FILTER_ALPHA, meshed = NETMESH_FILTER_COMPLETE;
 constexpr Choice choices[] = {
     {"uniform", 2, 1000, exact},      {"clusters", 2, 1000, exact},       {"circle", 2, 500, exact},
     {"noisy circle", 2, 100, exact},  {"noisy eight", 2, 1000, exact},    {"grid", 2, 4900, exact},
@@ -212,14 +207,14 @@ TEST_CASE("degrees, zero pairs and later calls are those of the filter") {
     for (const inputs::Points& points : clouds) {
         Session s(2);
         s.reserve(std::size_t{1} << 26);
-        netmesh_auto_request request = s.auto_request(points);
+        netmesh::Request request = s.auto_request(points);
         request.max_degree = 0;
         request.keep_zero_pairs = 1;
-        REQUIRE(netmesh_persist_auto(s.context, &request) == NETMESH_OK);
+        REQUIRE(s.persist(request) == NETMESH_OK);
         CHECK(s.report().diagram.max_degree == 0);
         const std::uint64_t all = s.report().diagram.pairs[0];
         request.keep_zero_pairs = 0;
-        REQUIRE(netmesh_persist_auto(s.context, &request) == NETMESH_OK);
+        REQUIRE(s.persist(request) == NETMESH_OK);
         CHECK(s.report().diagram.pairs[0] <= all);
         REQUIRE(s.represent() == NETMESH_OK);
         REQUIRE(s.bound_bars() == NETMESH_OK);
@@ -260,23 +255,23 @@ TEST_CASE("a planned block does for uniform points, of which alpha is taken") {
     for (const int dim : dimensions()) {
         const inputs::Points points = inputs::uniform(dim, by_dimension<std::size_t>(dim, {2000, 1000, 100, 20, 10}));
         Session s(dim);
-        netmesh_auto_request request = s.auto_request(points);
-        const std::size_t planned = netmesh_plan_auto(&request);
+        netmesh::Request request = s.auto_request(points);
+        const std::size_t planned = netmesh_plan(&request);
         s.reserve(planned);
-        CHECK(netmesh_persist_auto(s.context, &request) == NETMESH_OK);
+        CHECK(netmesh_persist(s.context, &request) == NETMESH_OK);
         CHECK(s.report().memory.peak_bytes <= planned);
         CHECK(s.report().diagram.why == NETMESH_WHY_AFFORDABLE);
-        request.point_count = 0;
-        CHECK(netmesh_plan_auto(&request) == 0);
-        request.dim = 7;
-        CHECK(netmesh_plan_auto(&request) == 0);
+        request.points.count = 0;
+        CHECK(netmesh_plan(&request) == 0);
+        request.points.dim = 7;
+        CHECK(netmesh_plan(&request) == 0);
     }
-    CHECK(netmesh_plan_auto(nullptr) == 0);
+    CHECK(netmesh_plan(nullptr) == 0);
 }
 
 TEST_CASE("every reason has a text of its own") {
     std::vector<std::string> texts;
-    for (int why = NETMESH_WHY_ASKED; why <= NETMESH_WHY_NOT_BUILT + 1; ++why) {
+    for (int why = NETMESH_WHY_ASKED; why <= NETMESH_WHY_RANGE + 1; ++why) {
         const std::string text = netmesh_why_text(static_cast<netmesh_why>(why));
         for (const std::string& other : texts) CHECK(other != text);
         texts.push_back(text);

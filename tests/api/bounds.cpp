@@ -11,7 +11,9 @@ TEST_CASE("bounds of bars") {
     Session session(2);
     const inputs::Points points = inputs::uniform(2, 50);
     auto b = netmesh::sized<netmesh_bar_bounds>();
-    CHECK(session.bound_bars() == NETMESH_NO_RESULT);
+    netmesh::Request request = persist_by(&netmesh_filter_complete);
+    request.bounds = &netmesh_bounds;
+    CHECK(session.persist(request) == NETMESH_NO_RESULT);
     CHECK(netmesh_get_bar_bounds(session.context, 0, &b) == NETMESH_INVALID_ARGUMENT);
     auto step = netmesh::sized<netmesh_scale_step>();
     CHECK(netmesh_get_scale_step(session.context, 0, &step) == NETMESH_INVALID_ARGUMENT);
@@ -37,8 +39,10 @@ TEST_CASE("bounds of bars") {
     CHECK(netmesh_get_scale_step(session.context, 0, &step) == NETMESH_INVALID_ARGUMENT);  // 1 at every scale
 
     // No bar is bounded more widely than the ratio of the whole diagram says.
-    for (const netmesh_filter filter : {NETMESH_FILTER_COMPLETE, NETMESH_FILTER_KNN, NETMESH_FILTER_KDISTANCE}) {
-        REQUIRE(session.mesh_and_persist(points, persist_by(filter, 4)) == NETMESH_OK);
+    for (const netmesh_filter* const filter :
+         {&netmesh_filter_complete, &netmesh_filter_knn, &netmesh_filter_kdistance}) {
+        REQUIRE(session.mesh_and_persist(points, persist_by(filter, filter == &netmesh_filter_complete ? 0 : 4)) ==
+                NETMESH_OK);
         const std::uint64_t print = session.report().fingerprint;
         const double c = session.report().diagram.certified_ratio * (1 + 1e-9);
         REQUIRE(session.bound_bars() == NETMESH_OK);
@@ -62,6 +66,47 @@ TEST_CASE("bounds of bars") {
     }
 }
 
+TEST_CASE("bounds of simplices are made with the diagram or later, and not of another one") {
+    // A triangle that is filled at 3.
+    const std::uint32_t vertices[] = {0, 1, 2, 0, 1, 0, 2, 1, 2, 0, 1, 2};
+    const std::uint64_t starts[] = {0, 1, 2, 3, 5, 7, 9, 12};
+    const double entries[] = {0, 0, 0.5, 1, 2, 2.5, 3};
+    auto simplices = netmesh::sized<netmesh_simplices>();
+    simplices.vertices = vertices, simplices.starts = starts, simplices.entries = entries;
+    simplices.simplex_count = 7;
+    netmesh::Request request(&netmesh_filter_simplices);
+    request.simplices = &simplices;
+    Session session(2), at_once(2);
+    REQUIRE(session.persist(request) == NETMESH_OK);
+    netmesh::Request more(&netmesh_filter_simplices);
+    more.bounds = &netmesh_bounds;
+    REQUIRE(session.persist(more) == NETMESH_OK);
+    request.bounds = &netmesh_bounds;
+    REQUIRE(at_once.persist(request) == NETMESH_OK);
+    std::uint64_t bars = 0;
+    for (std::uint64_t i = 0;; ++i) {
+        auto a = netmesh::sized<netmesh_bar_bounds>(), b = a;
+        const netmesh_status status = netmesh_get_bar_bounds(session.context, i, &a);
+        REQUIRE(netmesh_get_bar_bounds(at_once.context, i, &b) == status);
+        if (status != NETMESH_OK) break;
+        ++bars;
+        CHECK(a.birth_low == b.birth_low);
+        CHECK(a.death_high == b.death_high);
+    }
+    CHECK(bars == 4);
+    more.bounds = nullptr;
+    more.cycles = &netmesh_cycles;
+    CHECK(session.persist(more) == NETMESH_NO_RESULT);
+    more.bounds = &netmesh_bounds, more.cycles = nullptr;
+    more.max_degree = 0;
+    CHECK(session.persist(more) == NETMESH_NO_RESULT);
+    Session empty(2);
+    CHECK(empty.persist(more) == NETMESH_NO_RESULT);
+    more.bounds = nullptr;
+    CHECK(session.persist(more) == NETMESH_INVALID_ARGUMENT);
+    CHECK(session.detail().field == NETMESH_FIELD_FILTER);
+}
+
 TEST_CASE("bounds that do not fit leave the diagram") {
     const inputs::Points points = inputs::uniform(2, 30);
     Session roomy(2);
@@ -71,7 +116,7 @@ TEST_CASE("bounds that do not fit leave the diagram") {
     for (std::size_t bytes = used; bytes < peak + 100000 && !refused; bytes += 256) {
         Session session(2);
         session.reserve(bytes);
-        netmesh_status status = session.mesh_in_block(points, NETMESH_PURPOSE_PERSIST);
+        netmesh_status status = session.mesh_in_block(points, &netmesh_filter_complete);
         if (status == NETMESH_OK) status = session.persist();
         if (status != NETMESH_OK) continue;
         const netmesh_status bound = session.bound_bars();
@@ -85,7 +130,7 @@ TEST_CASE("bounds that do not fit leave the diagram") {
 
 TEST_CASE("the basic filter's bounds begin where its ratio does") {
     Session session(2);
-    REQUIRE(session.mesh_and_persist(inputs::circle(40), NETMESH_FILTER_BASIC) == NETMESH_OK);
+    REQUIRE(session.mesh_and_persist(inputs::circle(40), &netmesh_filter_basic) == NETMESH_OK);
     REQUIRE(session.bound_bars() == NETMESH_OK);
     const double from = session.report().diagram.certified_from;
     const std::vector<netmesh_pair> pairs = session.pairs();
@@ -118,18 +163,19 @@ TEST_CASE("the ratio by scale") {
     Session session(2);
     std::size_t compared = 0;
     session.bounds = true;
-    for (const netmesh_filter filter : {NETMESH_FILTER_COMPLETE, NETMESH_FILTER_BASIC, NETMESH_FILTER_KNN}) {
-        REQUIRE(session.mesh_and_persist(inputs::shell(2, 80, 0.8, 1, 15), persist_by(filter, 3)) == NETMESH_OK);
+    for (const netmesh_filter* const filter : {&netmesh_filter_complete, &netmesh_filter_basic, &netmesh_filter_knn}) {
+        const netmesh::Request diagram = persist_by(filter, filter == &netmesh_filter_knn ? 3 : 0);
+        REQUIRE(session.mesh_and_persist(inputs::shell(2, 80, 0.8, 1, 15), diagram) == NETMESH_OK);
         REQUIRE(session.bound_bars() == NETMESH_OK);
-        const netmesh_diagram_report diagram = session.report().diagram;
+        const netmesh_diagram_report report = session.report().diagram;
         const std::vector<netmesh_scale_step> steps = read_all(session.context, netmesh_get_scale_step);
         double worst = 0;
         for (std::size_t i = 0; i < steps.size(); ++i) {
             const netmesh_scale_step& step = steps[i];
             CAPTURE(i);
             CHECK(step.ratio >= 1);
-            if (step.from >= diagram.certified_from) {
-                CHECK(step.ratio <= diagram.certified_ratio);
+            if (step.from >= report.certified_from) {
+                CHECK(step.ratio <= report.certified_ratio);
                 worst = std::fmax(worst, step.ratio);
             }
             // low and high say the same to within a step.
@@ -149,7 +195,7 @@ TEST_CASE("the ratio by scale") {
         }
         CHECK(steps.size() > 3);
         CHECK(steps.size() < 400);
-        if (filter == NETMESH_FILTER_COMPLETE) CHECK(ratio_at(steps, 1e-9) == 1);
+        if (filter == &netmesh_filter_complete) CHECK(ratio_at(steps, 1e-9) == 1);
         CHECK(worst > 1.2);
         CHECK(ratio_at(steps, 10) == 1);
         // What bars need to be real, and the bounds of those that are not said to be, are those of the curve at birth
@@ -212,9 +258,9 @@ TEST_CASE("one-dimensional classes of the Clifford torus and that of the 3-spher
     inputs::Points points = inputs::clifford(500);
     Session session(4);
     session.bounds = true;
-    session.request.tau = 4;
-    session.request.sizes.size = fine_far_away;
-    session.request.sizes.user = &points;
+    session.request.mesh.tau = 4;
+    session.request.mesh.sizes.size = fine_far_away;
+    session.request.mesh.sizes.user = &points;
     REQUIRE(session.mesh_and_persist(points) == NETMESH_OK);
     const std::vector<netmesh_pair> pairs = session.pairs();
     std::size_t certain[4] = {0, 0, 0, 0};

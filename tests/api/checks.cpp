@@ -19,9 +19,9 @@ std::size_t points_of(int dim) { return by_dimension<std::size_t>(dim, {8, 6, 6,
 
 struct Refined : Session {
     explicit Refined(int dim) : Session(dim) {
-        if (dim == 6) request.tau = 2.2;
+        if (dim == 6) request.mesh.tau = 2.2;
         reserve(std::size_t{1} << 25);
-        REQUIRE(mesh(inputs::uniform(dim, points_of(dim)), NETMESH_PURPOSE_PERSIST) == NETMESH_OK);
+        REQUIRE(mesh(inputs::uniform(dim, points_of(dim)), &netmesh_filter_complete) == NETMESH_OK);
         REQUIRE(report().mesh.steiner > 0);
     }
 };
@@ -34,12 +34,12 @@ TEST_CASE("ratios asked of a loaded mesh") {
         Arrays mesh{Refined(dim)};
         Session s(dim);
         s.reserve(std::size_t{1} << 25);
-        s.request.certificate.ratio = 100;
+        s.request.goal.ratio = 100;
         REQUIRE(mesh.load(s) == NETMESH_OK);
         CHECK(s.report().mesh.tau == 0);
         CHECK(s.check(NETMESH_CHECK_QUALITY) == NETMESH_OK);
         const auto fails = [&](double ratio, double focus, double from, double to) {
-            s.request.certificate = {ratio, focus, from, to};
+            s.request.goal = {ratio, 0, 0, 0, focus, from, to, 0};
             return s.check(NETMESH_CHECK_QUALITY) == NETMESH_CHECK_FAILED ? said(s) : std::string();
         };
         CHECK(fails(1.42, 0, 0, 0) == "the certified ratio is above the one asked for");
@@ -48,7 +48,7 @@ TEST_CASE("ratios asked of a loaded mesh") {
         CHECK(fails(100, 1.001, 1e9, 2e9).empty());     // above all cells
         CHECK(fails(100, 1.001, 1e-12, 1e-9).empty());  // below
         for (std::uint8_t& m : mesh.markers) m = m == 2 ? 1 : m;
-        s.request.certificate = {100, 0, 0, 0};
+        s.request.goal = {100, 0, 0, 0, 0, 0, 0, 0};
         REQUIRE(mesh.load(s) == NETMESH_OK);
         CHECK(s.check(NETMESH_CHECK_QUALITY) == NETMESH_CHECK_FAILED);
         CHECK(said(s) == "a vertex of the mesh's hull is not exempt");
@@ -64,12 +64,12 @@ TEST_CASE("quality and size asked of cells in a wider domain") {
         s.reserve(std::size_t{1} << 25);
         REQUIRE(mesh.load(s) == NETMESH_OK);
         CHECK(s.report().mesh.aspect_ratio_max > 2.0001);
-        s.request.tau = 2.0001;
+        s.request.mesh.tau = 2.0001;
         CHECK(s.check(NETMESH_CHECK_QUALITY) == NETMESH_CHECK_FAILED);
         CHECK(said(s) == "a clipped Voronoi cell has an aspect ratio above tau");
-        s.request.tau = 1e9;
+        s.request.mesh.tau = 1e9;
         CHECK(s.check(NETMESH_CHECK_QUALITY) == NETMESH_OK);
-        s.request.sizes.eps = 1e-3;
+        s.request.mesh.sizes.eps = 1e-3;
         CHECK(s.check(NETMESH_CHECK_QUALITY) == NETMESH_CHECK_FAILED);
         CHECK(said(s) == "a clipped Voronoi cell is larger than the size asked for");
     }
@@ -154,14 +154,14 @@ TEST_CASE("alpha refuses cells that were loaded flat") {
         }
         for (const Arrays* const cells : {&flat, &one, &point, &nothing}) {
             REQUIRE(cells->load(s) == NETMESH_OK);
-            CHECK(s.persist(NETMESH_FILTER_ALPHA) == NETMESH_CHECK_FAILED);
+            CHECK(s.persist(&netmesh_filter_alpha) == NETMESH_CHECK_FAILED);
             CHECK(said(s).find("flat") != std::string::npos);
             CHECK(s.report().diagram.present == 0);
             CHECK(s.check(NETMESH_CHECK_COMBINATORIAL) == NETMESH_OK);
             CHECK(s.check(NETMESH_CHECK_GEOMETRIC) == NETMESH_CHECK_FAILED);
         }
         REQUIRE(whole.load(s) == NETMESH_OK);
-        CHECK(s.persist(NETMESH_FILTER_ALPHA) == NETMESH_OK);
+        CHECK(s.persist(&netmesh_filter_alpha) == NETMESH_OK);
     }
 }
 
@@ -194,7 +194,7 @@ TEST_CASE("two inputs too near for so few vertices") {
         mesh.domain.assign(static_cast<std::size_t>(dim), 0.5);
         mesh.domain.push_back(1.5);
         s.reserve(std::size_t{1} << 22);
-        s.request.tau = 2.0001;
+        s.request.mesh.tau = 2.0001;
         REQUIRE(mesh.load(s) == NETMESH_OK);
         CHECK(s.check(NETMESH_CHECK_BOUNDS) == NETMESH_CHECK_FAILED);
         CHECK(said(s).find("3.4.2") != std::string::npos);
@@ -209,10 +209,10 @@ TEST_CASE("rows of points that scales cannot be meshed with") {
         s.reserve(std::size_t{1} << 22);
         for (const netmesh_values values : {NETMESH_VALUES_CERTIFIED, NETMESH_VALUES_THESIS}) {
             const inputs::Points one(d, 0.25);
-            netmesh_scales_request request = s.scales_request(one);
+            netmesh::Request request = s.scales_request(one);
             request.values = values;
             request.max_degree = 9;
-            REQUIRE(netmesh_persist_scales(s.context, &request) == NETMESH_OK);
+            REQUIRE(s.persist(request) == NETMESH_OK);
             CHECK(s.pairs().size() == 1);
             CHECK(s.report().scales.count == 1);
             CHECK(s.represent() == NETMESH_NO_RESULT);
@@ -221,8 +221,8 @@ TEST_CASE("rows of points that scales cannot be meshed with") {
             CHECK(s.analyse(&analysis, NETMESH_ANALYSE_FATNESS) == NETMESH_NO_RESULT);
         }
         const auto refused = [&](const inputs::Points& p, netmesh_status status, std::uint64_t a, std::uint64_t b) {
-            const netmesh_scales_request request = s.scales_request(p);
-            CHECK(netmesh_persist_scales(s.context, &request) == status);
+            const netmesh::Request request = s.scales_request(p);
+            CHECK(netmesh_persist(s.context, &request) == status);
             CHECK(s.detail().index_a == a);
             CHECK(s.detail().index_b == b);
         };
@@ -253,7 +253,7 @@ void alpha_refuses(const Arrays& cells) {
     Session s(static_cast<int>(cells.dim));
     s.reserve(std::size_t{1} << 24);
     REQUIRE(cells.load(s) == NETMESH_OK);
-    CHECK(s.persist(NETMESH_FILTER_ALPHA) == NETMESH_CHECK_FAILED);
+    CHECK(s.persist(&netmesh_filter_alpha) == NETMESH_CHECK_FAILED);
     CHECK(!said(s).empty());
     CHECK(s.report().diagram.present == 0);
     CHECK(s.report().mesh.cells == cells.cells.size() / (cells.dim + 1));
@@ -283,14 +283,14 @@ TEST_CASE("alpha refuses cells that are no ball") {
         const std::size_t d = static_cast<std::size_t>(dim), corners = d + 1;
         Session s(dim);
         REQUIRE(s.delaunay(inputs::uniform(dim, d + 8, 3)) == NETMESH_OK);
-        REQUIRE(s.persist(NETMESH_FILTER_ALPHA) == NETMESH_OK);
+        REQUIRE(s.persist(&netmesh_filter_alpha) == NETMESH_OK);
         const auto bars = read_all(s.context, netmesh_get_pair);
         Arrays whole(s);
         whole.domain.clear();
         Session loaded(dim);
         loaded.reserve(std::size_t{1} << 24);
         REQUIRE(whole.load(loaded) == NETMESH_OK);
-        CHECK(loaded.persist(NETMESH_FILTER_ALPHA) == NETMESH_OK);
+        CHECK(loaded.persist(&netmesh_filter_alpha) == NETMESH_OK);
         const auto again = read_all(loaded.context, netmesh_get_pair);
         REQUIRE(again.size() == bars.size());
         for (std::size_t i = 0; i < bars.size(); ++i) {
@@ -304,7 +304,7 @@ TEST_CASE("alpha refuses cells that are no ball") {
             Session other(dim);
             other.reserve(std::size_t{1} << 24);
             const netmesh_status status = twice.load(other);
-            CHECK((status == NETMESH_CHECK_FAILED || other.persist(NETMESH_FILTER_ALPHA) == NETMESH_CHECK_FAILED));
+            CHECK((status == NETMESH_CHECK_FAILED || other.persist(&netmesh_filter_alpha) == NETMESH_CHECK_FAILED));
         }
         const std::uint32_t first = static_cast<std::uint32_t>(whole.markers.size());
         for (const double x : whole.vertices) two.vertices.push_back(x + 9);

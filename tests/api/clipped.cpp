@@ -22,8 +22,8 @@ double ratio_of(int dim) { return dim > 4 ? 1.7 : 2.3; }
 class Refined : public Session {
 public:
     Refined(int dim, const inputs::Points& points, bool whole) : Session(dim) {
-        request.certificate.ratio = ratio_of(dim);
-        request.whole_cells = whole ? 1 : 0;
+        request.goal.ratio = ratio_of(dim);
+        request.mesh.whole_cells = whole ? 1 : 0;
         REQUIRE(mesh_and_persist(points) == NETMESH_OK);
         CHECK(report().mesh.clipped == (whole ? 0 : 1));
         CHECK(report().diagram.certified_ratio <= ratio_of(dim));
@@ -72,16 +72,16 @@ TEST_CASE(
         const double radius = made.report().mesh.domain[dim];
         REQUIRE(made.bound_bars() == NETMESH_OK);
         REQUIRE(made.represent() == NETMESH_OK);
-        REQUIRE(made.persist(NETMESH_FILTER_BASIC) == NETMESH_OK);
+        REQUIRE(made.persist(&netmesh_filter_basic) == NETMESH_OK);
         CHECK(made.report().diagram.certified_ratio < 3);
         CHECK(made.report().mesh.domain[dim] == radius);
-        REQUIRE(made.persist(persist_by(NETMESH_FILTER_KNN, 2)) == NETMESH_OK);
+        REQUIRE(made.persist(persist_by(&netmesh_filter_knn, 2)) == NETMESH_OK);
         REQUIRE(made.persist() == NETMESH_OK);
         CHECK(made.report().fingerprint == fingerprint);
 
         Session loaded(dim);
         loaded.reserve(std::size_t{1} << 26);
-        loaded.request.certificate.ratio = ratio_of(dim);
+        loaded.request.goal.ratio = ratio_of(dim);
         const Arrays arrays(made);
         REQUIRE(arrays.load(loaded) == NETMESH_OK);
         CHECK(loaded.check() == NETMESH_OK);
@@ -90,7 +90,7 @@ TEST_CASE(
         CHECK(loaded.report().mesh.domain[dim] == radius);
         CHECK(loaded.report().fingerprint == fingerprint);
         // For whole cells it was not made.
-        loaded.request.whole_cells = 1;
+        loaded.request.mesh.whole_cells = 1;
         REQUIRE(arrays.load(loaded) == NETMESH_OK);
         CHECK(loaded.check() == NETMESH_CHECK_FAILED);
         REQUIRE(loaded.persist() == NETMESH_OK);
@@ -104,7 +104,7 @@ TEST_CASE("a ball that does not hold the points clips nothing") {
     arrays.domain.back() *= 0.99;
     Session loaded(2);
     loaded.reserve(std::size_t{1} << 24);
-    loaded.request.certificate.ratio = 2.3;
+    loaded.request.goal.ratio = 2.3;
     REQUIRE(arrays.load(loaded) == NETMESH_OK);
     REQUIRE(loaded.persist() == NETMESH_OK);
     CHECK(loaded.report().diagram.certified_ratio > 2.3);  // of whole cells

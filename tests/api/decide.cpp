@@ -11,10 +11,13 @@
 
 namespace {
 
-netmesh::requests::Fit deciding(const inputs::Points& points, int dim, double longer_than, double ratio = 0) {
-    netmesh::requests::Fit asked(static_cast<std::uint32_t>(dim));
-    asked.longer_than = longer_than;
-    asked.ratio = ratio;
+netmesh::Request deciding(const inputs::Points& points, int dim, double longer_than, double ratio = 0) {
+    netmesh::Request asked(&netmesh_filter_complete);
+    asked.points.dim = static_cast<std::uint32_t>(dim);
+    asked.goal.longer_than = longer_than;
+    asked.goal.ratio = ratio;
+    asked.bounds = &netmesh_bounds;
+    asked.fit = &netmesh_fit;
     return on(points, asked);
 }
 
@@ -41,7 +44,7 @@ netmesh_decision_report checked(const Session& session, const inputs::Points& po
     CHECK(decision.decided_from >= reach);
 
     Session direct(static_cast<int>(report.input.dim));
-    direct.request.certificate = report.mesh.certificate;
+    direct.request.goal = report.mesh.goal;
     direct.bounds = true;
     REQUIRE(direct.mesh_and_persist(points) == NETMESH_OK);
     CHECK(direct.report().fingerprint == report.fingerprint);
@@ -75,28 +78,34 @@ inputs::Points linked_circles(std::size_t n) {
 TEST_CASE("fits that decide bars: what makes no sense") {
     const inputs::Points points = inputs::uniform(2, 20);
     Session session(2);
-    const auto refused = [&](const netmesh_fit_request& asked, netmesh_field field) {
-        CHECK(netmesh_fit(session.context, &asked) == NETMESH_INVALID_ARGUMENT);
+    const auto refused = [&](const netmesh::Request& asked, netmesh_field field) {
+        CHECK(netmesh_persist(session.context, &asked) == NETMESH_INVALID_ARGUMENT);
         CHECK(session.detail().field == field);
     };
     for (const double longer_than : {-1.0, 0.5, 1.0, HUGE_VAL, std::nan("")})
         refused(deciding(points, 2, longer_than), NETMESH_FIELD_LONGER_THAN);
-    netmesh::requests::Fit asked = deciding(points, 2, 1.5);
-    asked.focus_from = 1;
-    asked.focus_to = 2;
+    netmesh::Request asked = deciding(points, 2, 1.5);
+    asked.goal.focus_from = 1;
+    asked.goal.focus_to = 2;
     refused(asked, NETMESH_FIELD_FOCUS_FROM);
-    for (const netmesh_filter filter : {NETMESH_FILTER_BASIC, NETMESH_FILTER_KNN, NETMESH_FILTER_TIGHT}) {
+    for (const netmesh_filter* const filter : {&netmesh_filter_basic, &netmesh_filter_knn, &netmesh_filter_tight}) {
         asked = deciding(points, 2, 1.5);
         asked.filter = filter;
-        refused(asked, NETMESH_FIELD_FILTER);
+        refused(asked, NETMESH_FIELD_LONGER_THAN);
     }
     asked = deciding(points, 2, 1.5);
     asked.values = NETMESH_VALUES_THESIS;
-    refused(asked, NETMESH_FIELD_FILTER);
+    refused(asked, NETMESH_FIELD_LONGER_THAN);
+    asked = deciding(points, 2, 1.5);
+    asked.bounds = nullptr;
+    refused(asked, NETMESH_FIELD_BOUNDS);
+    asked = deciding(points, 2, 1.5);
+    asked.fit = nullptr;
+    refused(asked, NETMESH_FIELD_LONGER_THAN);
     asked = deciding(points, 2, 1.5, 1.4);
     refused(asked, NETMESH_FIELD_RATIO);
     asked = deciding(points, 2, 1.5);
-    REQUIRE(netmesh_fit(session.context, &asked) == NETMESH_OK);
+    REQUIRE(netmesh_persist(session.context, &asked) == NETMESH_OK);
     CHECK(session.report().decision.present == 1);
     REQUIRE(session.persist() == NETMESH_OK);  // another diagram, of which nothing was decided
     CHECK(session.report().decision.present == 0);
@@ -106,10 +115,10 @@ TEST_CASE("where the coarsest mesh decides every bar no other is made") {
     const inputs::Points points = inputs::circle(40);
     Session session(2);
     session.reserve(std::size_t{1} << 22);
-    const netmesh_fit_request asked = deciding(points, 2, 1.5, 2);
-    REQUIRE(netmesh_fit(session.context, &asked) == NETMESH_OK);
+    const netmesh::Request asked = deciding(points, 2, 1.5, 2);
+    REQUIRE(netmesh_persist(session.context, &asked) == NETMESH_OK);
     CHECK(checked(session, points, 1.5).undecided_to == 0);
-    CHECK(session.report().mesh.certificate.focus_ratio == 0);
+    CHECK(session.report().mesh.goal.focus_ratio == 0);
     CHECK(session.report().bounds.certain[1] == 1);
 }
 
@@ -117,10 +126,10 @@ TEST_CASE("both loops of a figure eight, a void of a sphere, linked circles, bot
     const auto certain = [](int dim, const inputs::Points& points, std::size_t bytes, std::uint32_t degree) {
         Session session(dim);
         session.reserve(bytes);
-        const netmesh_fit_request asked = deciding(points, dim, 1.5, 2);
-        REQUIRE(netmesh_fit(session.context, &asked) == NETMESH_OK);
+        const netmesh::Request asked = deciding(points, dim, 1.5, 2);
+        REQUIRE(netmesh_persist(session.context, &asked) == NETMESH_OK);
         CHECK(session.report().memory.peak_bytes <= bytes);
-        CHECK(session.report().mesh.certificate.ratio == 2);
+        CHECK(session.report().mesh.goal.ratio == 2);
         checked(session, points, 1.5);
         return session.report().bounds.certain[degree];
     };
@@ -136,8 +145,8 @@ TEST_CASE("the curve on the Clifford torus: the 3-sphere around it is real, whic
     const inputs::Points points = inputs::clifford(500);
     Session session(4);
     session.reserve(std::size_t{16} << 20);
-    const netmesh_fit_request asked = deciding(points, 4, 1.5, 2.25);
-    REQUIRE(netmesh_fit(session.context, &asked) == NETMESH_OK);
+    const netmesh::Request asked = deciding(points, 4, 1.5, 2.25);
+    REQUIRE(netmesh_persist(session.context, &asked) == NETMESH_OK);
     const netmesh_decision_report decision = checked(session, points, 1.5);
     CHECK(session.report().bounds.certain[1] >= 2);
     CHECK(session.report().bounds.certain[3] == 1);
@@ -145,7 +154,7 @@ TEST_CASE("the curve on the Clifford torus: the 3-sphere around it is real, whic
     CHECK(decision.decided_from < 1.4);  // the sphere dies at the root of 2
     Session coarse(4);
     coarse.bounds = true;
-    coarse.request.certificate.ratio = 2.25;
+    coarse.request.goal.ratio = 2.25;
     REQUIRE(coarse.mesh_and_persist(points) == NETMESH_OK);
     CHECK(coarse.report().bounds.certain[3] == 0);
     CHECK(session.report().mesh.vertices < 2 * coarse.report().mesh.vertices);
@@ -165,8 +174,8 @@ TEST_CASE("more memory never decides less, and the block is kept to") {
             CAPTURE(bytes);
             Session session(dim);
             session.reserve(bytes);
-            const netmesh_fit_request asked = deciding(points, dim, longer_than, 2.5);
-            const netmesh_status status = netmesh_fit(session.context, &asked);
+            const netmesh::Request asked = deciding(points, dim, longer_than, 2.5);
+            const netmesh_status status = netmesh_persist(session.context, &asked);
             if (status == NETMESH_OUT_OF_MEMORY) {
                 CHECK(last < 0);
                 CHECK(session.report().diagram.present == 0);
@@ -192,18 +201,18 @@ TEST_CASE("a fit that decides bars and is stopped leaves no diagram") {
     const inputs::Points points = inputs::uniform(2, 300);
     Session session(2);
     session.reserve(std::size_t{1} << 22);
-    netmesh_fit_request asked = deciding(points, 2, 1.5);
+    netmesh::Request asked = deciding(points, 2, 1.5);
     asked.monitor = polls.monitor();
-    REQUIRE(netmesh_fit(session.context, &asked) == NETMESH_OK);
+    REQUIRE(netmesh_persist(session.context, &asked) == NETMESH_OK);
     const long all = polls.made;
     const std::uint64_t print = session.report().fingerprint;
     for (const long stop_at : {0L, all / 2, all - 1}) {
         polls = {0, stop_at};
-        CHECK(netmesh_fit(session.context, &asked) == NETMESH_CANCELLED);
+        CHECK(netmesh_persist(session.context, &asked) == NETMESH_CANCELLED);
         CHECK(session.report().diagram.present == 0);
         CHECK(session.report().decision.present == 0);
     }
     polls = {};
-    REQUIRE(netmesh_fit(session.context, &asked) == NETMESH_OK);
+    REQUIRE(netmesh_persist(session.context, &asked) == NETMESH_OK);
     CHECK(session.report().fingerprint == print);
 }

@@ -28,7 +28,7 @@ long long determinant(std::vector<std::vector<long long>> m) {
 
 // D! times the volume of all cells, for integer points; 0 when a cell is not positively oriented.
 long long volume(const Session& session) {
-    const std::size_t dim = session.request.dim;
+    const std::size_t dim = session.dim();
     long long sum = 0;
     const std::vector<netmesh_vertex> vertices = session.vertices();
     const std::vector<netmesh_cell> cells = read_all(session.context, netmesh_get_cell);

@@ -12,7 +12,7 @@ constexpr double not_a_number = std::numeric_limits<double>::quiet_NaN();
 
 // Each kind of distance by its own names.
 struct BottleneckCalls {
-    using Request = netmesh::requests::Bottleneck;
+    using Request = netmesh::Bottleneck;
     using Result = netmesh_distance;
     static netmesh_status call(const netmesh_bottleneck_request* r, netmesh_distance* d, netmesh_detail* detail) {
         return netmesh_bottleneck(r, d, detail);
@@ -20,7 +20,7 @@ struct BottleneckCalls {
     static std::size_t bytes(const netmesh_bottleneck_request* r) { return netmesh_bottleneck_bytes(r); }
 };
 struct WassersteinCalls {
-    using Request = netmesh::requests::Wasserstein;
+    using Request = netmesh::Wasserstein;
     using Result = netmesh_wasserstein_distance;
     static netmesh_status call(const netmesh_wasserstein_request* r, netmesh_wasserstein_distance* d,
                                netmesh_detail* detail) {
@@ -57,6 +57,7 @@ template <class Calls> struct Refusals {
         refused([](auto& r) { r.pair_bytes = 8; }, NETMESH_FIELD_PAIR_BYTES);
         refused([](auto& r) { r.scratch = nullptr; }, NETMESH_FIELD_SCRATCH);
         refused([this](auto& r) { r.scratch = scratch + 8; }, NETMESH_FIELD_SCRATCH);
+        refused([this](auto& r) { r.monitor.user = scratch; }, NETMESH_FIELD_MONITOR);
         const netmesh_pair late = bar(0, 2, 1), nowhere = bar(0, not_a_number, 1);
         refused([&](auto& r) { r.pairs_a = &late; }, NETMESH_FIELD_PAIRS_A);
         refused([&](auto& r) { r.pairs_b = &nowhere; }, NETMESH_FIELD_PAIRS_B);

@@ -19,9 +19,9 @@ std::string said(const Session& s) { return s.detail().message; }
 std::size_t points_of(int dim) { return by_dimension<std::size_t>(dim, {8, 5, 3, 3, 3}); }
 
 struct Meshed : Session {
-    explicit Meshed(int dim, netmesh_purpose purpose = NETMESH_PURPOSE_PERSIST) : Session(dim) {
+    explicit Meshed(int dim, const netmesh_filter* filter = &netmesh_filter_complete) : Session(dim) {
         reserve(std::size_t{1} << 23);
-        REQUIRE(mesh(inputs::uniform(dim, points_of(dim)), purpose) == NETMESH_OK);
+        REQUIRE(mesh(inputs::uniform(dim, points_of(dim)), filter) == NETMESH_OK);
     }
 };
 
@@ -42,14 +42,14 @@ TEST_CASE("quality that is not there") {
         CAPTURE(dim);
         Meshed s(dim);
         if (dim < 4) {  // above, these few points have no corners in the domain
-            s.request.tau = 2.0001;
+            s.request.mesh.tau = 2.0001;
             CHECK(s.check(NETMESH_CHECK_QUALITY) == NETMESH_CHECK_FAILED);
             CHECK(said(s) == "a clipped Voronoi cell has an aspect ratio above tau");
-            s.request.tau = 0;
-            s.request.sizes.eps = 1e-3;
+            s.request.mesh.tau = 0;
+            s.request.mesh.sizes.eps = 1e-3;
             CHECK(s.check(NETMESH_CHECK_QUALITY) == NETMESH_CHECK_FAILED);
             CHECK(said(s) == "a clipped Voronoi cell is larger than the size asked for");
-            s.request.sizes.eps = 0;
+            s.request.mesh.sizes.eps = 0;
         }
         Arrays mesh(s);
         for (std::uint8_t& m : mesh.markers) m = m == 2 ? 1 : m;
@@ -75,8 +75,9 @@ TEST_CASE("vertices that were moved") {
             failed += other.check(7) == NETMESH_CHECK_FAILED;
             other.check(NETMESH_CHECK_QUALITY);
             if (dim < 4) other.check(NETMESH_CHECK_BOUNDS);
-            for (const netmesh_filter filter : {NETMESH_FILTER_COMPLETE, NETMESH_FILTER_BASIC, NETMESH_FILTER_TIGHT}) {
-                netmesh_persist_request all = persist_by(filter);
+            for (const netmesh_filter* const filter :
+                 {&netmesh_filter_complete, &netmesh_filter_basic, &netmesh_filter_tight}) {
+                netmesh::Request all = persist_by(filter);
                 all.keep_zero_pairs = 1;
                 const netmesh_status status = other.persist(all);
                 CHECK((status == NETMESH_OK || status == NETMESH_INTERNAL || status == NETMESH_OUT_OF_MEMORY));
@@ -147,15 +148,15 @@ TEST_CASE("cages of another size") {
         CAPTURE(dim);
         Session s(dim);
         s.reserve(std::size_t{1} << 23);
-        s.request.method = NETMESH_METHOD_HIERARCHY;
+        s.request.mesh.method = &netmesh_method_netmesh;
         const std::size_t count = dim < 4 ? 6 : dim == 4 ? 4 : 3;
         REQUIRE(s.mesh(inputs::geometric(dim, 40, count)) == NETMESH_OK);
         CHECK(s.check() == NETMESH_OK);
         const Arrays mesh(s);
         REQUIRE(!mesh.cages.empty());
-        s.request.tau = 2.0001;
+        s.request.mesh.tau = 2.0001;
         CHECK(s.check(NETMESH_CHECK_QUALITY) == NETMESH_CHECK_FAILED);
-        s.request.tau = 0;
+        s.request.mesh.tau = 0;
         REQUIRE(mesh.load(s) == NETMESH_OK);
         CHECK(mesh.load_cages(s) == NETMESH_OK);
         CHECK(s.check() == NETMESH_OK);
@@ -187,12 +188,13 @@ TEST_CASE("filters, values and bounds") {
         CAPTURE(dim);
         Meshed s(dim);
         for (const netmesh_values values : {NETMESH_VALUES_CERTIFIED, NETMESH_VALUES_THESIS})
-            for (const netmesh_filter filter : {NETMESH_FILTER_COMPLETE, NETMESH_FILTER_BASIC, NETMESH_FILTER_TIGHT,
-                                                NETMESH_FILTER_KNN, NETMESH_FILTER_KDISTANCE})
+            for (const netmesh_filter* const filter :
+                 {&netmesh_filter_complete, &netmesh_filter_basic, &netmesh_filter_tight, &netmesh_filter_knn,
+                  &netmesh_filter_kdistance})
                 for (const std::uint32_t k : {0u, 2u, 3u}) {
-                    const bool counts = filter == NETMESH_FILTER_KNN || filter == NETMESH_FILTER_KDISTANCE;
+                    const bool counts = filter == &netmesh_filter_knn || filter == &netmesh_filter_kdistance;
                     if (!counts && k > 0) continue;
-                    netmesh_persist_request request = persist_by(filter, k, values);
+                    netmesh::Request request = persist_by(filter, k, values);
                     request.max_degree = k == 2 ? 1 : 9;
                     request.keep_zero_pairs = k == 3 ? 1 : 0;
                     REQUIRE(s.persist(request) == NETMESH_OK);
@@ -200,7 +202,7 @@ TEST_CASE("filters, values and bounds") {
                     const std::uint64_t before = s.report().fingerprint;
                     CHECK(s.represent() == NETMESH_OK);
                     CHECK(s.report().fingerprint == before);
-                    if (filter == NETMESH_FILTER_BASIC) continue;
+                    if (filter == &netmesh_filter_basic) continue;
                     REQUIRE(s.bound_bars() == NETMESH_OK);
                     const std::vector<netmesh_pair> pairs = s.pairs();
                     for (std::uint64_t i = 0; i < pairs.size(); ++i) {
@@ -211,16 +213,19 @@ TEST_CASE("filters, values and bounds") {
                     }
                 }
         if (dim > 4) continue;
-        for (const netmesh_filter filter : {NETMESH_FILTER_KNN, NETMESH_FILTER_KDISTANCE})
+        for (const netmesh_filter* const filter : {&netmesh_filter_knn, &netmesh_filter_kdistance})
             for (const netmesh_values values : {NETMESH_VALUES_CERTIFIED, NETMESH_VALUES_THESIS}) {
-                netmesh::requests::Vineyard request(filter);
+                netmesh::Request request(filter);
                 request.k_last = 3;
                 request.values = values;
                 request.max_degree = 2;
                 REQUIRE(s.vineyard(request) == NETMESH_OK);
                 CHECK(s.report().vineyard.vines > 0);
             }
-        CHECK(s.bound_bars() == NETMESH_NO_RESULT);
+        CHECK(s.report().diagram.present == 0);
+        CHECK(s.bound_bars() == NETMESH_OK);  // of the last diagram, which is made again
+        CHECK(s.report().diagram.present + s.report().bounds.present == 2);
+        CHECK(s.report().vineyard.present == 0);
     }
 }
 
@@ -256,10 +261,10 @@ TEST_CASE("functions of every shape") {
                     CAPTURE(kind);
                     Session s(dim);
                     s.reserve(std::size_t{1} << 23);
-                    REQUIRE(s.mesh(inputs::uniform(dim, dim < 4 ? 4 : 2), NETMESH_PURPOSE_PERSIST) == NETMESH_OK);
+                    REQUIRE(s.mesh(inputs::uniform(dim, dim < 4 ? 4 : 2), &netmesh_filter_complete) == NETMESH_OK);
                     Shape user = {kind, 0};
                     const netmesh_function f = {sizeof f, shape, &user, kind == 1 ? 0 : 1.5, factor, cut};
-                    netmesh::requests::Persist request(NETMESH_FILTER_FUNCTION);
+                    netmesh::Request request(&netmesh_filter_function);
                     request.values = cut == 3 ? NETMESH_VALUES_THESIS : NETMESH_VALUES_CERTIFIED;
                     request.keep_zero_pairs = 1;
                     const netmesh_status status = s.persist(f, request);
@@ -272,7 +277,14 @@ TEST_CASE("functions of every shape") {
                     } else {  // the promise of a factor is false at inputs' neighbours for some shapes
                         CHECK((status == NETMESH_OK || status == NETMESH_INTERNAL));
                     }
-                    if (status == NETMESH_OK) CHECK(s.bound_bars() == NETMESH_OK);
+                    if (status != NETMESH_OK) continue;
+                    if (kind == 2) {  // another function at a second look
+                        const netmesh_status again = s.bound_bars(f);
+                        CHECK((again == NETMESH_OK || s.detail().field == NETMESH_FIELD_FUNCTION));
+                        CHECK(s.report().diagram.present == 1);
+                    }
+                    user.calls = 0;
+                    CHECK(s.bound_bars(f) == NETMESH_OK);
                 }
 }
 
@@ -310,9 +322,9 @@ TEST_CASE("places that are nearly the same") {
         }
         CHECK(s.mesh(inputs::Points(5 * d, 0.5)) == NETMESH_OK);
         CHECK(s.report().mesh.inputs == 1);
-        for (const netmesh_method method : {NETMESH_METHOD_HIERARCHY, NETMESH_METHOD_REFINE}) {
-            if (dim > 3 && method == NETMESH_METHOD_REFINE) continue;  // large meshes
-            s.request.method = method;
+        for (const netmesh_method* const method : {&netmesh_method_netmesh, &netmesh_method_refine}) {
+            if (dim > 3 && method == &netmesh_method_refine) continue;  // large meshes
+            s.request.mesh.method = method;
             CHECK(s.mesh(inputs::Points(5 * d, 0.5)) == NETMESH_OK);
             CHECK(s.check() == NETMESH_OK);
         }

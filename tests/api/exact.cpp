@@ -43,18 +43,19 @@ TEST_CASE("diagrams are within their certified ratio of the exact one") {
         Session truth(dim), s(dim);
         REQUIRE(truth.alpha(points) == NETMESH_OK);
         const std::vector<netmesh_pair> exact = truth.pairs();
-        if (dim > 4) s.request.tau = 3;
+        if (dim > 4) s.request.mesh.tau = 3;
         s.bounds = true;
         REQUIRE(s.mesh_and_persist(points) == NETMESH_OK);  // makes room for bounds
         REQUIRE(s.report().mesh.steiner > 0);
-        for (const netmesh_filter filter : {NETMESH_FILTER_COMPLETE, NETMESH_FILTER_TIGHT, NETMESH_FILTER_BASIC})
+        for (const netmesh_filter* const filter :
+             {&netmesh_filter_complete, &netmesh_filter_tight, &netmesh_filter_basic})
             for (const netmesh_values values : {NETMESH_VALUES_CERTIFIED, NETMESH_VALUES_THESIS}) {
-                if (dim == 6 && (filter == NETMESH_FILTER_BASIC || values == NETMESH_VALUES_THESIS)) continue;
+                if (dim == 6 && (filter == &netmesh_filter_basic || values == NETMESH_VALUES_THESIS)) continue;
                 REQUIRE(s.persist(persist_by(filter, 0, values)) == NETMESH_OK);
                 CHECK(std::isfinite(s.report().diagram.certified_ratio));
-                if (filter != NETMESH_FILTER_BASIC)
+                if (filter != &netmesh_filter_basic)
                     CHECK(distance(s.pairs(), exact) <= s.report().diagram.certified_ratio * (1 + 1e-9));
-                if (values == NETMESH_VALUES_CERTIFIED && (dim < 6 || filter == NETMESH_FILTER_COMPLETE))
+                if (values == NETMESH_VALUES_CERTIFIED && (dim < 6 || filter == &netmesh_filter_complete))
                     check_bounds(s, exact);
             }
     }
@@ -71,9 +72,9 @@ TEST_CASE("a bar between three points on a line is bounded by covers") {
         points[2 * d] = -1.3;
         const double birth = 0.65, death = 1;
         Session s(dim);
-        if (dim > 4) s.request.tau = 2.2;
+        if (dim > 4) s.request.mesh.tau = 2.2;
         s.bounds = true;
-        REQUIRE(s.mesh_and_persist(points, persist_by(NETMESH_FILTER_KNN, 2)) == NETMESH_OK);
+        REQUIRE(s.mesh_and_persist(points, persist_by(&netmesh_filter_knn, 2)) == NETMESH_OK);
         const std::vector<netmesh_pair> exact = {bar(0, 0.5, HUGE_VAL), bar(0, birth, death)};
         check_bounds(s, exact);
         const double c = s.report().diagram.certified_ratio;
@@ -84,4 +85,25 @@ TEST_CASE("a bar between three points on a line is bounded by covers") {
             }
         }
     }
+}
+
+// The circle through the three is larger than any double: a triangle and its longest edge that never enter.
+TEST_CASE("what enters beyond the largest double is no pair, where zero lengths are kept, too") {
+    const inputs::Points points = {-1e308, 0, 1e308, 0, 0, 1e-5};
+    for (const netmesh_filter* filter : {&netmesh_filter_alpha, &netmesh_filter_cech})
+        for (const std::uint32_t keep_mesh : {0u, 1u}) {
+            if (keep_mesh != 0 && filter != &netmesh_filter_alpha) continue;
+            Session s(2);
+            netmesh::Request request(filter);
+            request.set_points(2, points);
+            request.keep_zero_pairs = 1;
+            request.keep_mesh = keep_mesh;
+            REQUIRE(s.persist_until_it_fits(request) == NETMESH_OK);
+            const std::vector<netmesh_pair> pairs = s.pairs();
+            CHECK(pairs.size() >= 3);
+            for (const netmesh_pair& pair : pairs) CHECK(std::isfinite(pair.birth));
+            request.cycles = &netmesh_cycles;
+            REQUIRE(s.persist_until_it_fits(request) == NETMESH_OK);
+            CHECK(s.pairs().size() == pairs.size());
+        }
 }

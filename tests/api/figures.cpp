@@ -50,7 +50,7 @@ TEST_CASE("figures of a report apply where their results are") {
     {
         const netmesh_report nothing = s.report();
         const Figures figures(nothing);
-        CHECK(figures.applies("memory.arena_bytes"));
+        CHECK(figures.applies("memory.block_bytes"));
         for (const char* path : {"input.points", "mesh.vertices", "diagram.pairs", "vineyard.vines", "fingerprint"})
             CHECK(!figures.applies(path));
     }
@@ -59,7 +59,7 @@ TEST_CASE("figures of a report apply where their results are") {
     const netmesh_report r = s.report();
     const Figures figures(r);
     CHECK(figures.number("mesh.vertices") == r.mesh.vertices);
-    CHECK(figures.number("mesh.boundary") == r.mesh.exempt);
+    CHECK(figures.number("mesh.exempt") == r.mesh.exempt);
     CHECK(figures.real("diagram.certified_ratio") == r.diagram.certified_ratio);
     CHECK(figures["diagram.certified_ratio"].in_fingerprint == 1);
     CHECK(figures["mesh.domain"].count == 3);
@@ -114,16 +114,17 @@ TEST_CASE("the table of filters") {
     std::uint32_t index = 0;
     netmesh::for_each_filter([&](const netmesh_filter_info& info) {
         CAPTURE(info.name);
-        CHECK(static_cast<std::uint32_t>(info.filter) == ++index);
+        CHECK(static_cast<std::uint32_t>(info.id) == ++index);
         CHECK(info.reference[0] != 0);
         CHECK((std::strstr(info.reference, "{k}") != nullptr) == (info.needs_k == 1));
-        if (info.source != NETMESH_SOURCE_MESH) CHECK(info.has_vineyard + info.has_goal + info.bounds_by_scale == 0);
+        CHECK(info.is_on_mesh + info.is_on_triangulation + info.is_on_points + info.is_by_scales == 1);
+        CHECK(filter_of(info.id) == info.filter);
+        if (info.is_on_mesh == 0) CHECK(info.has_vineyard + info.has_goal + info.bounds_by_scale == 0);
         // Refused for what the table says, and for nothing else.
-        if (info.source > NETMESH_SOURCE_DELAUNAY || info.needs_function == 1) return;
+        if (info.is_on_points + info.is_by_scales + info.needs_function > 0) return;
         Session s(2);
         const inputs::Points points = inputs::uniform(2, 8);
-        const bool alpha = info.source == NETMESH_SOURCE_DELAUNAY;
-        REQUIRE((alpha ? s.delaunay(points) : s.mesh(points, info.purpose)) == NETMESH_OK);
+        REQUIRE((info.is_on_mesh == 1 ? s.mesh(points, info.filter) : s.delaunay(points)) == NETMESH_OK);
         REQUIRE(s.persist(info.filter) == NETMESH_OK);
         CHECK((s.report().diagram.k > 0) == (info.needs_k == 1));
         CHECK((s.represent() == NETMESH_OK) == (info.has_representatives == 1));

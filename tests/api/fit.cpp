@@ -10,92 +10,90 @@
 TEST_CASE("ratios that make no sense") {
     Session session(2);
     const inputs::Points points = inputs::uniform(2, 20);
-    const auto mesh = [&](netmesh_purpose purpose) { return session.mesh_in_block(points, purpose); };
+    const auto mesh = [&](const netmesh_filter* filter) { return session.mesh_in_block(points, filter); };
     const auto fit_refused = [&](netmesh_field field) {
         CHECK(session.fit(points) == NETMESH_INVALID_ARGUMENT);
         CHECK(session.detail().field == field);
     };
-    session.request.certificate.focus_ratio = 1.5;
-    CHECK(mesh(NETMESH_PURPOSE_PERSIST) == NETMESH_INVALID_ARGUMENT);
-    session.request.certificate.focus_ratio = 0;
+    session.request.goal.focus_ratio = 1.5;
+    CHECK(mesh(&netmesh_filter_complete) == NETMESH_INVALID_ARGUMENT);
+    session.request.goal.focus_ratio = 0;
     for (const double ratio : {-2.0, 1.0, 1.414, 1e300, 1e300 * 1e300, std::nan("")}) {
-        session.request.certificate.ratio = ratio;
-        CHECK(mesh(NETMESH_PURPOSE_PERSIST) == NETMESH_INVALID_ARGUMENT);
+        session.request.goal.ratio = ratio;
+        CHECK(mesh(&netmesh_filter_complete) == NETMESH_INVALID_ARGUMENT);
         CHECK(session.detail().field == NETMESH_FIELD_RATIO);
         fit_refused(NETMESH_FIELD_RATIO);
     }
-    session.request.certificate.ratio = 2.25;
-    CHECK(mesh(NETMESH_PURPOSE_MESH) == NETMESH_INVALID_ARGUMENT);
-    CHECK(mesh(NETMESH_PURPOSE_TIGHT) == NETMESH_INVALID_ARGUMENT);
-    session.request.sizes.eps = 0.5;
-    CHECK(mesh(NETMESH_PURPOSE_PERSIST) == NETMESH_INVALID_ARGUMENT);
-    session.request.sizes.eps = 0;
-    session.request.method = NETMESH_METHOD_REFINE;
-    CHECK(mesh(NETMESH_PURPOSE_PERSIST) == NETMESH_INVALID_ARGUMENT);
-    session.request.method = NETMESH_METHOD_SVR;
+    session.request.goal.ratio = 2.25;
+    session.request.mesh.sizes.eps = 0.5;
+    CHECK(mesh(&netmesh_filter_complete) == NETMESH_INVALID_ARGUMENT);
+    CHECK(session.detail().field == NETMESH_FIELD_SIZE_EPS);
+    session.request.mesh.sizes.eps = 0;
+    for (const netmesh_method* const method : {&netmesh_method_svr, &netmesh_method_refine}) {
+        session.request.mesh.method = method;
+        for (const netmesh_filter* const filter :
+             {static_cast<const netmesh_filter*>(nullptr), &netmesh_filter_complete}) {
+            CHECK(mesh(filter) == NETMESH_INVALID_ARGUMENT);
+            CHECK(session.detail().field == NETMESH_FIELD_RATIO);
+        }
+    }
+    CHECK(mesh(&netmesh_filter_tight) == NETMESH_INVALID_ARGUMENT);
+    session.request.mesh.method = nullptr;
     const double bad[][3] = {{1.5, 0, 1}, {1.5, 1, 0.5}, {2.5, 0.1, 1}, {1, 0.1, 1}, {0, 0.1, 1}};
     for (const auto& [focus, from, to] : bad) {
-        session.request.certificate.focus_ratio = focus;
-        session.request.certificate.focus_from = from;
-        session.request.certificate.focus_to = to;
-        CHECK(mesh(NETMESH_PURPOSE_PERSIST) == NETMESH_INVALID_ARGUMENT);
+        session.request.goal.focus_ratio = focus;
+        session.request.goal.focus_from = from;
+        session.request.goal.focus_to = to;
+        CHECK(mesh(&netmesh_filter_complete) == NETMESH_INVALID_ARGUMENT);
     }
-    session.request.certificate = {2.25, 0, 0.1, 0};
+    session.request.goal = {2.25, 0, 0, 0, 0, 0.1, 0, 0};
     fit_refused(NETMESH_FIELD_FOCUS_TO);
-    session.request.certificate = {2.25, 0, 0, 1};
+    session.request.goal = {2.25, 0, 0, 0, 0, 0, 1, 0};
     fit_refused(NETMESH_FIELD_FOCUS_FROM);
-    CHECK(mesh(NETMESH_PURPOSE_PERSIST) == NETMESH_INVALID_ARGUMENT);
-    const netmesh_fit_request request = session.fit_request(points);
-    CHECK(netmesh_fit(session.context, nullptr) == NETMESH_INVALID_ARGUMENT);
-    CHECK(netmesh_fit(nullptr, &request) == NETMESH_INVALID_ARGUMENT);
-    session.request.certificate.focus_to = 0;
-    CHECK(netmesh_tau(&session.request) == 2.5);
-    CHECK(netmesh_tau(nullptr) == 0);
+    CHECK(mesh(&netmesh_filter_complete) == NETMESH_INVALID_ARGUMENT);
+    const netmesh::Request request = session.fit_request(points);
+    CHECK(netmesh_persist(session.context, nullptr) == NETMESH_INVALID_ARGUMENT);
+    CHECK(netmesh_persist(nullptr, &request) == NETMESH_INVALID_ARGUMENT);
+    session.request.goal = {};
+    netmesh_request settled;
+    REQUIRE(netmesh::settle(session.mesh_request(points, &netmesh_filter_complete), &settled) == NETMESH_OK);
+    CHECK(settled.mesh.tau == 2.5);
+    CHECK(netmesh_settle(nullptr, &settled, nullptr) == NETMESH_INVALID_ARGUMENT);
 }
 
 namespace {
-
-// |x - 1/2| + 0.3, of slope 1; on points of [0, 1]^D the domain reaches no farther than 4 from the centre.
-double distance_to_centre(void* user, const double* x) {
-    double d2 = 0;
-    for (int k = 0; k < *static_cast<const int*>(user); ++k) d2 += (x[k] - 0.5) * (x[k] - 0.5);
-    return 0.3 + std::sqrt(d2);
-}
 
 // A fit in a block of so many bytes, and what its report says, compared with the same mesh and diagram asked for.
 struct Fitted {
     netmesh_status status;
     double certified = 0;  // the ratio that counts
 };
-Fitted fit_in(std::size_t bytes, int dim, const inputs::Points& points, netmesh_fit_request asked) {
+Fitted fit_in(std::size_t bytes, int dim, const inputs::Points& points, netmesh::Request asked) {
     Session session(dim);
     session.reserve(bytes);
-    asked.points = points.data();
-    asked.point_count = points.size() / static_cast<std::size_t>(dim);
-    Fitted out = {netmesh_fit(session.context, &asked), 0};
+    asked.set_points(static_cast<std::uint32_t>(dim), points);
+    Fitted out = {netmesh_persist(session.context, &asked), 0};
     if (out.status != NETMESH_OK) return out;
     const netmesh_report report = session.report();
     CHECK(report.memory.peak_bytes <= (bytes + 15) / 16 * 16);  // a multiple of 16
-    CHECK(report.diagram.filter == asked.filter);
-    const bool focused = asked.focus_to > 0;
+    CHECK(filter_of(report.diagram.filter) == asked.filter);
+    const bool focused = asked.goal.focus_to > 0;
     CHECK((report.diagram.certified_focus > 0) == focused);
     out.certified = focused ? report.diagram.certified_focus : report.diagram.certified_ratio;
-    const netmesh_certificate_goal goal = report.mesh.certificate;
-    if (asked.filter == NETMESH_FILTER_COMPLETE && asked.values == NETMESH_VALUES_CERTIFIED) {
+    const netmesh_goal goal = report.mesh.goal;
+    if (asked.filter == &netmesh_filter_complete && asked.values != NETMESH_VALUES_THESIS) {
         CHECK(report.diagram.certified_ratio <= goal.ratio);
         if (goal.focus_ratio > 0) CHECK(report.diagram.certified_focus <= goal.focus_ratio * (1 + 1e-12));
     }
     auto bounds = netmesh::sized<netmesh_bar_bounds>();
-    CHECK((netmesh_get_bar_bounds(session.context, 0, &bounds) == NETMESH_OK) == (asked.bounds != 0));
+    CHECK((netmesh_get_bar_bounds(session.context, 0, &bounds) == NETMESH_OK) == (asked.bounds != nullptr));
 
     Session direct(dim);
-    direct.request.certificate = goal;
-    direct.request.whole_cells = report.mesh.clipped == 0 ? 1 : 0;
+    direct.request.goal = goal;
+    direct.request.mesh.whole_cells = report.mesh.clipped == 0 ? 1 : 0;
     direct.request.seed = asked.seed;
-    REQUIRE(direct.mesh(points, NETMESH_PURPOSE_PERSIST) == NETMESH_OK);
-    netmesh_persist_request persist = persist_by(asked.filter, asked.k, asked.values);
-    persist.function = asked.function;
-    REQUIRE(direct.persist(persist) == NETMESH_OK);
+    REQUIRE(direct.mesh(points, &netmesh_filter_complete) == NETMESH_OK);
+    REQUIRE(direct.persist(persist_by(asked.filter, asked.k, asked.values)) == NETMESH_OK);
     CHECK(direct.report().fingerprint == report.fingerprint);
     CHECK(direct.check(NETMESH_CHECK_QUALITY) == NETMESH_OK);
     return out;
@@ -104,30 +102,22 @@ Fitted fit_in(std::size_t bytes, int dim, const inputs::Points& points, netmesh_
 }  // namespace
 
 TEST_CASE("more memory never certifies less, whatever the filter, and the block is kept to") {
-    const netmesh_filter filters[] = {NETMESH_FILTER_COMPLETE, NETMESH_FILTER_COMPLETE, NETMESH_FILTER_KNN,
-                                      NETMESH_FILTER_BASIC,    NETMESH_FILTER_FUNCTION, NETMESH_FILTER_KDISTANCE,
-                                      NETMESH_FILTER_COMPLETE, NETMESH_FILTER_TIGHT};
+    const netmesh_filter* const filters[] = {
+        &netmesh_filter_complete, &netmesh_filter_complete,  &netmesh_filter_knn,      &netmesh_filter_basic,
+        &netmesh_filter_knn,      &netmesh_filter_kdistance, &netmesh_filter_complete, &netmesh_filter_tight};
     int improved = 0;
     for (std::uint64_t set = 0; set < 40; ++set) {
         CAPTURE(set);
         const int dim = set % 5 == 4 ? 3 : 2;
         const std::size_t n = dim == 3 ? 5 : set == 0 ? 5 : 5 + 3 * (set % 9);
         const inputs::Points points = inputs::uniform(dim, n, 100 + set);
-        netmesh::requests::Fit asked(static_cast<std::uint32_t>(dim));
-        asked.filter = filters[set % 8];
-        asked.k = 3;
+        netmesh::Request asked(filters[set % 8]);
+        asked.fit = &netmesh_fit;
+        if (asked.filter == &netmesh_filter_knn || asked.filter == &netmesh_filter_kdistance) asked.k = 3;
         asked.seed = set;
-        asked.bounds = set % 16 == 0 ? 1 : 0;
+        asked.bounds = set % 16 == 0 ? &netmesh_bounds : nullptr;
         if (set % 3 == 1) asked.values = NETMESH_VALUES_THESIS;
-        if (set % 4 == 3 || set % 8 == 6) asked.focus_from = 0.05, asked.focus_to = 0.2;
-        int user = dim;
-        netmesh_function function;
-        netmesh_function_init(&function, sizeof function);
-        function.evaluate = distance_to_centre;
-        function.user = &user;
-        function.lipschitz = 1;
-        function.cut = 10;
-        asked.function = &function;
+        if (set % 4 == 3 || set % 8 == 6) asked.goal.focus_from = 0.05, asked.goal.focus_to = 0.2;
         double last = 0;
         // A ladder of blocks, then steps as small as an array's end, from what the set itself picks.
         std::size_t bytes = 6000;
@@ -179,19 +169,17 @@ TEST_CASE("by the error: more memory never has a larger one, and the mesh is the
         Basins basins = {dim, {}};
         inputs::Random random(set);
         for (int i = 0; i < 3 * dim; ++i) basins.middles.push_back(0.4 + 0.2 * random.uniform());
-        netmesh::requests::Function function;
+        auto function = netmesh::sized<netmesh_function>();
         function.evaluate = Basins::at;
         function.user = &basins;
         function.lipschitz = 1;
         function.cut = 0.02;
-        netmesh::requests::Fit asked(static_cast<std::uint32_t>(dim));
-        asked.filter = NETMESH_FILTER_FUNCTION;
+        netmesh::Request asked(&netmesh_filter_function);
         asked.function = &function;
-        asked.by_error = 1;
-        asked.bounds = set % 2;
+        asked.fit = &netmesh_fit;
+        asked.bounds = set % 2 == 1 ? &netmesh_bounds : nullptr;
         asked.values = set % 4 == 3 ? NETMESH_VALUES_CERTIFIED : NETMESH_VALUES_THESIS;
-        asked.points = points.data();
-        asked.point_count = points.size() / static_cast<std::size_t>(dim);
+        asked.set_points(static_cast<std::uint32_t>(dim), points);
         double last = HUGE_VAL, rung_above = HUGE_VAL;
         std::size_t bytes = 20000;
         for (int block = 0; block < 24; ++block) {
@@ -199,7 +187,7 @@ TEST_CASE("by the error: more memory never has a larger one, and the mesh is the
             CAPTURE(bytes);
             Session session(dim);
             session.reserve(bytes);
-            const netmesh_status status = netmesh_fit(session.context, &asked);
+            const netmesh_status status = netmesh_persist(session.context, &asked);
             if (status == NETMESH_OUT_OF_MEMORY) {
                 CHECK(last == HUGE_VAL);
                 continue;
@@ -220,22 +208,15 @@ TEST_CASE("by the error: more memory never has a larger one, and the mesh is the
             }
             if (rung > 0) rung_above = rung;
             auto bounds = netmesh::sized<netmesh_bar_bounds>();
-            CHECK((netmesh_get_bar_bounds(session.context, 0, &bounds) == NETMESH_OK) == (asked.bounds != 0));
+            CHECK((netmesh_get_bar_bounds(session.context, 0, &bounds) == NETMESH_OK) == (asked.bounds != nullptr));
             if (block % 5 != 0) continue;
-            struct Sized {
-                const netmesh_function* function;
-                double error;
-                static double at(void* self, const double* x) {
-                    return netmesh_size_for_error(static_cast<Sized*>(self)->function, static_cast<Sized*>(self)->error,
-                                                  x);
-                }
-            } sized = {&function, rung};
             Session direct(dim);
             direct.reserve(2 * bytes);
             direct.request.seed = asked.seed;
-            if (rung > 0) direct.request.sizes = {0, Sized::at, &sized};
-            REQUIRE(direct.mesh(points, NETMESH_PURPOSE_PERSIST) == NETMESH_OK);
-            netmesh_persist_request persist = persist_by(NETMESH_FILTER_FUNCTION, 1, asked.values);
+            direct.request.function = &function;
+            direct.request.goal.error = rung;
+            REQUIRE(direct.mesh(points, &netmesh_filter_function) == NETMESH_OK);
+            netmesh::Request persist = persist_by(&netmesh_filter_function, 0, asked.values);
             persist.function = &function;
             REQUIRE(direct.persist(persist) == NETMESH_OK);
             CHECK(direct.report().fingerprint == report.fingerprint);
@@ -250,20 +231,19 @@ TEST_CASE("by the error: what is exact or impossible is not refined, and what do
     const inputs::Points points = inputs::uniform(2, 12);
     const auto constant = [](void* value, const double*) { return *static_cast<double*>(value); };
     double value = 1;
-    netmesh::requests::Function function;
+    auto function = netmesh::sized<netmesh_function>();
     function.evaluate = constant;
     function.user = &value;
     Session session(2);
     session.reserve(std::size_t{1} << 18);
-    netmesh_fit_request asked = session.fit_request(points);
-    asked.filter = NETMESH_FILTER_FUNCTION;
+    netmesh::Request asked = session.fit_request(points);
+    asked.filter = &netmesh_filter_function;
     asked.function = &function;
-    asked.by_error = 1;
-    REQUIRE(netmesh_fit(session.context, &asked) == NETMESH_OK);
+    REQUIRE(netmesh_persist(session.context, &asked) == NETMESH_OK);
     CHECK(session.report().diagram.certified_error == 0);
     CHECK(session.report().diagram.fitted_error == 0);
     value = -1;  // below the cut beyond the sphere too
-    REQUIRE(netmesh_fit(session.context, &asked) == NETMESH_OK);
+    REQUIRE(netmesh_persist(session.context, &asked) == NETMESH_OK);
     CHECK(session.report().diagram.certified_error == HUGE_VAL);
     CHECK(session.report().diagram.fitted_error == 0);
     // A cone down to the cut in one point: sizes shrink towards it, and the ladder ends.
@@ -271,50 +251,46 @@ TEST_CASE("by the error: what is exact or impossible is not refined, and what do
     function.evaluate = cone;
     function.lipschitz = 1;
     session.reserve(std::size_t{1} << 23);
-    REQUIRE(netmesh_fit(session.context, &asked) == NETMESH_OK);
+    REQUIRE(netmesh_persist(session.context, &asked) == NETMESH_OK);
     const netmesh_report cone_report = session.report();
     CHECK(cone_report.diagram.certified_error < 1e-8);
     CHECK(cone_report.diagram.fitted_error > 0x1p-33 * 0.05);
     CHECK(cone_report.memory.peak_bytes < (std::size_t{1} << 22));
 
     const auto refused = [&](netmesh_field field) {
-        CHECK(netmesh_fit(session.context, &asked) == NETMESH_INVALID_ARGUMENT);
+        CHECK(netmesh_persist(session.context, &asked) == NETMESH_INVALID_ARGUMENT);
         CHECK(session.detail().field == field);
     };
-    asked.ratio = 3;
+    asked.goal.ratio = 3;
     refused(NETMESH_FIELD_RATIO);
-    asked.ratio = 0;
-    asked.focus_from = 1;
-    asked.focus_to = 2;
+    asked.goal = {};
+    asked.goal.error = 0.1;
+    refused(NETMESH_FIELD_ERROR);
+    asked.goal = {};
+    asked.goal.focus_from = 1;
+    asked.goal.focus_to = 2;
     refused(NETMESH_FIELD_FOCUS_FROM);
-    asked.focus_from = asked.focus_to = 0;
-    asked.filter = NETMESH_FILTER_COMPLETE;
-    refused(NETMESH_FIELD_FILTER);
+    asked.goal = {};
+    asked.filter = &netmesh_filter_complete;
+    refused(NETMESH_FIELD_FUNCTION);
 }
 
-TEST_CASE("what another filter certifies does not end the climb: finer meshes certify more of a function") {
-    const auto nearly_constant = [](void*, const double* x) { return 1 + 0.01 * std::hypot(x[0] - 0.5, x[1] - 0.5); };
+TEST_CASE("what another filter certifies does not end the climb: finer meshes certify more of it") {
     const inputs::Points points = inputs::uniform(2, 12);
-    netmesh::requests::Function function;
-    function.evaluate = nearly_constant;
-    function.lipschitz = 0.01;
-    function.cut = 10;
     Session session(2);
     session.reserve(std::size_t{1} << 18);
-    netmesh_fit_request asked = session.fit_request(points);
-    asked.ratio = 4;
-    asked.filter = NETMESH_FILTER_FUNCTION;
-    asked.function = &function;
-    REQUIRE(netmesh_fit(session.context, &asked) == NETMESH_OK);
+    netmesh::Request asked = session.fit_request(points);
+    asked.goal.ratio = 4;
+    asked.filter = &netmesh_filter_knn;
+    asked.k = 12;  // far from all of the points, so that cells of one size are nearly exact
+    REQUIRE(netmesh_persist(session.context, &asked) == NETMESH_OK);
     Session coarsest(2);
-    coarsest.request.certificate.ratio = 4;
-    coarsest.request.whole_cells = 1;
-    REQUIRE(coarsest.mesh(points, NETMESH_PURPOSE_PERSIST) == NETMESH_OK);
-    netmesh_persist_request persist = persist_by(NETMESH_FILTER_FUNCTION);
-    persist.function = &function;
-    REQUIRE(coarsest.persist(persist) == NETMESH_OK);
-    CHECK(coarsest.report().diagram.certified_ratio < 1.1);  // less than any rung
-    CHECK(session.report().diagram.certified_ratio < coarsest.report().diagram.certified_ratio - 0.002);
+    coarsest.request.goal.ratio = 4;
+    coarsest.request.mesh.whole_cells = 1;
+    REQUIRE(coarsest.mesh(points, &netmesh_filter_complete) == NETMESH_OK);
+    REQUIRE(coarsest.persist(persist_by(&netmesh_filter_knn, 12)) == NETMESH_OK);
+    CHECK(coarsest.report().diagram.certified_ratio < 1.4);  // less than any rung
+    CHECK(session.report().diagram.certified_ratio < coarsest.report().diagram.certified_ratio - 0.2);
 }
 
 // By places: of each Steiner vertex's cell, where the distance to the points is least and largest.
@@ -324,10 +300,10 @@ TEST_CASE("certified_focus is of every cell that reaches into the scales of inte
         CAPTURE(to);
         Session session(2);
         session.reserve(std::size_t{1} << 16);
-        netmesh_fit_request asked = session.fit_request(points);
-        asked.focus_from = 0.05;
-        asked.focus_to = to;
-        REQUIRE(netmesh_fit(session.context, &asked) == NETMESH_OK);
+        netmesh::Request asked = session.fit_request(points);
+        asked.goal.focus_from = 0.05;
+        asked.goal.focus_to = to;
+        REQUIRE(netmesh_persist(session.context, &asked) == NETMESH_OK);
         const netmesh_report r = session.report();
         const std::vector<netmesh_vertex> vertices = session.vertices();
         std::vector<double> least(vertices.size(), HUGE_VAL), most(vertices.size(), 0);
@@ -347,7 +323,7 @@ TEST_CASE("certified_focus is of every cell that reaches into the scales of inte
         }
         double worst = 1;
         for (std::size_t v = 0; v < vertices.size(); ++v)
-            if (vertices[v].marker == 1 && most[v] > asked.focus_from && least[v] < asked.focus_to)
+            if (vertices[v].marker == 1 && most[v] > asked.goal.focus_from && least[v] < asked.goal.focus_to)
                 worst = std::fmax(worst, std::sqrt(most[v] / least[v]));
         CHECK(worst > 1.1);
         CHECK(worst <= r.diagram.certified_focus * (1 + 1e-12));

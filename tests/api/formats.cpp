@@ -27,11 +27,9 @@ public:
                             &x, sizeof x);
             }
     }
-    template <class Request> Request in(Request request) const {
-        request.points = bytes_.data();
-        request.point_count = count_;
-        request.point_format = sizeof(Number) == 4 ? NETMESH_POINTS_FLOAT32 : NETMESH_POINTS_FLOAT64;
-        request.point_stride_bytes = stride_ == row_ ? 0 : stride_;
+    netmesh::Request in(netmesh::Request request) const {
+        const netmesh_point_format format = sizeof(Number) == 4 ? NETMESH_POINTS_FLOAT32 : NETMESH_POINTS_FLOAT64;
+        request.points = {bytes_.data(), count_, request.points.dim, format, stride_ == row_ ? 0 : stride_};
         return request;
     }
 
@@ -51,8 +49,9 @@ struct Left {
     }
 };
 
-template <class Request>
-Left left_by(int dim, netmesh_status (*job)(netmesh_context*, const Request*), const Request& request) {
+using Job = netmesh_status (*)(netmesh_context*, const netmesh_request*);
+
+Left left_by(int dim, Job job, const netmesh::Request& request) {
     Session s(dim);
     s.reserve(std::size_t{1} << 24);
     Left left = {};
@@ -67,9 +66,8 @@ Left left_by(int dim, netmesh_status (*job)(netmesh_context*, const Request*), c
 }
 
 // Request: without points.
-template <class Request>
-void expect_same(const char* name, int dim, netmesh_status (*job)(netmesh_context*, const Request*),
-                 const inputs::Points& points, const Request& request, netmesh_status expected = NETMESH_OK) {
+void expect_same(const char* name, int dim, Job job, const inputs::Points& points, const netmesh::Request& request,
+                 netmesh_status expected = NETMESH_OK) {
     INFO(name << ", D = " << dim);
     const Left left = left_by(dim, job, Rows<double>(points, dim, 0).in(request));
     CHECK(left.status == expected);
@@ -97,23 +95,26 @@ TEST_CASE("points as floats and by stride give the bytes of packed doubles") {
         const inputs::Points points = of_floats(dim, by_dimension<std::size_t>(dim, {60, 40, 20, 10, 8}));
         const Calls calls(dim);
         const inputs::Points none;
-        expect_same("delaunay", dim, netmesh_delaunay, points, calls.delaunay_request(none));
-        expect_same("alpha", dim, netmesh_persist_alpha, points, calls.alpha_request(none));
-        expect_same("auto", dim, netmesh_persist_auto, points, calls.auto_request(none));
-        netmesh_mesh_request mesh = calls.mesh_request(none, NETMESH_PURPOSE_PERSIST);
+        expect_same("delaunay", dim, netmesh_mesh, points, calls.delaunay_request(none));
+        expect_same("alpha", dim, netmesh_persist, points, calls.alpha_request(none));
+        expect_same("auto", dim, netmesh_persist, points, calls.auto_request(none));
+        netmesh::Request mesh = calls.mesh_request(none, &netmesh_filter_complete);
         expect_same("mesh", dim, netmesh_mesh, points, mesh);
-        mesh.certificate.ratio = 2.5;
+        mesh.mesh.method = nullptr;
+        mesh.goal.ratio = 2.5;
         expect_same("mesh by ratio", dim, netmesh_mesh, points, mesh);
-        netmesh_scales_request scales = calls.scales_request(none);
-        scales.ratio = 3;
-        expect_same("scales", dim, netmesh_persist_scales, points, scales);
-        expect_same("rips", dim, netmesh_persist_points, points, calls.points_request(none, NETMESH_FILTER_RIPS));
-        expect_same("nested sets", dim, netmesh_points_vineyard, of_floats(dim, 7),
-                    calls.nested_request(none, NETMESH_FILTER_BARYCENTRIC_RIPS, 2));
+        expect_same("complete", dim, netmesh_persist, points, mesh);
+        netmesh::Request scales = calls.scales_request(none);
+        scales.goal.eps = 0;
+        scales.goal.ratio = 3;
+        expect_same("scales", dim, netmesh_persist, points, scales);
+        expect_same("rips", dim, netmesh_persist, points, calls.points_request(none, &netmesh_filter_rips));
+        expect_same("nested sets", dim, netmesh_persist, of_floats(dim, 7),
+                    calls.nested_request(none, &netmesh_filter_barycentric_rips, 2));
         if (dim > 3) continue;
-        netmesh_fit_request fit = calls.fit_request(none);
-        fit.bounds = 1;
-        expect_same("fit", dim, netmesh_fit, of_floats(dim, 6), fit);
+        netmesh::Request fit = calls.fit_request(none);
+        fit.bounds = &netmesh_bounds;
+        expect_same("fit", dim, netmesh_persist, of_floats(dim, 6), fit);
     }
 }
 
@@ -123,11 +124,11 @@ TEST_CASE("a float that is not finite is reported by its row") {
     for (const std::size_t gap : {0, 4}) {
         Session s(2);
         const Rows<float> rows(points, 2, gap);
-        const netmesh_delaunay_request delaunay = rows.in(s.delaunay_request(points));
-        CHECK(netmesh_delaunay(s.context, &delaunay) == NETMESH_NOT_FINITE);
+        const netmesh::Request delaunay = rows.in(s.delaunay_request(points));
+        CHECK(netmesh_mesh(s.context, &delaunay) == NETMESH_NOT_FINITE);
         CHECK(s.detail().index_a == 13);
-        const netmesh_points_request rips = rows.in(s.points_request(points, NETMESH_FILTER_RIPS));
-        CHECK(netmesh_persist_points(s.context, &rips) == NETMESH_NOT_FINITE);
+        const netmesh::Request rips = rows.in(s.points_request(points, &netmesh_filter_rips));
+        CHECK(netmesh_persist(s.context, &rips) == NETMESH_NOT_FINITE);
         CHECK(s.detail().index_a == 13);
     }
 }

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "api/settle.hpp"
 #include "common/dimensions.hpp"
 #include "common/session.hpp"
 
@@ -24,9 +25,9 @@ TEST_CASE("a function of the caller's") {
     const inputs::Points points = inputs::uniform(2, 60);
     int calls = 0;
     netmesh_function function = {sizeof function, from_middle, &calls, 1, 1, 1.7};
-    const auto persist = [&] { return session.persist(function, netmesh::requests::Persist()); };
+    const auto persist = [&] { return session.persist(function, netmesh::Request()); };
     CHECK(persist() == NETMESH_NO_RESULT);
-    REQUIRE(session.mesh(points, NETMESH_PURPOSE_PERSIST) == NETMESH_OK);
+    REQUIRE(session.mesh(points, &netmesh_filter_complete) == NETMESH_OK);
     REQUIRE(persist() == NETMESH_OK);
     const netmesh_report report = session.report();
     CHECK(calls == static_cast<int>(report.mesh.vertices));
@@ -39,7 +40,7 @@ TEST_CASE("a function of the caller's") {
     CHECK(real == 1);
 
     const auto refused = [&](const netmesh_function& f, netmesh_field field) {
-        CHECK(session.persist(f, netmesh::requests::Persist()) == NETMESH_INVALID_ARGUMENT);
+        CHECK(session.persist(f, netmesh::Request()) == NETMESH_INVALID_ARGUMENT);
         CHECK(session.detail().field == field);
     };
     const std::uint32_t bytes = sizeof function;
@@ -54,8 +55,18 @@ TEST_CASE("a function of the caller's") {
         CHECK(session.report().diagram.present == 0);
     }
     CHECK(session.report().complete == 1);
-    CHECK(session.persist(NETMESH_FILTER_FUNCTION) == NETMESH_INVALID_ARGUMENT);
+    CHECK(session.persist(&netmesh_filter_function) == NETMESH_INVALID_ARGUMENT);
     CHECK(session.detail().field == NETMESH_FIELD_FUNCTION);
+    // Bounds and cycles of a diagram that is not there.
+    for (const bool cycles : {false, true}) {
+        netmesh::Request request = persist_by(&netmesh_filter_function);
+        (cycles ? request.cycles : request.bounds) = cycles ? &netmesh_cycles : &netmesh_bounds;
+        CHECK(session.persist(request) == NETMESH_INVALID_ARGUMENT);
+        CHECK(session.detail().field == NETMESH_FIELD_FUNCTION);
+    }
+    function.evaluate = from_middle;
+    REQUIRE(persist() == NETMESH_OK);
+    CHECK(session.represent() == NETMESH_OK);
 }
 
 // Nasty functions, of one point to five.
@@ -73,12 +84,12 @@ TEST_CASE("every function has a finite error, unless what is said of it cannot b
             CAPTURE(n);
             Session session(dim);
             const inputs::Points points = inputs::uniform(dim, n, n);
-            REQUIRE(session.mesh(points, n % 2 == 0 ? NETMESH_PURPOSE_MESH : NETMESH_PURPOSE_PERSIST) == NETMESH_OK);
+            REQUIRE(session.mesh(points, n % 2 == 0 ? nullptr : &netmesh_filter_complete) == NETMESH_OK);
             const netmesh_report report = session.report();
             const double radius = report.mesh.domain[dim];
             const auto persist = [&](Saddle saddle, double lipschitz, double cut) {
                 const netmesh_function f = {sizeof f, Saddle::at, &saddle, lipschitz, 0, cut};
-                REQUIRE(session.persist(f, netmesh::requests::Persist()) == NETMESH_OK);
+                REQUIRE(session.persist(f, netmesh::Request()) == NETMESH_OK);
                 return session.report().diagram.certified_error;
             };
             // Constant, below and at the cut.
@@ -98,15 +109,68 @@ TEST_CASE("every function has a finite error, unless what is said of it cannot b
         }
     // The sizes for an error.
     Saddle pit = {-1, 2};
-    netmesh_function f = {sizeof f, Saddle::at, &pit, 2, 0, 3};
+    const netmesh_function f = {sizeof f, Saddle::at, &pit, 2, 0, 3};
     const double low[] = {0, 0}, high[] = {0, 4};
-    CHECK(netmesh_size_for_error(&f, 0.5, low) == doctest::Approx(0.25).epsilon(1e-4));
-    CHECK(netmesh_size_for_error(&f, 0.5, high) == doctest::Approx(2).epsilon(1e-4));
-    CHECK(netmesh_size_for_error(&f, 0, low) == 0);
-    CHECK(netmesh_size_for_error(&f, std::nan(""), low) == 0);
-    CHECK(netmesh_size_for_error(nullptr, 1, low) == 0);
-    f.lipschitz = 0;
-    CHECK(netmesh_size_for_error(&f, 0.5, low) == HUGE_VAL);
+    netmesh::ErrorSizes sizes = {f, 0.5};
+    CHECK(netmesh::ErrorSizes::at(&sizes, low) == doctest::Approx(0.25).epsilon(1e-4));
+    CHECK(netmesh::ErrorSizes::at(&sizes, high) == doctest::Approx(2).epsilon(1e-4));
+    sizes.function.lipschitz = 0;
+    CHECK(netmesh::ErrorSizes::at(&sizes, low) == HUGE_VAL);
+}
+
+TEST_CASE("an error that is asked for is kept to, with the mesh or the diagram asked for it") {
+    const inputs::Points points = inputs::uniform(2, 12);
+    int calls = 0;
+    const netmesh_function function = {sizeof function, from_middle, &calls, 1, 0, 1.2};
+    Session session(2), plain(2);
+    netmesh::Request request = on(points, session.plain(&netmesh_filter_function));
+    request.function = &function;
+    REQUIRE(plain.persist_until_it_fits(request) == NETMESH_OK);
+    const double error = plain.report().diagram.certified_error / 2;
+    request.goal.error = error;
+    REQUIRE(session.persist_until_it_fits(request) == NETMESH_OK);
+    const netmesh_report report = session.report();
+    CHECK(report.diagram.values == NETMESH_VALUES_THESIS);
+    CHECK(report.diagram.certified_error <= error);
+    CHECK(report.mesh.vertices > plain.report().mesh.vertices);
+    session.request.filter = &netmesh_filter_function;
+    session.request.function = &function;
+    session.request.goal.error = error;
+    CHECK(session.check(NETMESH_CHECK_QUALITY) == NETMESH_OK);
+    REQUIRE(session.mesh(points, &netmesh_filter_function) == NETMESH_OK);
+    REQUIRE(session.persist(function, persist_by(nullptr, 0, NETMESH_VALUES_THESIS)) == NETMESH_OK);
+    CHECK(session.report().fingerprint == report.fingerprint);
+    // The mesh without it is too coarse.
+    REQUIRE(plain.mesh(points, &netmesh_filter_function) == NETMESH_OK);
+    plain.request = session.request;
+    CHECK(plain.check(NETMESH_CHECK_QUALITY) == NETMESH_CHECK_FAILED);
+
+    // With sizes of the caller's the lesser of both: a tenth of the error's here and there.
+    const netmesh_size by_caller = [](void*, const double* x) { return x[0] < 0.5 ? 0.02 : HUGE_VAL; };
+    request.mesh.sizes.size = by_caller;
+    REQUIRE(session.persist_until_it_fits(request) == NETMESH_OK);
+    CHECK(session.report().diagram.certified_error <= error);
+    CHECK(session.report().mesh.vertices > report.mesh.vertices);
+    request.mesh.sizes.size = [](void*, const double*) { return 0.0; };
+    CHECK(session.persist(request) == NETMESH_INVALID_ARGUMENT);
+    request.mesh.sizes.size = nullptr;
+
+    const auto refused = [&](netmesh_field field) {
+        CHECK(session.persist(request) == NETMESH_INVALID_ARGUMENT);
+        CHECK(session.detail().field == field);
+    };
+    for (const double bad : {-1.0, HUGE_VAL, std::nan("")}) {
+        request.goal.error = bad;
+        refused(NETMESH_FIELD_ERROR);
+    }
+    request.goal.error = error;
+    request.values = NETMESH_VALUES_CERTIFIED;
+    refused(NETMESH_FIELD_VALUES);
+    request.values = NETMESH_VALUES_OPEN;
+    request.function = nullptr;
+    refused(NETMESH_FIELD_FUNCTION);
+    request.filter = &netmesh_filter_complete;
+    refused(NETMESH_FIELD_ERROR);
 }
 
 // Bars by the bounds of cells: the function is asked again, and has to be the one of the diagram.
@@ -116,7 +180,7 @@ TEST_CASE("bounds of a function's bars: by cells with the function, by the one e
         CAPTURE(dim);
         Session session(dim);
         const inputs::Points points = inputs::uniform(dim, 30);
-        REQUIRE(session.mesh(points, NETMESH_PURPOSE_PERSIST) == NETMESH_OK);
+        REQUIRE(session.mesh(points, &netmesh_filter_complete) == NETMESH_OK);
         const double radius = session.report().mesh.domain[dim];
         // A cone over the first input, where cells are small, and the wall that the cut needs.
         struct Pit {
@@ -137,7 +201,7 @@ TEST_CASE("bounds of a function's bars: by cells with the function, by the one e
             }
         } pit = {session.report(), points.data(), 0.5 * radius, 0};
         const netmesh_function f = {sizeof f, Pit::at, &pit, 1, 0, 0};
-        netmesh::requests::Persist request(NETMESH_FILTER_FUNCTION);
+        netmesh::Request request(&netmesh_filter_function);
         request.values = NETMESH_VALUES_THESIS;
         REQUIRE(session.persist(f, request) == NETMESH_OK);
         const double error = session.report().diagram.certified_error;
@@ -223,19 +287,20 @@ TEST_CASE("filters by neighbours certify no more than the complete filter's rati
                                           : set % 3 == 1 ? inputs::clusters(dim, n, set)
                                                          : inputs::shell(dim, n, 1, 1.1, set);
             Session session(dim);
-            session.request.whole_cells = 1;
             // Meshes by quality and by the certificate, from coarse to fine.
-            if (set % 2 == 0)
-                session.request.tau = dim == 4 ? 4 : 2.1 + 0.2 * static_cast<double>(set % 7);
-            else
-                session.request.certificate.ratio = 1.8 + 0.3 * static_cast<double>(set % 5);
-            REQUIRE(session.mesh(points, NETMESH_PURPOSE_PERSIST) == NETMESH_OK);
-            REQUIRE(session.persist(NETMESH_FILTER_COMPLETE) == NETMESH_OK);
+            if (set % 2 == 0) {
+                session.request.mesh.tau = dim == 4 ? 4 : 2.1 + 0.2 * static_cast<double>(set % 7);
+            } else {
+                session.request.goal.ratio = 1.8 + 0.3 * static_cast<double>(set % 5);
+                session.request.mesh.whole_cells = 1;
+            }
+            REQUIRE(session.mesh(points, &netmesh_filter_complete) == NETMESH_OK);
+            REQUIRE(session.persist(&netmesh_filter_complete) == NETMESH_OK);
             const double c = session.report().diagram.certified_ratio;
-            for (const netmesh_filter filter : {NETMESH_FILTER_KNN, NETMESH_FILTER_KDISTANCE})
+            for (const netmesh_filter* const filter : {&netmesh_filter_knn, &netmesh_filter_kdistance})
                 for (std::uint32_t k = 2; k <= 4; ++k) {
                     REQUIRE(session.persist(persist_by(filter, k)) == NETMESH_OK);
-                    const bool mean = filter == NETMESH_FILTER_KDISTANCE;
+                    const bool mean = filter == &netmesh_filter_kdistance;
                     const double s = mean ? std::sqrt(k / (k - 1.0)) : 1;
                     const double share = session.report().diagram.certified_ratio / std::sqrt(2 + s * c * c);
                     CHECK(share <= 1 + 1e-9);
@@ -252,10 +317,10 @@ TEST_CASE("k: one mesh for all, as many neighbours as there are points") {
     Session session(3);
     inputs::Points points = inputs::uniform(3, 40);
     points.insert(points.end(), points.begin(), points.begin() + 3);  // a duplicate is no neighbour
-    REQUIRE(session.mesh(points, NETMESH_PURPOSE_PERSIST) == NETMESH_OK);
+    REQUIRE(session.mesh(points, &netmesh_filter_complete) == NETMESH_OK);
     double last = -1;
     for (std::uint32_t k = 1; k <= 40; k += 13) {
-        REQUIRE(session.persist(persist_by(NETMESH_FILTER_KNN, k, NETMESH_VALUES_THESIS)) == NETMESH_OK);
+        REQUIRE(session.persist(persist_by(&netmesh_filter_knn, k, NETMESH_VALUES_THESIS)) == NETMESH_OK);
         const std::vector<netmesh_pair> pairs = session.pairs();
         double least = 1e9;
         for (const netmesh_pair& pair : pairs)
@@ -263,7 +328,10 @@ TEST_CASE("k: one mesh for all, as many neighbours as there are points") {
         CHECK(least > last);
         last = least;
     }
-    CHECK(session.persist(persist_by(NETMESH_FILTER_KDISTANCE, 41, NETMESH_VALUES_THESIS)) == NETMESH_INVALID_ARGUMENT);
+    CHECK(session.persist(persist_by(&netmesh_filter_kdistance, 41, NETMESH_VALUES_THESIS)) ==
+          NETMESH_INVALID_ARGUMENT);
     CHECK(session.detail().field == NETMESH_FIELD_K);
-    CHECK(session.persist(persist_by(NETMESH_FILTER_COMPLETE, 41, NETMESH_VALUES_THESIS)) == NETMESH_OK);
+    CHECK(session.persist(persist_by(&netmesh_filter_complete, 1, NETMESH_VALUES_THESIS)) == NETMESH_INVALID_ARGUMENT);
+    CHECK(session.detail().field == NETMESH_FIELD_K);
+    CHECK(session.persist(persist_by(&netmesh_filter_complete, 0, NETMESH_VALUES_THESIS)) == NETMESH_OK);
 }

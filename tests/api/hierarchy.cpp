@@ -24,12 +24,12 @@ struct Copied : Arrays {
 TEST_CASE("a hierarchical mesh is read, loaded elsewhere and found good there") {
     for (const int dim : dimensions({2, 3, 4})) {
         Session session(dim);
-        session.request.tau = 3;
-        session.request.method = NETMESH_METHOD_HIERARCHY;
+        session.request.mesh.tau = 3;
+        session.request.mesh.method = &netmesh_method_netmesh;
         REQUIRE(session.mesh(inputs::nested(dim, 5, 6, 1e3)) == NETMESH_OK);
         CHECK(session.check() == NETMESH_OK);
         const netmesh_report report = session.report();
-        CHECK(report.mesh.method == NETMESH_METHOD_HIERARCHY);
+        CHECK(report.mesh.method == NETMESH_METHOD_NETMESH);
         CHECK(report.mesh.hierarchy.cages >= 4);
         CHECK(report.mesh.hierarchy.cages_made >= report.mesh.hierarchy.cages);
         CHECK(report.mesh.touches > report.mesh.inputs);
@@ -41,7 +41,7 @@ TEST_CASE("a hierarchical mesh is read, loaded elsewhere and found good there") 
             if (cage.parent != NETMESH_NONE) CHECK(copied.cages[cage.parent].radius > 4 * cage.radius);
         }
         Session other(dim);
-        other.request.tau = 3;
+        other.request.mesh.tau = 3;
         other.reserve(std::size_t(1) << 22);
         REQUIRE(copied.load(other) == NETMESH_OK);
         CHECK(other.check() == NETMESH_OK);
@@ -56,8 +56,8 @@ TEST_CASE("a hierarchical mesh is read, loaded elsewhere and found good there") 
 
 TEST_CASE("planted violations of a hierarchy fail the check") {
     Session session(2), other(2);
-    session.request.tau = other.request.tau = 3;
-    session.request.method = NETMESH_METHOD_HIERARCHY;
+    session.request.mesh.tau = other.request.mesh.tau = 3;
+    session.request.mesh.method = &netmesh_method_netmesh;
     REQUIRE(session.mesh(inputs::geometric(2, 1e3, 12)) == NETMESH_OK);
     Copied copied(session);
     REQUIRE(copied.cages.size() == 11);
@@ -95,9 +95,8 @@ TEST_CASE("planted violations of a hierarchy fail the check") {
 TEST_CASE("cages of the thesis are loaded elsewhere and found good there, and no other kind of cages is") {
     for (const int dim : dimensions({2, 3, 4})) {
         Session session(dim), other(dim);
-        session.request.tau = other.request.tau = 6;
-        session.request.method = NETMESH_METHOD_HIERARCHY;
-        session.request.cage_kind = other.request.cage_kind = NETMESH_CAGES_THESIS;
+        session.request.mesh.tau = other.request.mesh.tau = 6;
+        session.request.mesh.method = other.request.mesh.method = &netmesh_method_thesis;
         REQUIRE(session.mesh(inputs::close_pairs(dim, dim == 4 ? 2 : 4, 1e-4)) == NETMESH_OK);
         CHECK(session.check() == NETMESH_OK);
         const netmesh_report report = session.report();
@@ -132,13 +131,13 @@ TEST_CASE("cages of the thesis are loaded elsewhere and found good there, and no
         bad = copied;
         for (int k = 0; k < dim; ++k) bad.vertices[shell * dim + k] = centre[k] + 0.9 * offset(shell, k);
         CHECK(complaint(bad) == "a shell has a hole");
-        other.request.cage_kind = NETMESH_CAGES_COMPACT;
+        other.request.mesh.method = &netmesh_method_netmesh;
         complaint(copied);
-        other.request.cage_kind = NETMESH_CAGES_THESIS;
+        other.request.mesh.method = &netmesh_method_thesis;
         // In R^4 this mesh is better than any tau that is admitted.
         CHECK((report.mesh.aspect_ratio_max > 3.5) == (dim < 4));
         if (dim == 4) continue;
-        other.request.tau = 3.5;
+        other.request.mesh.tau = 3.5;
         CHECK(complaint(copied) == "a Voronoi cell has an aspect ratio above tau");
     }
 }
@@ -146,44 +145,46 @@ TEST_CASE("cages of the thesis are loaded elsewhere and found good there, and no
 TEST_CASE("methods, finishing and what goes with them") {
     const inputs::Points points = inputs::geometric(2, 100, 6);
     Session session(2);
-    session.request.method = NETMESH_METHOD_HIERARCHY;
-    CHECK(session.mesh(points, NETMESH_PURPOSE_PERSIST) == NETMESH_INVALID_ARGUMENT);
+    session.request.mesh.method = &netmesh_method_netmesh;
+    CHECK(session.mesh(points, &netmesh_filter_complete) == NETMESH_INVALID_ARGUMENT);
     REQUIRE(session.mesh(points) == NETMESH_OK);
     CHECK(session.persist() == NETMESH_NO_RESULT);
-    CHECK(session.vineyard(NETMESH_FILTER_KNN, 1, 2) == NETMESH_NO_RESULT);
+    CHECK(session.vineyard(&netmesh_filter_knn, 1, 2) == NETMESH_NO_RESULT);
     CHECK(session.detail().message == std::string("this filter needs a mesh without cages"));
-    netmesh::requests::Mesh by_ratio(2);
-    by_ratio.certificate.ratio = 1.5;
-    netmesh::requests::Check check;
-    check.mesh = &by_ratio;
+    netmesh::Request by_ratio;
+    by_ratio.goal.ratio = 1.5;
+    auto check = netmesh::sized<netmesh_check_request>();
+    check.promised = &by_ratio;
     CHECK(netmesh_check(session.context, &check) == NETMESH_OK);  // cages have ratios of their own
     const std::uint64_t caged = session.report().mesh.vertices;
-    session.request.finish = 1;
+    session.request.mesh.finish = 1;
     REQUIRE(session.mesh_and_persist(points) == NETMESH_OK);
     CHECK(session.check() == NETMESH_OK);
     CHECK(session.report().mesh.hierarchy.cages == 0);
     CHECK(session.report().mesh.hierarchy.cages_made > 0);
     CHECK(session.report().mesh.vertices > 10 * caged);
-    session.request.method = static_cast<netmesh_method>(3);
+    session.request.mesh.method = &netmesh_method_svr;
     CHECK(session.mesh(points) == NETMESH_INVALID_ARGUMENT);
+    CHECK(session.detail().field == NETMESH_FIELD_FINISH);
 }
 
 TEST_CASE("audits report what they found, and go with what they are for") {
     const inputs::Points points = inputs::nested(2, 4, 12, 1e3);
     Session session(2);
-    session.request.tau = 3;
+    session.request.mesh.tau = 3;
     REQUIRE(session.mesh(points) == NETMESH_OK);
     CHECK(session.report().mesh.audit.what == 0);
     CHECK(session.report().mesh.audit.rounds == 0);
-    for (const netmesh_method method : {NETMESH_METHOD_SVR, NETMESH_METHOD_HIERARCHY}) {
-        session.request.method = method;
-        session.request.audit = NETMESH_AUDIT_LOCATION | NETMESH_AUDIT_QUALITY;
-        REQUIRE(session.mesh(method == NETMESH_METHOD_SVR ? inputs::uniform(2, 30) : points) == NETMESH_OK);
+    for (const netmesh_method* const method : {&netmesh_method_svr, &netmesh_method_netmesh}) {
+        const bool is_svr = method == &netmesh_method_svr;
+        session.request.mesh.method = method;
+        session.request.mesh.audit = NETMESH_AUDIT_LOCATION | NETMESH_AUDIT_QUALITY;
+        REQUIRE(session.mesh(is_svr ? inputs::uniform(2, 30) : points) == NETMESH_OK);
         CHECK(session.check() == NETMESH_OK);
         const netmesh_audit_report audit = session.report().mesh.audit;
-        CHECK(audit.what == session.request.audit);
-        CHECK(session.report().mesh.method == method);
-        CHECK((session.report().mesh.hierarchy.cages > 0) == (method == NETMESH_METHOD_HIERARCHY));
+        CHECK(audit.what == session.request.mesh.audit);
+        CHECK(session.report().mesh.method == (is_svr ? NETMESH_METHOD_SVR : NETMESH_METHOD_NETMESH));
+        CHECK((session.report().mesh.hierarchy.cages > 0) == !is_svr);
         REQUIRE(audit.rounds > 1);
         CHECK(audit.load[0] == session.report().mesh.inputs);
         for (int k = 0; k + 1 < NETMESH_ROUNDS_MAX; ++k) CHECK(audit.load[k + 1] <= audit.load[k] / 2);
@@ -195,33 +196,34 @@ TEST_CASE("audits report what they found, and go with what they are for") {
         CHECK(audit.degree_max >= 3);
         CHECK(audit.degree_max < 30);
     }
-    session.request.finish = 1;
+    session.request.mesh.finish = 1;
     REQUIRE(session.mesh(points) == NETMESH_OK);
     CHECK(session.report().mesh.hierarchy.cages == 0);
     CHECK(session.report().mesh.audit.rounds > 1);
-    CHECK(session.mesh(points, NETMESH_PURPOSE_PERSIST) == NETMESH_INVALID_ARGUMENT);
-    session.request.audit = 4;
+    CHECK(session.mesh(points, &netmesh_filter_complete) == NETMESH_INVALID_ARGUMENT);
+    session.request.mesh.audit = 4;
     CHECK(session.mesh(points) == NETMESH_INVALID_ARGUMENT);
-    session.request.method = NETMESH_METHOD_REFINE;
+    session.request.mesh.method = &netmesh_method_refine;
+    session.request.mesh.finish = 0;
     for (const std::uint32_t audit : {NETMESH_AUDIT_LOCATION, NETMESH_AUDIT_QUALITY}) {
-        session.request.audit = audit;
+        session.request.mesh.audit = audit;
         CHECK(session.mesh(points) == NETMESH_INVALID_ARGUMENT);
         CHECK(session.detail().field == NETMESH_FIELD_AUDIT);
     }
 }
 
-TEST_CASE("an audit of quality is for every purpose, and of the mesh that is made without") {
+TEST_CASE("an audit of quality is for every filter, and of the mesh that is made without") {
     for (const int dim : {2, 3}) {
         const inputs::Points points = inputs::uniform(dim, dim == 2 ? 60 : 20);
-        const auto audited = [&](double ratio, double eps, netmesh_purpose purpose) {
+        const auto audited = [&](double ratio, double eps, const netmesh_filter* filter) {
             netmesh_audit_report audit[2];
             std::uint64_t prints[2], vertices = 0;
             for (const std::uint32_t what : {0u, 2u}) {
                 Session session(dim);
-                session.request.audit = what;
-                session.request.certificate.ratio = ratio;
-                session.request.sizes.eps = eps;
-                REQUIRE(session.mesh(points, purpose) == NETMESH_OK);
+                session.request.mesh.audit = what;
+                session.request.goal.ratio = ratio;
+                session.request.mesh.sizes.eps = eps;
+                REQUIRE(session.mesh(points, filter) == NETMESH_OK);
                 audit[what / 2] = session.report().mesh.audit;
                 prints[what / 2] = session.report().fingerprint;
                 vertices = session.report().mesh.vertices;
@@ -235,20 +237,20 @@ TEST_CASE("an audit of quality is for every purpose, and of the mesh that is mad
             CHECK(audit[1].feature_ratio >= 1);
             return audit[1];
         };
-        const netmesh_audit_report plain = audited(0, 0, NETMESH_PURPOSE_MESH);
-        const netmesh_audit_report sized = audited(0, 0.5, NETMESH_PURPOSE_MESH);
+        const netmesh_audit_report plain = audited(0, 0, nullptr);
+        const netmesh_audit_report sized = audited(0, 0.5, nullptr);
         CHECK(sized.meshes > 2 * plain.meshes);
         CHECK(sized.feature_ratio == plain.feature_ratio);  // until over-refinement begins
         CHECK(sized.aspect_ratio_max >= plain.aspect_ratio_max);
-        audited(0, 0, NETMESH_PURPOSE_PERSIST);
-        audited(2.2, 0, NETMESH_PURPOSE_PERSIST);
-        audited(0, 0, NETMESH_PURPOSE_TIGHT);
+        audited(0, 0, &netmesh_filter_complete);
+        audited(2.2, 0, &netmesh_filter_complete);
+        audited(0, 0, &netmesh_filter_tight);
     }
 }
 
 TEST_CASE("bounds on the size of a mesh with cages are sums over its domains, and check holds it to them") {
     Session session(2);
-    session.request.method = NETMESH_METHOD_HIERARCHY;
+    session.request.mesh.method = &netmesh_method_netmesh;
     REQUIRE(session.mesh(inputs::geometric(2, 1e3, 8)) == NETMESH_OK);
     const netmesh_mesh_report mesh = session.report().mesh;
     REQUIRE(mesh.hierarchy.cages > 0);
@@ -269,7 +271,7 @@ TEST_CASE("bounds on the size of a mesh with cages are sums over its domains, an
             reported = figure.applies != 0 && *static_cast<const double*>(figure.values) == a.size.upper_over_lower;
     CHECK(reported);
     CHECK(session.check() == NETMESH_OK);
-    session.request.finish = 1;
+    session.request.mesh.finish = 1;
     REQUIRE(session.mesh(inputs::geometric(2, 1e3, 8)) == NETMESH_OK);
     REQUIRE(session.analyse(&a, NETMESH_ANALYSE_SIZE, 0.5) == NETMESH_OK);
     CHECK(a.size.domains == 1);
@@ -279,7 +281,7 @@ TEST_CASE("bounds on the size of a mesh with cages are sums over its domains, an
 
 TEST_CASE("cells are measured one by one") {
     Session session(2);
-    session.request.method = NETMESH_METHOD_HIERARCHY;
+    session.request.mesh.method = &netmesh_method_netmesh;
     REQUIRE(session.mesh(inputs::nested(2, 3, 20, 1e3)) == NETMESH_OK);
     const netmesh_report report = session.report();
     std::vector<double> ratios(report.mesh.vertices);
@@ -311,13 +313,12 @@ double distance(const double* a, const double* b, int dim) {
 }
 
 // Lemma 4.6.1 with the test's own weights, in-radii and distances, over all points of the domain around each cage.
-void compare_weighted_cells(int dim, netmesh_cage_kind kind, const std::vector<inputs::Points>& sets) {
+void compare_weighted_cells(int dim, const netmesh_method* method, const std::vector<inputs::Points>& sets) {
     CAPTURE(dim);
-    const bool is_thesis = kind == NETMESH_CAGES_THESIS;
+    const bool is_thesis = method == &netmesh_method_thesis;
     Session session(dim);
-    session.request.method = NETMESH_METHOD_HIERARCHY;
-    session.request.cage_kind = kind;
-    if (is_thesis) session.request.tau = 7;
+    session.request.mesh.method = method;
+    if (is_thesis) session.request.mesh.tau = 7;
     std::size_t seen = 0;
     for (const inputs::Points& points : sets) {
         REQUIRE(session.mesh(points) == NETMESH_OK);
@@ -386,13 +387,13 @@ void compare_weighted_cells(int dim, netmesh_cage_kind kind, const std::vector<i
 TEST_CASE("weighted cells of cages by all points of their domains") {
     for (const int dim : dimensions(2, 4))
         compare_weighted_cells(
-            dim, NETMESH_CAGES_COMPACT,
+            dim, &netmesh_method_netmesh,
             {inputs::nested(dim, 3, 8, 1e3), inputs::geometric(dim, 30, 8), inputs::clusters(dim, dim == 4 ? 15 : 40)});
 }
 
 TEST_CASE("cages of the thesis: their weighted cells by all points") {
     for (const int dim : dimensions(2, 4))
-        compare_weighted_cells(dim, NETMESH_CAGES_THESIS,
+        compare_weighted_cells(dim, &netmesh_method_thesis,
                                dim == 4 ? std::vector<inputs::Points>{inputs::close_pairs(dim, 2, 1e-4)}
                                         : std::vector<inputs::Points>{inputs::nested(dim, 3, 8, 1e3),
                                                                       inputs::geometric(dim, 30, 8),
@@ -402,7 +403,7 @@ TEST_CASE("cages of the thesis: their weighted cells by all points") {
 TEST_CASE("a block with cages works wherever it is copied") {
     alignas(16) static unsigned char first[1 << 16], second[1 << 16];
     Calls calls(2);
-    calls.request.method = NETMESH_METHOD_HIERARCHY;
+    calls.request.mesh.method = &netmesh_method_netmesh;
     REQUIRE(netmesh_init(first, sizeof first, &calls.context) == NETMESH_OK);
     REQUIRE(calls.mesh_in_block(inputs::geometric(2, 1e3, 10)) == NETMESH_OK);
     auto before = netmesh::sized<netmesh_cage>(), after = before;

@@ -197,16 +197,12 @@ const std::vector<Named>& larger_jobs() {
         {"alpha of points", 2,
          [](Session& s) {
              const inputs::Points points = inputs::uniform(2, 20000);
-             const netmesh_alpha_request r = s.alpha_request(points);
-             return result(
-                 s, s.until_it_fits(netmesh_plan_alpha(&r), [&] { return netmesh_persist_alpha(s.context, &r); }));
+             return result(s, s.persist_until_it_fits(s.alpha_request(points)));
          }},
         {"auto, given up", 3,
          [](Session& s) {
              const inputs::Points points = kinds::skew_lines(1000);
-             const netmesh_auto_request r = s.auto_request(points);
-             return result(s,
-                           s.until_it_fits(netmesh_plan_auto(&r), [&] { return netmesh_persist_auto(s.context, &r); }));
+             return result(s, s.persist_until_it_fits(s.auto_request(points)));
          }},
         {"svr, complete, bounds", 3,
          [](Session& s) {
@@ -215,14 +211,14 @@ const std::vector<Named>& larger_jobs() {
          }},
         {"netmesh, check", 2,
          [](Session& s) {
-             s.request.method = NETMESH_METHOD_HIERARCHY;
+             s.request.mesh.method = &netmesh_method_netmesh;
              netmesh_status status = s.mesh(inputs::clusters(2, 2000));
              if (status == NETMESH_OK) status = s.check();
              return result(s, status);
          }},
         {"by the certificate, cycles", 3,
          [](Session& s) {
-             s.request.certificate.ratio = 2.25;
+             s.request.goal.ratio = 2.25;
              netmesh_status status = s.mesh_and_persist(inputs::uniform(3, 300));
              if (status == NETMESH_OK) status = s.represent();
              return result(s, status);
@@ -230,17 +226,17 @@ const std::vector<Named>& larger_jobs() {
         {"rips", 3,
          [](Session& s) {
              const inputs::Points points = inputs::uniform(3, 90);
-             return result(s, s.points(s.points_request(points, NETMESH_FILTER_RIPS, 1, 2)));
+             return result(s, s.persist_until_it_fits(s.points_request(points, &netmesh_filter_rips, 1, 2)));
          }},
         {"scales", 2,
          [](Session& s) {
              const inputs::Points points = inputs::clusters(2, 800);
-             return result(s, s.scales(s.scales_request(points)));
+             return result(s, s.persist_until_it_fits(s.scales_request(points)));
          }},
         {"vineyard", 2,
          [](Session& s) {
-             netmesh_status status = s.mesh(inputs::uniform(2, 800), NETMESH_PURPOSE_PERSIST);
-             if (status == NETMESH_OK) status = s.vineyard(NETMESH_FILTER_KNN, 2, 5);
+             netmesh_status status = s.mesh(inputs::uniform(2, 800), &netmesh_filter_complete);
+             if (status == NETMESH_OK) status = s.vineyard(&netmesh_filter_knn, 2, 5);
              return result(s, status);
          }},
         {"distance", 2,

@@ -54,8 +54,8 @@ void run_at(int dim, const inputs::Points& points, bool alpha, std::size_t bytes
         return;
     }
     REQUIRE(status == NETMESH_OK);
-    status = alpha ? calls.delaunay_in_block(points) : calls.mesh_in_block(points, NETMESH_PURPOSE_PERSIST);
-    if (status == NETMESH_OK) status = calls.persist(alpha ? NETMESH_FILTER_ALPHA : NETMESH_FILTER_COMPLETE);
+    status = alpha ? calls.delaunay_in_block(points) : calls.mesh_in_block(points, &netmesh_filter_complete);
+    if (status == NETMESH_OK) status = calls.persist(alpha ? &netmesh_filter_alpha : &netmesh_filter_complete);
     REQUIRE(memory.guards_intact());
     if (status == NETMESH_OK) {
         if (sweep->whole++ == 0) sweep->result = fingerprint(calls);
@@ -102,19 +102,19 @@ TEST_CASE("a job cancelled at any poll leaves a Delaunay mesh, and the next run 
     REQUIRE(netmesh_init(memory.block(), bytes, &calls.context) == NETMESH_OK);
     bool is_made = false;
     const auto run = [&] {
-        const netmesh_status status = calls.mesh_in_block(points, NETMESH_PURPOSE_PERSIST);
+        const netmesh_status status = calls.mesh_in_block(points, &netmesh_filter_complete);
         is_made = status == NETMESH_OK;
         return is_made ? calls.persist() : status;
     };
     REQUIRE(run() == NETMESH_OK);
     const std::uint64_t whole = fingerprint(calls);
+    const double tau = calls.report().mesh.tau;
     int left = 0;
     const netmesh_poll stop = [](void* user, const netmesh_progress* progress) {
         CHECK(progress->stage != NETMESH_STAGE_NONE);
         return --*static_cast<int*>(user) < 0 ? 1 : 0;
     };
-    calls.request.monitor.poll = stop;
-    calls.request.monitor.user = &left;
+    calls.request.monitor = {stop, &left};
     int cancelled = 0;
     // Each of the first ones, when there are no cells yet, then fewer.
     for (int polls = 0;; polls += 1 + polls / 20) {
@@ -123,14 +123,14 @@ TEST_CASE("a job cancelled at any poll leaves a Delaunay mesh, and the next run 
         if (status == NETMESH_OK) break;
         REQUIRE(status == NETMESH_CANCELLED);
         ++cancelled;
-        calls.request.monitor.poll = nullptr;
+        calls.request.monitor = {};
         const bool is_mesh = calls.report().mesh.present != 0;
         CHECK((is_mesh || polls < 20));
         // What was cut off is not measured, what was made before stays so.
-        if (is_mesh) CHECK((calls.report().mesh.aspect_ratio_max <= netmesh_tau(&calls.request)) == is_made);
+        if (is_mesh) CHECK((calls.report().mesh.aspect_ratio_max <= tau) == is_made);
         CHECK(calls.check(NETMESH_CHECK_COMBINATORIAL | NETMESH_CHECK_DELAUNAY) ==
               (is_mesh ? NETMESH_OK : NETMESH_NO_RESULT));
-        calls.request.monitor.poll = stop;
+        calls.request.monitor = {stop, &left};
     }
     CHECK(cancelled > 5);
     CHECK(fingerprint(calls) == whole);
@@ -156,7 +156,7 @@ TEST_CASE("more bytes are wanted than there are") {
     for (const int dim : dimensions(2, 3)) {
         const inputs::Points points = inputs::uniform(dim, 200);
         Calls calls(dim);
-        calls.request.audit = NETMESH_AUDIT_LOCATION | NETMESH_AUDIT_QUALITY;
+        calls.request.mesh.audit = NETMESH_AUDIT_LOCATION | NETMESH_AUDIT_QUALITY;
         for (std::size_t bytes = 16384; bytes < 65536; bytes += 1616) {
             GuardedBlock memory(bytes, 0);
             if (netmesh_init(memory.block(), bytes, &calls.context) != NETMESH_OK) continue;
@@ -176,7 +176,7 @@ TEST_CASE("arguments that cannot be meant are refused by their field, and nothin
     CHECK(netmesh_init(memory.block() + 8, bytes - 8, &context) == NETMESH_INVALID_ARGUMENT);
     CHECK(netmesh_init(memory.block(), 100, &context) == NETMESH_OUT_OF_MEMORY);
     REQUIRE(netmesh_init(memory.block(), bytes, &context) == NETMESH_OK);
-    REQUIRE(calls.mesh_in_block(points, NETMESH_PURPOSE_PERSIST) == NETMESH_OK);
+    REQUIRE(calls.mesh_in_block(points, &netmesh_filter_complete) == NETMESH_OK);
     const std::uint64_t before = fingerprint(calls);
     const auto refused = [&](netmesh_status status, netmesh_field field) {
         CHECK(status == NETMESH_INVALID_ARGUMENT);
@@ -184,22 +184,22 @@ TEST_CASE("arguments that cannot be meant are refused by their field, and nothin
         CHECK(calls.detail().message[0] != '\0');
         CHECK(fingerprint(calls) == before);
     };
-    const auto mesh_refused = [&](auto member, auto value, netmesh_field field) {
-        netmesh_mesh_request request = calls.mesh_request(points);
-        request.*member = value;
+    const auto mesh_refused = [&](auto change, netmesh_field field) {
+        netmesh::Request request = calls.mesh_request(points);
+        change(request);
         refused(netmesh_mesh(context, &request), field);
     };
-    using Request = netmesh_mesh_request;
-    mesh_refused(&Request::points, nullptr, NETMESH_FIELD_POINTS);
-    mesh_refused(&Request::point_count, 0, NETMESH_FIELD_POINT_COUNT);
-    mesh_refused(&Request::purpose, static_cast<netmesh_purpose>(3), NETMESH_FIELD_PURPOSE);
-    for (const double tau : {2.0, 1.0, -3.0, 1.0 / 0.0}) mesh_refused(&Request::tau, tau, NETMESH_FIELD_TAU);
-    mesh_refused(&Request::dim, 7, NETMESH_FIELD_DIM);
-    refused(calls.persist(static_cast<netmesh_filter>(9)), NETMESH_FIELD_FILTER);
-    CHECK(calls.persist(NETMESH_FILTER_ALPHA) == NETMESH_NO_RESULT);
+    mesh_refused([](auto& r) { r.points.coordinates = nullptr; }, NETMESH_FIELD_POINTS);
+    mesh_refused([](auto& r) { r.points.count = 0; }, NETMESH_FIELD_POINT_COUNT);
+    mesh_refused([](auto& r) { r.mesh.method = nullptr; }, NETMESH_FIELD_METHOD);
+    for (const double tau : {2.0, 1.0, -3.0, 1.0 / 0.0})
+        mesh_refused([=](auto& r) { r.mesh.tau = tau; }, NETMESH_FIELD_TAU);
+    mesh_refused([](auto& r) { r.points.dim = 7; }, NETMESH_FIELD_DIM);
+    refused(calls.persist(nullptr), NETMESH_FIELD_FILTER);
+    CHECK(calls.persist(&netmesh_filter_alpha) == NETMESH_NO_RESULT);
     CHECK(fingerprint(calls) == before);
     auto pair = netmesh::sized<netmesh_pair>();
     CHECK(netmesh_get_pair(context, 0, &pair) == NETMESH_INVALID_ARGUMENT);
-    const netmesh_delaunay_request request = calls.delaunay_request(points);
-    CHECK(netmesh_delaunay(nullptr, &request) == NETMESH_INVALID_ARGUMENT);
+    const netmesh::Request request = calls.delaunay_request(points);
+    CHECK(netmesh_mesh(nullptr, &request) == NETMESH_INVALID_ARGUMENT);
 }

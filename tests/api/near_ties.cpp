@@ -23,18 +23,15 @@ std::vector<netmesh_pair> pairs_of(const netmesh_context* context) {
     return pairs;
 }
 
-netmesh_points_request points_by(netmesh_filter filter, const std::vector<double>& points) {
-    netmesh_points_request request;
-    netmesh_points_request_init(&request, sizeof request, 2, filter);
-    request.points = points.data();
-    request.point_count = points.size() / 2;
+// With bounds.
+netmesh::Request points_by(const netmesh_filter* filter, const std::vector<double>& points) {
+    netmesh::Request request(filter);
+    request.set_points(2, points);
+    request.bounds = &netmesh_bounds;
     return request;
 }
 
-std::vector<netmesh_bar_bounds> bounds_of(netmesh_context* context) {
-    netmesh_bounds_request request;
-    netmesh_bounds_request_init(&request, sizeof request);
-    REQUIRE(netmesh_bound_bars(context, &request) == NETMESH_OK);
+std::vector<netmesh_bar_bounds> bounds_of(const netmesh_context* context) {
     std::vector<netmesh_bar_bounds> bounds;
     auto b = netmesh::sized<netmesh_bar_bounds>();
     while (netmesh_get_bar_bounds(context, bounds.size(), &b) == NETMESH_OK) bounds.push_back(b);
@@ -45,26 +42,27 @@ std::vector<netmesh_bar_bounds> bounds_of(netmesh_context* context) {
 int count_components(double distance, double threshold, int way) {
     const double full[] = {0, distance, distance, 0};
     const netmesh_distance_entry entry = {1, 0, distance};
-    netmesh_distances_request request;
-    netmesh_distances_request_init(&request, sizeof request);
+    auto given = netmesh::sized<netmesh_distances>();
     const auto evaluate = [](void* user, std::uint32_t, std::uint32_t) { return *static_cast<double*>(user); };
-    request.layout = static_cast<netmesh_distance_layout>(way % 4);
-    if (request.layout == NETMESH_DISTANCES_FULL) request.numbers = full;
-    if (request.layout == NETMESH_DISTANCES_LOWER) request.numbers = &distance;
-    if (request.layout == NETMESH_DISTANCES_SPARSE) {
-        request.entries = &entry;
-        request.entry_count = 1;
+    given.layout = static_cast<netmesh_distance_layout>(way % 4);
+    if (given.layout == NETMESH_DISTANCES_FULL) given.numbers = full;
+    if (given.layout == NETMESH_DISTANCES_LOWER) given.numbers = &distance;
+    if (given.layout == NETMESH_DISTANCES_SPARSE) {
+        given.entries = &entry;
+        given.entry_count = 1;
     }
-    if (request.layout == NETMESH_DISTANCES_FUNCTION) {
-        request.evaluate = evaluate;
-        request.user = &distance;
+    if (given.layout == NETMESH_DISTANCES_FUNCTION) {
+        given.evaluate = evaluate;
+        given.user = &distance;
     }
-    request.point_count = 2;
+    given.count = 2;
+    netmesh::Request request(&netmesh_filter_rips);
+    request.distances = &given;
     request.threshold = threshold;
     request.max_degree = way / 4 % 2;
-    request.representatives = way / 8 % 2;
+    request.cycles = way / 8 % 2 == 1 ? &netmesh_cycles : nullptr;
     Session session(2);
-    REQUIRE(netmesh_persist_distances(session.context, &request) == NETMESH_OK);
+    REQUIRE(netmesh_persist(session.context, &request) == NETMESH_OK);
     int components = 0;
     for (const netmesh_pair& pair : pairs_of(session.context)) components += pair.degree == 0 && pair.death == forever;
     return components;
@@ -95,10 +93,10 @@ TEST_CASE("the ratio of barycentric Rips complexes covers what rounds their valu
         CAPTURE(i);
         const double distance = 1 + i * 0x1.5p-11 + i * 0x1p-52;
         const std::vector<double> points = {0, 0, distance, 0};
-        netmesh_points_request request = points_by(NETMESH_FILTER_BARYCENTRIC_RIPS, points);
+        netmesh::Request request = points_by(&netmesh_filter_barycentric_rips, points);
         request.max_degree = 0;
         Session session(2);
-        REQUIRE(netmesh_persist_points(session.context, &request) == NETMESH_OK);
+        REQUIRE(netmesh_persist(session.context, &request) == NETMESH_OK);
         const double ratio = session.report().diagram.certified_ratio, death = pairs_of(session.context).at(0).death;
         CHECK(ratio * ratio * ratio * ratio < 2 + 1e-14);
         CHECK(std::fma(ratio, distance / 2, -death) >= 0);  // rounded once, so its sign is right
@@ -111,23 +109,24 @@ TEST_CASE("the ratio of barycentric Rips complexes covers what rounds their valu
 TEST_CASE("bounds of bars hold true values of sets that are too small for doubles") {
     int rounded_to_zero = 0;
     for (int gap = 1; gap <= 9; ++gap)
-        for (const netmesh_filter filter : {NETMESH_FILTER_CECH, NETMESH_FILTER_BARYCENTRIC_CECH,
-                                            NETMESH_FILTER_BARYCENTRIC_RIPS, NETMESH_FILTER_RIPS})
+        for (const netmesh_filter* const filter : {&netmesh_filter_cech, &netmesh_filter_barycentric_cech,
+                                                   &netmesh_filter_barycentric_rips, &netmesh_filter_rips})
             for (const netmesh_values values : {NETMESH_VALUES_CERTIFIED, NETMESH_VALUES_THESIS})
                 for (std::uint32_t k = 1; k <= 2; ++k) {
-                    const bool has_k = filter >= NETMESH_FILTER_BARYCENTRIC_CECH;
-                    if (k > 1 && !has_k) continue;
+                    const bool has_values = filter == &netmesh_filter_barycentric_rips;
+                    const bool has_k = has_values || filter == &netmesh_filter_barycentric_cech;
+                    if ((k > 1 && !has_k) || (values == NETMESH_VALUES_THESIS && !has_values)) continue;
                     CAPTURE(gap);
                     CAPTURE(filter);
                     CAPTURE(values);
                     CAPTURE(k);
                     const std::vector<double> points = {0, 0, gap * least, 0};
-                    netmesh_points_request request = points_by(filter, points);
+                    netmesh::Request request = points_by(filter, points);
                     request.values = values;
                     request.max_degree = 0;
                     if (has_k) request.k = k;
                     Session session(2);
-                    REQUIRE(netmesh_persist_points(session.context, &request) == NETMESH_OK);
+                    REQUIRE(netmesh_persist(session.context, &request) == NETMESH_OK);
                     const std::vector<netmesh_pair> pairs = pairs_of(session.context);
                     const std::vector<netmesh_bar_bounds> bounds = bounds_of(session.context);
                     REQUIRE(bounds.size() == pairs.size());
@@ -155,12 +154,12 @@ TEST_CASE("bounds of bars hold true values of sets that are too small for double
 TEST_CASE("a class that ends beyond the largest double ends at infinity, and has a cycle") {
     // Half of the first edge is the largest double, half of the others is above it.
     const std::vector<double> points = {-largest, -largest, largest, -largest, 0, largest};
-    for (const netmesh_filter filter : {NETMESH_FILTER_RIPS, NETMESH_FILTER_CECH}) {
+    for (const netmesh_filter* const filter : {&netmesh_filter_rips, &netmesh_filter_cech}) {
         CAPTURE(filter);
-        netmesh_points_request request = points_by(filter, points);
-        request.representatives = 1;
+        netmesh::Request request = points_by(filter, points);
+        request.cycles = &netmesh_cycles;
         Session session(2);
-        REQUIRE(netmesh_persist_points(session.context, &request) == NETMESH_OK);
+        REQUIRE(netmesh_persist(session.context, &request) == NETMESH_OK);
         const std::vector<netmesh_pair> pairs = pairs_of(session.context);
         const std::vector<netmesh_bar_bounds> bounds = bounds_of(session.context);
         REQUIRE(pairs.size() == 3);
@@ -186,11 +185,11 @@ namespace {
 class Focused {
 public:
     explicit Focused(const inputs::Points& points, bool whole) : points_(points), session_(2) {
-        session_.request.whole_cells = whole;
+        session_.request.mesh.whole_cells = whole;
     }
     bool make(double from, double to) {
         ask(from, to);
-        return session_.mesh(points_, NETMESH_PURPOSE_PERSIST) == NETMESH_OK;
+        return session_.mesh(points_, &netmesh_filter_complete) == NETMESH_OK;
     }
     bool has(double from, double to) {
         ask(from, to);
@@ -198,7 +197,7 @@ public:
     }
 
 private:
-    void ask(double from, double to) { session_.request.certificate = {4, 1.7, from, to}; }
+    void ask(double from, double to) { session_.request.goal = {4, 0, 0, 0, 1.7, from, to, 0}; }
 
     const inputs::Points& points_;
     Session session_;
@@ -254,7 +253,7 @@ struct Raised {
     netmesh_function function;
 
     Raised(double from, double side, double least) : offset(from), width(side), error(least) {
-        netmesh_function_init(&function, sizeof function);
+        function = netmesh::sized<netmesh_function>();
         function.evaluate = [](void* user, const double* x) {
             const Raised& self = *static_cast<const Raised*>(user);
             return self.offset + std::hypot(x[0] - self.width / 2, x[1] - self.width / 2);
@@ -279,14 +278,11 @@ TEST_CASE("a mesh for an error certifies it, however large the function is besid
                 inputs::Points points = inputs::uniform(2, 10, 7);
                 for (double& x : points) x *= width;
                 Session session(2);
-                session.request.domain_factor = 2;
-                session.request.sizes.user = &raised;
-                session.request.sizes.size = [](void* user, const double* x) {
-                    const Raised& self = *static_cast<const Raised*>(user);
-                    return netmesh_size_for_error(&self.function, self.error, x);
-                };
-                REQUIRE(session.mesh(points, NETMESH_PURPOSE_PERSIST) == NETMESH_OK);
-                netmesh_persist_request request = persist_by(NETMESH_FILTER_FUNCTION, 0, NETMESH_VALUES_THESIS);
+                session.request.mesh.domain_factor = 2;
+                session.request.function = &raised.function;
+                session.request.goal.error = raised.error;
+                REQUIRE(session.mesh(points, &netmesh_filter_function) == NETMESH_OK);
+                netmesh::Request request = persist_by(&netmesh_filter_function, 0, NETMESH_VALUES_THESIS);
                 request.function = &raised.function;
                 REQUIRE(session.persist(request) == NETMESH_OK);
                 const double certified = session.report().diagram.certified_error;
@@ -294,7 +290,10 @@ TEST_CASE("a mesh for an error certifies it, however large the function is besid
                 CHECK(certified > 0.7 * raised.error);
             }
         }
-    const double middle[] = {0.5, 0.5};
     const Raised large(1e10, 1, 1e-6);
-    CHECK(netmesh_size_for_error(&large.function, large.error, middle) == 0);
+    Session session(2);
+    session.request.function = &large.function;
+    session.request.goal.error = large.error;
+    CHECK(session.mesh(inputs::uniform(2, 10, 7), &netmesh_filter_function) == NETMESH_INVALID_ARGUMENT);
+    CHECK(session.detail().field == NETMESH_FIELD_ERROR);
 }

@@ -1,9 +1,7 @@
-// Dimensions that are none. Init calls keep them, jobs refuse them by the field `dim` before they read a point, plans
-// are 0.
+// Dimensions that are none: jobs refuse them by the field `dim` before they read a point, plans are 0.
 #include <doctest/doctest.h>
 
 #include <cstdint>
-#include <limits>
 #include <memory>
 
 #include "refusals.hpp"
@@ -25,19 +23,23 @@ struct OwnPoints {
     const double* place;
 };
 
-template <class Request, class Job>
-void refuses(Fixture& f, Request request, std::uint32_t dim, Job job, std::size_t (*plan)(const Request*)) {
-    CHECK(request.dim == dim);
+using Plan = std::size_t (*)(const netmesh_request*);
+
+// A request without points has dimension 0; netmesh_mesh alone refuses it.
+void refuses(Fixture& f, netmesh::Request request, std::uint32_t dim, Fixture::Job job, Plan plan) {
     const OwnPoints points(dim);
     // As whoever computes the count with the dimension has it, whoever does not, and without points.
     for (const std::size_t count : {points.count, std::size_t{0}, Fixture::many}) {
-        request.points = points.place;
-        request.point_count = count;
+        request.points = {points.place, count, dim, NETMESH_POINTS_FLOAT64, 0};
         f.refused(job(f.c, &request), NETMESH_FIELD_DIM);
-        if (plan != nullptr) CHECK(plan(&request) == 0);
-        request.points = nullptr;
-        f.refused(job(f.c, &request), NETMESH_FIELD_DIM);
+        CHECK(plan(&request) == 0);
+        request.points.coordinates = nullptr;
+        if (dim != 0 || count != 0 || job == netmesh_mesh) f.refused(job(f.c, &request), NETMESH_FIELD_DIM);
+        CHECK(plan(&request) == 0);
     }
+}
+void refuses(Fixture& f, const netmesh::Request& request, std::uint32_t dim) {
+    refuses(f, request, dim, netmesh_persist, netmesh_plan);
 }
 
 }  // namespace
@@ -46,53 +48,43 @@ TEST_CASE("a dimension that is none is refused by every call and every plan") {
     Fixture f(3);
     for (const std::uint32_t dim : none_of_all) {
         CAPTURE(dim);
-        netmesh_delaunay_request delaunay = {};
-        netmesh_delaunay_request_init(&delaunay, sizeof delaunay, dim);
-        refuses(f, delaunay, dim, netmesh_delaunay, netmesh_plan_delaunay);
-
-        netmesh_mesh_request mesh = {};
-        netmesh_mesh_request_init(&mesh, sizeof mesh, dim);
-        for (const netmesh_method method : {NETMESH_METHOD_SVR, NETMESH_METHOD_HIERARCHY, NETMESH_METHOD_REFINE}) {
-            mesh.method = method;
+        netmesh::Request mesh;
+        for (const netmesh_method* const method :
+             {&netmesh_method_delaunay, &netmesh_method_svr, &netmesh_method_netmesh, &netmesh_method_thesis,
+              &netmesh_method_refine, &netmesh_method_certificate}) {
+            mesh.mesh.method = method;
             refuses(f, mesh, dim, netmesh_mesh, netmesh_plan_mesh);
         }
-        mesh.certificate.ratio = 3;
-        refuses(f, mesh, dim, netmesh_mesh, netmesh_plan_mesh);
-        CHECK(netmesh_tau(&mesh) == 0);
-
-        netmesh_alpha_request alpha = {};
-        netmesh_alpha_request_init(&alpha, sizeof alpha, dim);
-        refuses(f, alpha, dim, netmesh_persist_alpha, netmesh_plan_alpha);
-
-        netmesh_auto_request either = {};
-        netmesh_auto_request_init(&either, sizeof either, dim);
-        refuses(f, either, dim, netmesh_persist_auto, netmesh_plan_auto);
-
-        netmesh_fit_request fit = {};
-        netmesh_fit_request_init(&fit, sizeof fit, dim);
-        refuses<netmesh_fit_request>(f, fit, dim, netmesh_fit, nullptr);
-
-        netmesh_scales_request scales = {};
-        netmesh_scales_request_init(&scales, sizeof scales, dim);
-        refuses(f, scales, dim, netmesh_persist_scales, netmesh_plan_scales);
-
-        for (const netmesh_filter filter : {NETMESH_FILTER_RIPS, NETMESH_FILTER_CECH, NETMESH_FILTER_BARYCENTRIC_CECH,
-                                            NETMESH_FILTER_BARYCENTRIC_RIPS}) {
-            netmesh_points_request points = {};
-            netmesh_points_request_init(&points, sizeof points, dim, filter);
-            CHECK(points.dim == dim);
-            if (filter == NETMESH_FILTER_RIPS && dim > NETMESH_DIM_MAX && dim <= NETMESH_RIPS_DIM_MAX) continue;
-            refuses(f, points, dim, netmesh_persist_points, netmesh_plan_points);
+        netmesh::Request by_ratio(&netmesh_filter_complete);
+        by_ratio.goal.ratio = 3;
+        refuses(f, by_ratio, dim, netmesh_mesh, netmesh_plan_mesh);
+        refuses(f, by_ratio, dim);
+        netmesh::Request fit(&netmesh_filter_complete);
+        fit.fit = &netmesh_fit;
+        refuses(f, fit, dim);
+        for (const netmesh_filter* const filter :
+             {&netmesh_filter_auto, &netmesh_filter_alpha, &netmesh_filter_complete, &netmesh_filter_basic,
+              &netmesh_filter_knn, &netmesh_filter_kdistance, &netmesh_filter_function, &netmesh_filter_tight,
+              &netmesh_filter_scales, &netmesh_filter_rips, &netmesh_filter_cech, &netmesh_filter_barycentric_cech,
+              &netmesh_filter_barycentric_rips}) {
+            if (filter == &netmesh_filter_rips && dim > NETMESH_DIM_MAX && dim <= NETMESH_RIPS_DIM_MAX) continue;
+            refuses(f, netmesh::Request(filter), dim);
         }
-        for (const netmesh_filter filter : {NETMESH_FILTER_BARYCENTRIC_CECH, NETMESH_FILTER_BARYCENTRIC_RIPS}) {
-            netmesh_points_vineyard_request nested = {};
-            netmesh_points_vineyard_request_init(&nested, sizeof nested, dim, filter);
-            refuses(f, nested, dim, netmesh_points_vineyard, netmesh_plan_points_vineyard);
+        for (const netmesh_filter* const filter :
+             {&netmesh_filter_barycentric_cech, &netmesh_filter_barycentric_rips}) {
+            netmesh::Request nested(filter);
+            nested.vines = &netmesh_vines;
+            refuses(f, nested, dim);
         }
+        auto settled = netmesh::sized<netmesh_request>();
+        auto detail = netmesh::sized<netmesh_detail>();
+        by_ratio.points = {nullptr, 5, dim, NETMESH_POINTS_FLOAT64, 0};
+        CHECK(netmesh_settle(&by_ratio, &settled, &detail) == NETMESH_INVALID_ARGUMENT);
+        CHECK(detail.field == NETMESH_FIELD_DIM);
+        CHECK(settled.mesh.tau == 0);
 
-        netmesh_load_request load = {};
-        netmesh_load_request_init(&load, sizeof load, dim);
-        CHECK(load.dim == dim);
+        auto load = netmesh::sized<netmesh_load_request>();
+        load.dim = dim;
         const OwnPoints vertices(dim);
         const std::uint8_t marker[5] = {};
         const std::uint32_t cell[1] = {0};
@@ -108,42 +100,39 @@ TEST_CASE("a dimension that is none is refused by every call and every plan") {
         load.vertex_count = load.cell_count = 0;
         f.refused(netmesh_load(f.c, &load), NETMESH_FIELD_DIM);
 
-        // Requests that point to a mesh request.
-        netmesh::requests::Check check;
-        check.mesh = &mesh;
-        f.refused(netmesh_check(f.c, &check), NETMESH_FIELD_DIM);
-        netmesh::requests::Analyse analyse;
-        analyse.mesh = &mesh;
+        // What is promised: of the dimension of the mesh, or of none and without points.
+        const netmesh_field field = dim == 0 ? NETMESH_FIELD_DIM : NETMESH_FIELD_PROMISED;
+        mesh.points = {vertices.place, vertices.count, dim, NETMESH_POINTS_FLOAT64, 0};
+        auto check = netmesh::sized<netmesh_check_request>();
+        check.promised = &mesh;
+        f.refused(netmesh_check(f.c, &check), field);
+        auto analyse = netmesh::sized<netmesh_analyse_request>();
+        analyse.promised = &mesh;
         auto analysis = netmesh::sized<netmesh_analysis>();
-        f.refused(netmesh_analyse(f.c, &analyse, &analysis), NETMESH_FIELD_DIM);
+        f.refused(netmesh_analyse(f.c, &analyse, &analysis), field);
     }
 }
 
 TEST_CASE("Rips complexes of many coordinates, to the last dimension and not beyond") {
     Fixture f(3);
+    netmesh::Request rips(&netmesh_filter_rips);
     for (const std::uint32_t dim : {NETMESH_DIM_MAX + 1u, NETMESH_RIPS_DIM_MAX + 0u}) {
-        netmesh_points_request points = {};
-        netmesh_points_request_init(&points, sizeof points, dim, NETMESH_FILTER_RIPS);
-        CHECK(points.dim == dim);
-        points.point_count = 3;
-        CHECK(netmesh_plan_points(&points) > 0);
+        rips.points.dim = dim;
+        rips.points.count = 3;
+        CHECK(netmesh_plan(&rips) > 0);
     }
-    netmesh_points_request points = {};
-    netmesh_points_request_init(&points, sizeof points, NETMESH_RIPS_DIM_MAX + 1u, NETMESH_FILTER_RIPS);
-    refuses(f, points, NETMESH_RIPS_DIM_MAX + 1u, netmesh_persist_points, netmesh_plan_points);
+    refuses(f, rips, NETMESH_RIPS_DIM_MAX + 1u);
 }
 
 TEST_CASE("a dimension that is none, in C++") {
     Fixture f(3);
     for (const std::uint32_t dim : none_of_all) {
         CAPTURE(dim);
-        CHECK(netmesh::requests::Delaunay(dim).dim == dim);
         const inputs::Points points(21, 1.0);
-        const netmesh::requests::Mesh mesh = [&] {
-            netmesh::requests::Mesh r(dim);
-            netmesh::set_points(&r, points);
-            return r;
-        }();
+        netmesh::Request mesh;
+        mesh.mesh.method = &netmesh_method_svr;
+        mesh.set_points(dim, points);
+        CHECK(mesh.points.dim == dim);
         f.refused(netmesh_mesh(f.c, &mesh), NETMESH_FIELD_DIM);
     }
 }

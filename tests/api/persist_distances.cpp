@@ -48,21 +48,34 @@ Matrix random_matrix(std::uint32_t n, std::uint64_t seed, std::uint32_t most) {
 constexpr netmesh_distance_layout layouts[] = {NETMESH_DISTANCES_FULL, NETMESH_DISTANCES_LOWER,
                                                NETMESH_DISTANCES_SPARSE, NETMESH_DISTANCES_FUNCTION};
 
-netmesh_distances_request request_of(const Matrix& m, netmesh_distance_layout layout, std::uint32_t degree) {
-    netmesh_distances_request r = netmesh::requests::Distances();
-    r.layout = layout;
-    r.numbers = layout == NETMESH_DISTANCES_FULL ? m.full.data() : m.lower.data();
-    r.entries = m.entries.data();
-    r.entry_count = m.entries.size();
-    r.evaluate = evaluate;
-    r.user = const_cast<Matrix*>(&m);
-    r.point_count = m.n;
-    r.max_degree = degree;
-    return r;
+// Distances, and what is asked of them.
+struct Asked {
+    netmesh_distances of = netmesh::sized<netmesh_distances>();
+    netmesh::Request request = netmesh::Request(&netmesh_filter_rips);
+
+    // Points into this object.
+    const netmesh_request* whole() {
+        request.distances = &of;
+        return &request;
+    }
+};
+
+Asked asked_of(const Matrix& m, netmesh_distance_layout layout, std::uint32_t degree) {
+    Asked a;
+    a.of.layout = layout;
+    a.of.numbers = layout == NETMESH_DISTANCES_FULL ? m.full.data() : m.lower.data();
+    a.of.entries = m.entries.data();
+    a.of.entry_count = m.entries.size();
+    a.of.evaluate = evaluate;
+    a.of.user = const_cast<Matrix*>(&m);
+    a.of.count = m.n;
+    a.request.max_degree = degree;
+    return a;
 }
 
-netmesh_status run(Session& s, const netmesh_distances_request& r) {
-    return s.until_it_fits(netmesh_plan_distances(&r), [&] { return netmesh_persist_distances(s.context, &r); });
+netmesh_status run(Session& s, Asked a) {
+    const netmesh_request* const r = a.whole();
+    return s.until_it_fits(netmesh_plan(r), [&] { return netmesh_persist(s.context, r); });
 }
 
 bool same(const std::vector<netmesh_pair>& a, const std::vector<netmesh_pair>& b) {
@@ -90,13 +103,15 @@ std::vector<netmesh_pair> by_list(const Matrix& m, std::uint32_t degree, double 
         entries.push_back(value);
     }
     Session s(2);
-    netmesh_homology_request r = netmesh::requests::Homology();
-    r.vertices = vertices.data();
-    r.starts = starts.data();
-    r.entries = entries.data();
-    r.simplex_count = entries.size();
+    auto simplices = netmesh::sized<netmesh_simplices>();
+    simplices.vertices = vertices.data();
+    simplices.starts = starts.data();
+    simplices.entries = entries.data();
+    simplices.simplex_count = entries.size();
+    netmesh::Request r(&netmesh_filter_simplices);
+    r.simplices = &simplices;
     r.max_degree = degree;
-    REQUIRE(s.homology(r) == NETMESH_OK);
+    REQUIRE(s.persist_until_it_fits(r) == NETMESH_OK);
     return s.pairs();
 }
 
@@ -111,15 +126,15 @@ TEST_CASE("distances of points have the diagram of the points, in every layout")
         inputs::Points points = inputs::uniform(2, 40);
         for (double& x : points) x = in_few_bits(x);
         Session by_points(2), by_distances(2);
-        REQUIRE(by_points.points(by_points.points_request(points, NETMESH_FILTER_RIPS, 1, degree)) == NETMESH_OK);
+        REQUIRE(by_points.persist_until_it_fits(by_points.points_request(points, &netmesh_filter_rips, 1, degree)) ==
+                NETMESH_OK);
         const Matrix m = matrix_of(40, [&](std::uint32_t i, std::uint32_t j) {
             const double x = points[2 * i] - points[2 * j], y = points[2 * i + 1] - points[2 * j + 1];
             return std::sqrt(x * x + y * y);
         });
         for (const netmesh_distance_layout layout : layouts) {
             CAPTURE(layout);
-            const netmesh_distances_request r = request_of(m, layout, degree);
-            REQUIRE(run(by_distances, r) == NETMESH_OK);
+            REQUIRE(run(by_distances, asked_of(m, layout, degree)) == NETMESH_OK);
             CHECK(same(by_distances.pairs(), by_points.pairs()));
             CHECK(by_distances.report().diagram.simplices == by_points.report().diagram.simplices);
             CHECK(by_distances.report().diagram.filter == NETMESH_FILTER_RIPS);
@@ -129,13 +144,13 @@ TEST_CASE("distances of points have the diagram of the points, in every layout")
         const double half = m.at(3, 1) / 2;
         for (const double threshold : {0x1p-1074, std::nextafter(half, 0.0), half, std::nextafter(half, 1.0), 0.3}) {
             CAPTURE(threshold);
-            netmesh_distances_request r = request_of(m, NETMESH_DISTANCES_FULL, degree);
-            netmesh_points_request p = by_points.points_request(points, NETMESH_FILTER_RIPS, 1, degree);
-            r.threshold = p.threshold = threshold;
-            for (const std::uint32_t representatives : {0u, 1u}) {
-                r.representatives = p.representatives = representatives;
-                REQUIRE(run(by_distances, r) == NETMESH_OK);
-                REQUIRE(by_points.points(p) == NETMESH_OK);
+            Asked a = asked_of(m, NETMESH_DISTANCES_FULL, degree);
+            netmesh::Request p = by_points.points_request(points, &netmesh_filter_rips, 1, degree);
+            a.request.threshold = p.threshold = threshold;
+            for (const netmesh_want* const cycles : {static_cast<const netmesh_want*>(nullptr), &netmesh_cycles}) {
+                a.request.cycles = p.cycles = cycles;
+                REQUIRE(run(by_distances, a) == NETMESH_OK);
+                REQUIRE(by_points.persist_until_it_fits(p) == NETMESH_OK);
                 CHECK(same(by_distances.pairs(), by_points.pairs()));
                 CHECK(by_distances.report().diagram.essential[0] == by_points.report().diagram.essential[0]);
             }
@@ -157,12 +172,12 @@ TEST_CASE("distances that are no metric, thresholds and points that are never jo
                 CAPTURE(degree);
                 const std::vector<netmesh_pair> expected = by_list(m, degree, threshold);
                 for (const netmesh_distance_layout layout : layouts) {
-                    netmesh_distances_request r = request_of(m, layout, degree);
-                    r.threshold = threshold;
-                    REQUIRE(run(s, r) == NETMESH_OK);
+                    Asked a = asked_of(m, layout, degree);
+                    a.request.threshold = threshold;
+                    REQUIRE(run(s, a) == NETMESH_OK);
                     CHECK(same(s.pairs(), expected));
-                    r.representatives = 1;
-                    REQUIRE(run(s, r) == NETMESH_OK);
+                    a.request.cycles = &netmesh_cycles;
+                    REQUIRE(run(s, a) == NETMESH_OK);
                     CHECK(same(s.pairs(), expected));
                     CHECK(s.report().diagram.representatives == 1);
                 }
@@ -175,7 +190,7 @@ TEST_CASE("the fingerprint of distances tells one from another, not how they wer
     Session s(2);
     Matrix m = random_matrix(9, 3, 100);
     const auto print = [&](netmesh_distance_layout layout, std::uint32_t degree) {
-        REQUIRE(run(s, request_of(m, layout, degree)) == NETMESH_OK);
+        REQUIRE(run(s, asked_of(m, layout, degree)) == NETMESH_OK);
         return s.report().input.fingerprint;
     };
     const std::uint64_t full = print(NETMESH_DISTANCES_FULL, 1);
@@ -187,9 +202,8 @@ TEST_CASE("the fingerprint of distances tells one from another, not how they wer
 
 TEST_CASE("distances that are none are refused with their place") {
     Session s(2);
-    const auto refused = [&](const netmesh_distances_request& r, netmesh_field field, std::uint64_t a,
-                             std::uint64_t b) {
-        CHECK(run(s, r) == NETMESH_INVALID_ARGUMENT);
+    const auto refused = [&](const Asked& asked, netmesh_field field, std::uint64_t a, std::uint64_t b) {
+        CHECK(run(s, asked) == NETMESH_INVALID_ARGUMENT);
         CHECK(s.detail().field == field);
         CHECK(s.detail().index_a == a);
         CHECK(s.detail().index_b == b);
@@ -201,29 +215,29 @@ TEST_CASE("distances that are none are refused with their place") {
         for (const double wrong : {-1.0, -std::numeric_limits<double>::denorm_min(), not_a_number}) {
             Matrix m = good;
             m.full[3 * 6 + 1] = m.full[1 * 6 + 3] = m.lower[3 + 1] = wrong;
-            refused(request_of(m, NETMESH_DISTANCES_FULL, degree), NETMESH_FIELD_NUMBERS, 3, 1);
-            refused(request_of(m, NETMESH_DISTANCES_LOWER, degree), NETMESH_FIELD_NUMBERS, 3, 1);
-            refused(request_of(m, NETMESH_DISTANCES_FUNCTION, degree), NETMESH_FIELD_NUMBERS, 3, 1);
+            refused(asked_of(m, NETMESH_DISTANCES_FULL, degree), NETMESH_FIELD_NUMBERS, 3, 1);
+            refused(asked_of(m, NETMESH_DISTANCES_LOWER, degree), NETMESH_FIELD_NUMBERS, 3, 1);
+            refused(asked_of(m, NETMESH_DISTANCES_FUNCTION, degree), NETMESH_FIELD_NUMBERS, 3, 1);
             m = good;
             m.full[1 * 6 + 3] = wrong;
-            refused(request_of(m, NETMESH_DISTANCES_FULL, degree), NETMESH_FIELD_NUMBERS, 1, 3);
+            refused(asked_of(m, NETMESH_DISTANCES_FULL, degree), NETMESH_FIELD_NUMBERS, 1, 3);
             m.entries[4].distance = wrong;
-            refused(request_of(m, NETMESH_DISTANCES_SPARSE, degree), NETMESH_FIELD_ENTRIES, 4, 4);
+            refused(asked_of(m, NETMESH_DISTANCES_SPARSE, degree), NETMESH_FIELD_ENTRIES, 4, 4);
         }
         Matrix m = good;
         m.full[5 * 6 + 2] += 1;
-        refused(request_of(m, NETMESH_DISTANCES_FULL, degree), NETMESH_FIELD_NUMBERS, 5, 2);
+        refused(asked_of(m, NETMESH_DISTANCES_FULL, degree), NETMESH_FIELD_NUMBERS, 5, 2);
         m = good;
         m.full[4 * 6 + 4] = 1;
-        refused(request_of(m, NETMESH_DISTANCES_FULL, degree), NETMESH_FIELD_NUMBERS, 4, 4);
+        refused(asked_of(m, NETMESH_DISTANCES_FULL, degree), NETMESH_FIELD_NUMBERS, 4, 4);
         m = good;
         m.entries[2].i = 6;
-        refused(request_of(m, NETMESH_DISTANCES_SPARSE, degree), NETMESH_FIELD_ENTRIES, 2, 2);
+        refused(asked_of(m, NETMESH_DISTANCES_SPARSE, degree), NETMESH_FIELD_ENTRIES, 2, 2);
         m = good;
         m.entries.push_back({m.entries[3].j, m.entries[3].i, m.entries[3].distance + 1});
-        refused(request_of(m, NETMESH_DISTANCES_SPARSE, degree), NETMESH_FIELD_ENTRIES, 15, 3);
+        refused(asked_of(m, NETMESH_DISTANCES_SPARSE, degree), NETMESH_FIELD_ENTRIES, 15, 3);
         m.entries.back().distance -= 1;
-        CHECK(run(s, request_of(m, NETMESH_DISTANCES_SPARSE, degree)) == NETMESH_OK);
+        CHECK(run(s, asked_of(m, NETMESH_DISTANCES_SPARSE, degree)) == NETMESH_OK);
     }
 }
 
@@ -231,40 +245,43 @@ TEST_CASE("requests on distances name the field at fault") {
     Session s(2);
     const Matrix m = random_matrix(6, 1, 9);
     const auto refused = [&](netmesh_distance_layout layout, auto change, netmesh_field field) {
-        netmesh_distances_request r = request_of(m, layout, 1);
-        change(r);
-        CHECK(netmesh_persist_distances(s.context, &r) == NETMESH_INVALID_ARGUMENT);
+        Asked a = asked_of(m, layout, 1);
+        change(a);
+        CHECK(netmesh_persist(s.context, a.whole()) == NETMESH_INVALID_ARGUMENT);
         CHECK(s.detail().field == field);
     };
     refused(
-        NETMESH_DISTANCES_FULL, [](auto& r) { r.numbers = nullptr; }, NETMESH_FIELD_NUMBERS);
+        NETMESH_DISTANCES_FULL, [](auto& a) { a.of.numbers = nullptr; }, NETMESH_FIELD_NUMBERS);
     refused(
-        NETMESH_DISTANCES_SPARSE, [](auto& r) { r.entries = nullptr; }, NETMESH_FIELD_ENTRIES);
+        NETMESH_DISTANCES_SPARSE, [](auto& a) { a.of.entries = nullptr; }, NETMESH_FIELD_ENTRIES);
     refused(
-        NETMESH_DISTANCES_SPARSE, [](auto& r) { r.entry_count = 1u << 31; }, NETMESH_FIELD_ENTRY_COUNT);
+        NETMESH_DISTANCES_SPARSE, [](auto& a) { a.of.entry_count = 1u << 31; }, NETMESH_FIELD_ENTRY_COUNT);
     refused(
-        NETMESH_DISTANCES_FUNCTION, [](auto& r) { r.evaluate = nullptr; }, NETMESH_FIELD_EVALUATE);
+        NETMESH_DISTANCES_FUNCTION, [](auto& a) { a.of.evaluate = nullptr; }, NETMESH_FIELD_EVALUATE);
+    for (const netmesh_distance_layout layout : layouts)
+        refused(
+            layout, [](auto& a) { a.of.evaluate = nullptr, a.of.user = &a; }, NETMESH_FIELD_EVALUATE);
     for (const netmesh_distance_layout layout : layouts) {
         refused(
-            layout, [](auto& r) { r.struct_bytes = 0; }, NETMESH_FIELD_STRUCT_BYTES);
+            layout, [](auto& a) { a.of.struct_bytes = 0; }, NETMESH_FIELD_STRUCT_BYTES);
         refused(
-            layout, [](auto& r) { r.point_count = 0; }, NETMESH_FIELD_POINT_COUNT);
+            layout, [](auto& a) { a.of.count = 0; }, NETMESH_FIELD_POINT_COUNT);
         refused(
-            layout, [](auto& r) { r.point_count = 65537; }, NETMESH_FIELD_POINT_COUNT);
+            layout, [](auto& a) { a.of.count = 65537; }, NETMESH_FIELD_POINT_COUNT);
         refused(
-            layout, [](auto& r) { r.threshold = -1; }, NETMESH_FIELD_THRESHOLD);
+            layout, [](auto& a) { a.request.threshold = -1; }, NETMESH_FIELD_THRESHOLD);
         refused(
-            layout, [](auto& r) { r.threshold = not_a_number; }, NETMESH_FIELD_THRESHOLD);
+            layout, [](auto& a) { a.request.threshold = not_a_number; }, NETMESH_FIELD_THRESHOLD);
         refused(
-            layout, [](auto& r) { r.max_degree = 31; }, NETMESH_FIELD_MAX_DEGREE);
+            layout, [](auto& a) { a.request.max_degree = 31; }, NETMESH_FIELD_MAX_DEGREE);
         const int unknown = 9;
         refused(
-            layout, [&](auto& r) { std::memcpy(&r.layout, &unknown, sizeof unknown); }, NETMESH_FIELD_LAYOUT);
+            layout, [&](auto& a) { std::memcpy(&a.of.layout, &unknown, sizeof unknown); }, NETMESH_FIELD_LAYOUT);
     }
-    netmesh_distances_request r = request_of(m, NETMESH_DISTANCES_LOWER, 1);
-    r.point_count = 1;
-    r.numbers = nullptr;
-    REQUIRE(run(s, r) == NETMESH_OK);
+    Asked a = asked_of(m, NETMESH_DISTANCES_LOWER, 1);
+    a.of.count = 1;
+    a.of.numbers = nullptr;
+    REQUIRE(run(s, a) == NETMESH_OK);
     CHECK(s.pairs().size() == 1);
 }
 
@@ -276,22 +293,22 @@ TEST_CASE("distances stop at every poll") {
         static int poll(void* user, const netmesh_progress*) { return --static_cast<Count*>(user)->left < 0 ? 1 : 0; }
     };
     for (const netmesh_distance_layout layout : layouts) {
-        netmesh_distances_request r = request_of(m, layout, 1);
+        Asked a = asked_of(m, layout, 1);
         Count count = {1 << 30};
-        r.monitor = {Count::poll, &count};
-        REQUIRE(run(s, r) == NETMESH_OK);  // in a block that is large enough from now on
+        a.request.monitor = {Count::poll, &count};
+        REQUIRE(run(s, a) == NETMESH_OK);  // in a block that is large enough from now on
         count.left = 1 << 30;
-        REQUIRE(run(s, r) == NETMESH_OK);
+        REQUIRE(run(s, a) == NETMESH_OK);
         const int polls = (1 << 30) - count.left;
         const std::uint64_t print = s.report().fingerprint;
         CHECK(polls > 2);
         for (int after = 0; after < polls; after += 1 + polls / 20) {
             count.left = after;
-            CHECK(run(s, r) == NETMESH_CANCELLED);
+            CHECK(run(s, a) == NETMESH_CANCELLED);
             CHECK(s.report().diagram.present == 0);
         }
         count.left = 1 << 30;
-        REQUIRE(run(s, r) == NETMESH_OK);
+        REQUIRE(run(s, a) == NETMESH_OK);
         CHECK(s.report().fingerprint == print);
     }
 }
@@ -312,16 +329,16 @@ TEST_CASE(
         for (const std::uint32_t degree : {0u, 1u, 2u}) {
             CAPTURE(dim);
             CAPTURE(degree);
-            REQUIRE(small.points(small.points_request(plane, NETMESH_FILTER_RIPS, 1, degree)) == NETMESH_OK);
-            netmesh_points_request r = netmesh::requests::Points(dim, NETMESH_FILTER_RIPS);
-            CHECK(r.dim == dim);
-            r.points = points.data();
-            r.point_count = n;
+            REQUIRE(small.persist_until_it_fits(small.points_request(plane, &netmesh_filter_rips, 1, degree)) ==
+                    NETMESH_OK);
+            netmesh::Request r(&netmesh_filter_rips);
+            r.set_points(dim, points);
+            CHECK(r.points.count == n);
             r.max_degree = degree;
-            REQUIRE(large.points(r) == NETMESH_OK);
+            REQUIRE(large.persist_until_it_fits(r) == NETMESH_OK);
             CHECK(same(large.pairs(), small.pairs()));
             CHECK(large.report().input.dim == dim);
-            r.points = mixed.data();
+            r.set_points(dim, mixed);
             const Matrix m = matrix_of(n, [&](std::uint32_t i, std::uint32_t j) {
                 double sum = 0;
                 for (std::uint32_t k = 0; k < dim; ++k) {
@@ -330,10 +347,10 @@ TEST_CASE(
                 }
                 return std::sqrt(sum);
             });
-            REQUIRE(run(by_distances, request_of(m, NETMESH_DISTANCES_LOWER, degree)) == NETMESH_OK);
-            for (const std::uint32_t representatives : {0u, 1u}) {
-                r.representatives = representatives;
-                REQUIRE(large.points(r) == NETMESH_OK);
+            REQUIRE(run(by_distances, asked_of(m, NETMESH_DISTANCES_LOWER, degree)) == NETMESH_OK);
+            for (const netmesh_want* const cycles : {static_cast<const netmesh_want*>(nullptr), &netmesh_cycles}) {
+                r.cycles = cycles;
+                REQUIRE(large.persist_until_it_fits(r) == NETMESH_OK);
                 CHECK(same(large.pairs(), by_distances.pairs()));
             }
         }
@@ -346,10 +363,9 @@ TEST_CASE("distances in many dimensions where squares are out of range") {
     const auto half = [&](double unit) {  // of two points that are 4 units apart in each coordinate
         inputs::Points points(2 * dim, -2 * unit);
         for (std::uint32_t k = 0; k < dim; ++k) points[dim + k] = 2 * unit;
-        netmesh_points_request r = netmesh::requests::Points(dim, NETMESH_FILTER_RIPS);
-        r.points = points.data();
-        r.point_count = 2;
-        REQUIRE(s.points(r) == NETMESH_OK);
+        netmesh::Request r(&netmesh_filter_rips);
+        r.set_points(dim, points);
+        REQUIRE(s.persist_until_it_fits(r) == NETMESH_OK);
         REQUIRE(s.pairs().size() == 2);
         return std::min(s.pairs()[0].death, s.pairs()[1].death);
     };
@@ -363,42 +379,40 @@ TEST_CASE("distances in many dimensions where squares are out of range") {
 TEST_CASE("only Rips complexes take points of more than six coordinates") {
     Session s(2);
     const inputs::Points points(14, 0.5);
-    netmesh_points_request r = netmesh::requests::Points(7, NETMESH_FILTER_CECH);
-    CHECK(r.dim == 7);
-    r.points = points.data();
-    r.point_count = 2;
-    CHECK(netmesh_persist_points(s.context, &r) == NETMESH_INVALID_ARGUMENT);
+    netmesh::Request r(&netmesh_filter_cech);
+    r.set_points(7, points);
+    CHECK(netmesh_persist(s.context, &r) == NETMESH_INVALID_ARGUMENT);
     CHECK(s.detail().field == NETMESH_FIELD_DIM);
-    CHECK(netmesh_plan_points(&r) == 0);
-    r.filter = NETMESH_FILTER_RIPS;
-    CHECK(netmesh_plan_points(&r) > 0);
-    CHECK(netmesh_persist_points(s.context, &r) == NETMESH_OK);
+    CHECK(netmesh_plan(&r) == 0);
+    r.filter = &netmesh_filter_rips;
+    CHECK(netmesh_plan(&r) > 0);
+    CHECK(netmesh_persist(s.context, &r) == NETMESH_OK);
     CHECK(s.report().input.duplicates == 1);
-    r.dim = NETMESH_RIPS_DIM_MAX + 1;
-    CHECK(netmesh_persist_points(s.context, &r) == NETMESH_INVALID_ARGUMENT);
+    r.points.dim = NETMESH_RIPS_DIM_MAX + 1;
+    CHECK(netmesh_persist(s.context, &r) == NETMESH_INVALID_ARGUMENT);
     CHECK(s.detail().field == NETMESH_FIELD_DIM);
-    CHECK(netmesh_plan_points(&r) == 0);
+    CHECK(netmesh_plan(&r) == 0);
 }
 
 TEST_CASE("a function is asked for each distance once, row by row") {
-    struct Asked {
+    struct Order {
         std::uint32_t i = 1, j = 0;
-        bool in_order = true;
-    } asked;
-    netmesh_distances_request r = netmesh::requests::Distances();
-    r.layout = NETMESH_DISTANCES_FUNCTION;
-    r.evaluate = [](void* user, std::uint32_t i, std::uint32_t j) {
-        Asked& a = *static_cast<Asked*>(user);
-        a.in_order = a.in_order && i == a.i && j == a.j;
-        if (++a.j == a.i) a = {a.i + 1, 0, a.in_order};
+        bool holds = true;
+    } order;
+    Asked a;
+    a.of.layout = NETMESH_DISTANCES_FUNCTION;
+    a.of.evaluate = [](void* user, std::uint32_t i, std::uint32_t j) {
+        Order& o = *static_cast<Order*>(user);
+        o.holds = o.holds && i == o.i && j == o.j;
+        if (++o.j == o.i) o = {o.i + 1, 0, o.holds};
         return 1.0 + (i * 7 + j * 3) % 11;
     };
-    r.user = &asked;
-    r.point_count = 40;
+    a.of.user = &order;
+    a.of.count = 40;
     Session s(2);
-    REQUIRE(netmesh_persist_distances(s.context, &r) == NETMESH_OK);
-    CHECK(asked.in_order);
-    CHECK(asked.i == 40);
+    REQUIRE(netmesh_persist(s.context, a.whole()) == NETMESH_OK);
+    CHECK(order.holds);
+    CHECK(order.i == 40);
 }
 
 TEST_CASE("the plan of distances suffices, and is not much more than a random metric takes") {
@@ -411,11 +425,11 @@ TEST_CASE("the plan of distances suffices, and is not much more than a random me
         for (const std::uint32_t degree : {0u, 1u}) {
             CAPTURE(layout);
             CAPTURE(degree);
-            const netmesh_distances_request r = request_of(m, layout, degree);
-            const std::size_t planned = netmesh_plan_distances(&r);
+            Asked a = asked_of(m, layout, degree);
+            const std::size_t planned = netmesh_plan(a.whole());
             Session s(2);
             s.reserve(planned);
-            REQUIRE(netmesh_persist_distances(s.context, &r) == NETMESH_OK);
+            REQUIRE(netmesh_persist(s.context, a.whole()) == NETMESH_OK);
             const double used = static_cast<double>(s.report().memory.peak_bytes);
             CHECK(static_cast<double>(planned) <= (degree == 0 ? 5 : 1.5) * used);
         }

@@ -29,18 +29,18 @@ TEST_CASE("ratios asked of a mesh: what it has, and a hundredth less") {
         CAPTURE(dim);
         Session s(dim);
         s.reserve(room);
-        REQUIRE(s.mesh(some(dim), NETMESH_PURPOSE_PERSIST) == NETMESH_OK);
+        REQUIRE(s.mesh(some(dim), &netmesh_filter_complete) == NETMESH_OK);
         REQUIRE(s.persist() == NETMESH_OK);
         const double ratio = s.report().diagram.certified_ratio;
-        s.request.certificate.ratio = ratio * 1.0001;
+        s.request.goal.ratio = ratio * 1.0001;
         CHECK(said_of_quality(s).empty());
-        s.request.certificate.ratio = ratio * 0.99;
+        s.request.goal.ratio = ratio * 0.99;
         CHECK(said_of_quality(s) == "the certified ratio is above the one asked for");
         // Cells that lie across a scale matter to it: there are some about half of the domain's radius, and they are
         // not as thin as that.
         const double middle = 0.5 * s.report().mesh.domain[dim];
         if (dim > 3) continue;  // the few points of more dimensions need not have such cells
-        s.request.certificate = {100, 1.001, middle, middle * (1 + 1e-9)};
+        s.request.goal = {100, 0, 0, 0, 1.001, middle, middle * (1 + 1e-9), 0};
         CHECK(said_of_quality(s) == "a cell's ratio is above the one asked for at its scale");
     }
 }
@@ -51,14 +51,14 @@ TEST_CASE("sizes asked of a mesh: what it has, and a fiftieth less") {
         Session s(dim);
         s.reserve(std::size_t{1} << 27);
         const double eps = dim == 4 ? 0.8 : 0.4;
-        s.request.sizes.eps = eps;
+        s.request.mesh.sizes.eps = eps;
         REQUIRE(s.mesh(inputs::uniform(dim, 6)) == NETMESH_OK);
         const double reached = eps * s.report().mesh.sizes.ratio_max;
         REQUIRE(reached > 0.5 * eps);
         REQUIRE(reached <= eps * (1 + 1e-12));
-        s.request.sizes.eps = reached * (1 + 1e-6);
+        s.request.mesh.sizes.eps = reached * (1 + 1e-6);
         CHECK(said_of_quality(s).empty());
-        s.request.sizes.eps = reached * 0.98;
+        s.request.mesh.sizes.eps = reached * 0.98;
         CHECK(said_of_quality(s) == "a clipped Voronoi cell is larger than the size asked for");
     }
 }
@@ -68,15 +68,15 @@ TEST_CASE("aspect ratios asked of a mesh with cages: what it has, and a hundredt
         CAPTURE(dim);
         Session s(dim);
         s.reserve(room);
-        s.request.tau = 3;
-        s.request.method = NETMESH_METHOD_HIERARCHY;
+        s.request.mesh.tau = 3;
+        s.request.mesh.method = &netmesh_method_netmesh;
         REQUIRE(s.mesh(inputs::nested(dim, 4, 6, 1e3)) == NETMESH_OK);
         REQUIRE(s.report().mesh.hierarchy.cages > 0);
         const double worst = s.report().mesh.aspect_ratio_max;
         REQUIRE(worst > 2.1);
-        s.request.tau = worst * (1 + 1e-6);
+        s.request.mesh.tau = worst * (1 + 1e-6);
         CHECK(said_of_quality(s).empty());
-        s.request.tau = worst * 0.99;
+        s.request.mesh.tau = worst * 0.99;
         CHECK(said_of_quality(s) == "a clipped Voronoi cell has an aspect ratio above tau");
     }
 }
@@ -88,9 +88,9 @@ TEST_CASE("aspect ratios asked of cages") {
     for (std::uint64_t seed = 1; seed <= 12; ++seed) {
         CAPTURE(seed);
         Session s(2);
-        s.request.tau = 3;
+        s.request.mesh.tau = 3;
         s.request.seed = seed;
-        s.request.method = NETMESH_METHOD_HIERARCHY;
+        s.request.mesh.method = &netmesh_method_netmesh;
         REQUIRE(s.mesh(inputs::geometric(2, 50 + 20 * static_cast<double>(seed), 6, seed)) == NETMESH_OK);
         const netmesh_report report = s.report();
         std::vector<double> ratios(report.mesh.vertices);
@@ -101,9 +101,9 @@ TEST_CASE("aspect ratios asked of cages") {
         CHECK(of_vertices <= worst);
         if (!(worst > 1.002 * of_vertices) || worst < 2.01) continue;
         ++of_cages;
-        s.request.tau = worst * (1 + 1e-9);
+        s.request.mesh.tau = worst * (1 + 1e-9);
         CHECK(said_of_quality(s).empty());
-        s.request.tau = std::max(2.005, worst * 0.999);
+        s.request.mesh.tau = std::max(2.005, worst * 0.999);
         CHECK(said_of_quality(s) == "a clipped Voronoi cell has an aspect ratio above tau");
     }
     CHECK(of_cages > 0);
@@ -111,12 +111,12 @@ TEST_CASE("aspect ratios asked of cages") {
 
 TEST_CASE("one cage is enough for filters to be refused") {
     Session s(2);
-    s.request.method = NETMESH_METHOD_HIERARCHY;
+    s.request.mesh.method = &netmesh_method_netmesh;
     REQUIRE(s.mesh(inputs::geometric(2, 1e3, 2)) == NETMESH_OK);
     REQUIRE(s.report().mesh.hierarchy.cages == 1);
     CHECK(s.persist() == NETMESH_NO_RESULT);
     CHECK(s.detail().message == std::string("this filter needs a mesh without cages"));
-    CHECK(s.vineyard(NETMESH_FILTER_KNN, 1, 2) == NETMESH_NO_RESULT);
+    CHECK(s.vineyard(&netmesh_filter_knn, 1, 2) == NETMESH_NO_RESULT);
 }
 
 // The centre is moved so that one input alone, the first, is farthest from it: values are cut at its distance.
@@ -128,7 +128,7 @@ TEST_CASE("the ball of the certificates of a loaded mesh holds every input, the 
         made.reserve(room);
         inputs::Points points = some(dim);
         std::fill_n(points.begin(), d, -0.5);  // away from the others
-        REQUIRE(made.mesh(points, NETMESH_PURPOSE_PERSIST) == NETMESH_OK);
+        REQUIRE(made.mesh(points, &netmesh_filter_complete) == NETMESH_OK);
         REQUIRE(made.persist() == NETMESH_OK);
         const std::vector<netmesh_pair> pairs = made.pairs();
         Arrays mesh(made);
@@ -156,7 +156,7 @@ TEST_CASE("the ball of the certificates of a loaded mesh holds every input, the 
         Session moved(dim);
         moved.reserve(room);
         REQUIRE(mesh.load(moved) == NETMESH_OK);
-        REQUIRE(moved.persist(persist_by(NETMESH_FILTER_COMPLETE, 0, NETMESH_VALUES_THESIS)) == NETMESH_OK);
+        REQUIRE(moved.persist(persist_by(&netmesh_filter_complete, 0, NETMESH_VALUES_THESIS)) == NETMESH_OK);
         double most = 0;
         for (const netmesh_vertex& v : moved.vertices()) most = std::max(most, v.value);
         CHECK(most == doctest::Approx(farthest).epsilon(1e-9));
@@ -204,15 +204,15 @@ TEST_CASE("an order that names an input twice is no order") {
 // The lower bound counts vertices that quality asks for, and a mesh by its certificate promises none.
 TEST_CASE("bounds on the size are not claimed for a mesh by the certificate") {
     Session s(2);
-    s.request.certificate.ratio = 3;
-    REQUIRE(s.mesh(some(2), NETMESH_PURPOSE_PERSIST) == NETMESH_OK);
+    s.request.goal.ratio = 3;
+    REQUIRE(s.mesh(some(2), &netmesh_filter_complete) == NETMESH_OK);
     netmesh_analysis a;
     REQUIRE(s.analyse(&a, NETMESH_ANALYSE_SIZE, 0.5) == NETMESH_OK);
     CHECK(a.size.lower == 0);
     CHECK(std::isinf(a.size.upper));
     CHECK(std::isinf(a.size.feature_ratio_bound));
-    s.request.certificate.ratio = 0;
-    REQUIRE(s.mesh(some(2), NETMESH_PURPOSE_PERSIST) == NETMESH_OK);
+    s.request.goal.ratio = 0;
+    REQUIRE(s.mesh(some(2), &netmesh_filter_complete) == NETMESH_OK);
     REQUIRE(s.analyse(&a, NETMESH_ANALYSE_SIZE, 0.5) == NETMESH_OK);
     CHECK(a.size.lower > 0);
     CHECK(a.size.upper > static_cast<double>(a.size.vertices));
@@ -223,10 +223,10 @@ TEST_CASE("cycles made again and again take the same memory") {
         Session s(2);
         s.reserve(room);
         const inputs::Points points = inputs::uniform(2, 40);
-        REQUIRE((on_mesh ? s.mesh(points, NETMESH_PURPOSE_PERSIST) : s.delaunay(points)) == NETMESH_OK);
+        REQUIRE((on_mesh ? s.mesh(points, &netmesh_filter_complete) : s.delaunay(points)) == NETMESH_OK);
         std::uint64_t used[2] = {};
         for (int turn = 0; turn < 4; ++turn) {
-            REQUIRE(s.persist(on_mesh ? NETMESH_FILTER_COMPLETE : NETMESH_FILTER_ALPHA) == NETMESH_OK);
+            REQUIRE(s.persist(on_mesh ? &netmesh_filter_complete : &netmesh_filter_alpha) == NETMESH_OK);
             const std::uint64_t diagram = s.report().memory.used_bytes;
             REQUIRE(s.represent() == NETMESH_OK);
             const std::uint64_t cycles = s.report().memory.used_bytes;
@@ -269,10 +269,9 @@ TEST_CASE("k and the degree of barycentric complexes: thirty in all") {
     Session s(2);
     const inputs::Points points = some(2);
     const auto field = [&](std::uint32_t k, std::uint32_t degree) {
-        const netmesh_points_request r = s.points_request(points, NETMESH_FILTER_BARYCENTRIC_RIPS, k, degree);
-        CHECK((netmesh_plan_points(&r) > 0) == (k + degree <= 30));
-        return netmesh_persist_points(s.context, &r) == NETMESH_INVALID_ARGUMENT ? s.detail().field
-                                                                                 : NETMESH_FIELD_NONE;
+        const netmesh::Request r = s.points_request(points, &netmesh_filter_barycentric_rips, k, degree);
+        CHECK((netmesh_plan(&r) > 0) == (k + degree <= 30));
+        return netmesh_persist(s.context, &r) == NETMESH_INVALID_ARGUMENT ? s.detail().field : NETMESH_FIELD_NONE;
     };
     CHECK(field(30, 1) == NETMESH_FIELD_MAX_DEGREE);
     CHECK(field(16, 15) == NETMESH_FIELD_MAX_DEGREE);
@@ -285,18 +284,20 @@ TEST_CASE("vertices of simplices are read as far as there are some") {
     const std::uint64_t starts[] = {0, 1, 2, 4};
     const double entries[] = {0, 0, 1};
     Session s(2);
-    netmesh::requests::Homology r;
-    r.vertices = vertices;
-    r.starts = starts;
-    r.entries = entries;
-    r.simplex_count = 3;
+    auto given = netmesh::sized<netmesh_simplices>();
+    given.vertices = vertices;
+    given.starts = starts;
+    given.entries = entries;
+    given.simplex_count = 3;
+    netmesh::Request r(&netmesh_filter_simplices);
+    r.simplices = &given;
     for (const std::uint64_t count : {0u, 4u, 5u}) {
-        r.vertex_count = count;
-        CHECK(netmesh_homology(s.context, &r) == NETMESH_OK);
+        given.vertex_count = count;
+        CHECK(netmesh_persist(s.context, &r) == NETMESH_OK);
     }
     for (const std::uint64_t count : {1u, 2u, 3u}) {
-        r.vertex_count = count;
-        CHECK(netmesh_homology(s.context, &r) == NETMESH_INVALID_ARGUMENT);
+        given.vertex_count = count;
+        CHECK(netmesh_persist(s.context, &r) == NETMESH_INVALID_ARGUMENT);
         CHECK(s.detail().field == NETMESH_FIELD_VERTEX_COUNT);
     }
 }
@@ -306,7 +307,7 @@ TEST_CASE("a report counts what can be read item by item") {
         CAPTURE(dim);
         Session s(dim);
         s.reserve(room);
-        if (dim == 6) s.request.tau = 2.2;
+        if (dim == 6) s.request.mesh.tau = 2.2;
         REQUIRE(s.mesh_and_persist(some(dim)) == NETMESH_OK);
         const netmesh_report r = s.report();
         std::uint64_t of[3] = {};
@@ -340,14 +341,14 @@ TEST_CASE("a fit is never coarser than the ratio that is asked for") {
     for (std::size_t bytes = 20000; bytes < 1000000; bytes += bytes / 4) {
         Session s(2);
         s.reserve(bytes);
-        s.request.certificate.ratio = 1.8;
+        s.request.goal.ratio = 1.8;
         const netmesh_status status = s.fit(points);
         ++(status == NETMESH_OK ? fitted : refused);
         if (status != NETMESH_OK) {
             CHECK(status == NETMESH_OUT_OF_MEMORY);
             continue;
         }
-        CHECK(s.report().mesh.certificate.ratio <= 1.8);
+        CHECK(s.report().mesh.goal.ratio <= 1.8);
         CHECK(s.report().diagram.certified_ratio <= 1.8);
     }
     CHECK(fitted > 2);
@@ -358,11 +359,11 @@ TEST_CASE("duplicates among points of complexes are counted") {
     for (const int dim : dimensions()) {
         const inputs::Points once = inputs::uniform(dim, 5), thrice = inputs::repeated(dim, once, 3);
         Session s(dim);
-        REQUIRE(s.points(s.points_request(thrice, NETMESH_FILTER_RIPS)) == NETMESH_OK);
+        REQUIRE(s.persist_until_it_fits(s.points_request(thrice, &netmesh_filter_rips)) == NETMESH_OK);
         CHECK(s.report().input.points == 15);
         CHECK(s.report().input.distinct == 5);
         CHECK(s.report().input.duplicates == 10);
-        REQUIRE(s.points(s.points_request(once, NETMESH_FILTER_CECH)) == NETMESH_OK);
+        REQUIRE(s.persist_until_it_fits(s.points_request(once, &netmesh_filter_cech)) == NETMESH_OK);
         CHECK(s.report().input.duplicates == 0);
     }
 }

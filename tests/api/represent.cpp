@@ -50,7 +50,7 @@ void check_chains(const Session& session, const std::set<oracle::Simplex>& simpl
 std::set<oracle::Simplex> simplices_of(const Session& session) {
     std::vector<oracle::Simplex> cells;
     for (const netmesh_cell& cell : read_all(session.context, netmesh_get_cell))
-        cells.emplace_back(cell.vertices, cell.vertices + session.request.dim + 1);
+        cells.emplace_back(cell.vertices, cell.vertices + session.dim() + 1);
     const auto all = oracle::all_faces(cells);
     return {all.begin(), all.end()};
 }
@@ -79,13 +79,15 @@ TEST_CASE("every bar of a mesh or an alpha complex has a cycle") {
         CAPTURE(dim);
         const inputs::Points points =
             dim == 4 ? inputs::uniform(4, 12) : inputs::shell(dim, dim == 2 ? 24 : 10, 0.7, 1, 3);
-        for (const netmesh_filter filter : {NETMESH_FILTER_COMPLETE, NETMESH_FILTER_BASIC, NETMESH_FILTER_ALPHA}) {
-            CAPTURE(filter);
+        for (const netmesh_filter* const filter :
+             {&netmesh_filter_complete, &netmesh_filter_basic, &netmesh_filter_alpha}) {
             Session session(dim);
             session.reserve(std::size_t(1) << 26);
-            CHECK(session.represent() == NETMESH_NO_RESULT);
-            REQUIRE((filter == NETMESH_FILTER_ALPHA ? session.alpha(points)
-                                                    : session.mesh_and_persist(points, filter)) == NETMESH_OK);
+            netmesh::Request with_cycles = persist_by(filter);
+            with_cycles.cycles = &netmesh_cycles;
+            CHECK(session.persist(with_cycles) == NETMESH_NO_RESULT);
+            REQUIRE((filter == &netmesh_filter_alpha ? session.alpha(points)
+                                                     : session.mesh_and_persist(points, filter)) == NETMESH_OK);
             std::uint64_t count;
             CHECK(netmesh_get_cycle(session.context, 0, &count) == NETMESH_NO_RESULT);
             const netmesh_report before = session.report();
@@ -93,14 +95,14 @@ TEST_CASE("every bar of a mesh or an alpha complex has a cycle") {
             CHECK(session.report().fingerprint == before.fingerprint);
             const auto simplices = simplices_of(session);
             check_chains(session, simplices);
-            if (filter != NETMESH_FILTER_ALPHA && dim < 4) {
+            if (filter != &netmesh_filter_alpha && dim < 4) {
                 check_deaths(session, simplices,
-                             filter == NETMESH_FILTER_COMPLETE ? static_cast<std::uint32_t>(before.mesh.inputs) : 0);
+                             filter == &netmesh_filter_complete ? static_cast<std::uint32_t>(before.mesh.inputs) : 0);
             }
             CHECK(session.represent() == NETMESH_OK);
             CHECK(session.check() == NETMESH_OK);
             // A new diagram gives the memory of the cycles back.
-            netmesh_persist_request all = persist_by(filter);
+            netmesh::Request all = persist_by(filter);
             all.max_degree = all.keep_zero_pairs = 1;
             REQUIRE(session.persist(all) == NETMESH_OK);
             CHECK(netmesh_get_cycle(session.context, 0, &count) == NETMESH_NO_RESULT);
@@ -122,10 +124,10 @@ TEST_CASE("a Rips diagram is the same with cycles, for which the complex is list
             netmesh_report report[2];
             std::vector<netmesh_pair> pairs[2];
             for (const int cycles : {0, 1}) {
-                netmesh_points_request request = session.points_request(points, NETMESH_FILTER_RIPS, 1, degree);
+                netmesh::Request request = session.points_request(points, &netmesh_filter_rips, 1, degree);
                 request.keep_zero_pairs = 1;
-                request.representatives = static_cast<std::uint32_t>(cycles);
-                REQUIRE(netmesh_persist_points(session.context, &request) == NETMESH_OK);
+                request.cycles = cycles == 1 ? &netmesh_cycles : nullptr;
+                REQUIRE(netmesh_persist(session.context, &request) == NETMESH_OK);
                 report[cycles] = session.report();
                 pairs[cycles] = session.pairs();
             }
@@ -141,7 +143,7 @@ TEST_CASE("without room for cycles the diagram stays") {
     Session whole(3);
     REQUIRE(whole.mesh_and_persist(points) == NETMESH_OK);
     // With pairs of zero length, for whose cycles the room that the mesh has left is not enough.
-    netmesh_persist_request all = persist_by(NETMESH_FILTER_COMPLETE);
+    netmesh::Request all = persist_by(&netmesh_filter_complete);
     all.keep_zero_pairs = 1;
     REQUIRE(whole.persist(all) == NETMESH_OK);
     const std::uint64_t enough = whole.report().memory.peak_bytes, print = whole.report().fingerprint;
@@ -149,7 +151,7 @@ TEST_CASE("without room for cycles the diagram stays") {
     for (std::uint64_t bytes = enough; !fitted; bytes += enough / 8) {
         Session session(3);
         session.reserve(static_cast<std::size_t>(bytes));
-        if (session.mesh_in_block(points, NETMESH_PURPOSE_PERSIST) != NETMESH_OK) continue;
+        if (session.mesh_in_block(points, &netmesh_filter_complete) != NETMESH_OK) continue;
         if (session.persist(all) != NETMESH_OK) continue;
         const std::uint64_t used = session.report().memory.used_bytes;
         const netmesh_status status = session.represent();

@@ -55,12 +55,12 @@ bool is_closed(const std::vector<Simplex>& cycle) {
     return std::all_of(faces.begin(), faces.end(), [](const auto& face) { return face.second % 2 == 0; });
 }
 
-netmesh_scales_request request_of(const Session& session, const inputs::Points& points, std::uint32_t bounds,
-                                  std::uint32_t cycles) {
-    netmesh_scales_request request = session.scales_request(points);
-    request.ratio = 2.4;
-    request.bounds = bounds;
-    request.representatives = cycles;
+netmesh::Request request_of(const Session& session, const inputs::Points& points, bool bounds, bool cycles) {
+    netmesh::Request request = session.scales_request(points);
+    request.goal.eps = 0;
+    request.goal.ratio = 2.4;
+    request.bounds = bounds ? &netmesh_bounds : nullptr;
+    request.cycles = cycles ? &netmesh_cycles : nullptr;
     return request;
 }
 
@@ -75,7 +75,8 @@ TEST_CASE("a diagram joined of scales is the same with bounds, with cycles and w
         for (const std::uint32_t known : {0u, 1u, 2u, 3u}) {
             CAPTURE(known);
             Session session(dim);
-            REQUIRE(session.scales(request_of(session, points, known & 1, known >> 1)) == NETMESH_OK);
+            REQUIRE(session.persist_until_it_fits(request_of(session, points, (known & 1) == 1, known > 1)) ==
+                    NETMESH_OK);
             const netmesh_report r = session.report();
             CHECK(r.scales.count > 1);
             CHECK(r.bounds.present == (known & 1));
@@ -98,7 +99,7 @@ TEST_CASE("bounds by scale stay when they are asked for again, and are those of 
         CAPTURE(dim);
         const inputs::Points points = two_scales(dim, 7, 0.01);
         Session session(dim);
-        REQUIRE(session.scales(request_of(session, points, 1, 1)) == NETMESH_OK);
+        REQUIRE(session.persist_until_it_fits(request_of(session, points, true, true)) == NETMESH_OK);
         const std::vector<netmesh_bar_bounds> first = read_all(session.context, netmesh_get_bar_bounds);
         const std::size_t steps = read_all(session.context, netmesh_get_scale_step).size();
         CHECK(steps > 0);
@@ -124,9 +125,9 @@ TEST_CASE("cycles of points are closed, of points there are, and as many as bars
         points.insert(points.begin(), points.begin(), points.begin() + dim);  // the first one twice
         for (const std::uint32_t zero : {0u, 1u}) {
             Session session(dim);
-            netmesh_scales_request request = request_of(session, points, 0, 1);
+            netmesh::Request request = request_of(session, points, false, true);
             request.keep_zero_pairs = zero;
-            REQUIRE(session.scales(request) == NETMESH_OK);
+            REQUIRE(session.persist_until_it_fits(request) == NETMESH_OK);
             const double ratio = session.report().diagram.certified_ratio;
             const std::vector<netmesh_pair> pairs = session.pairs();
             std::set<std::uint32_t> seen;
@@ -165,10 +166,10 @@ TEST_CASE("cycles of two rings are where these are") {
             points.insert(points.end(), {c + 0.02 * x, s + 0.02 * y});
         }
     Session session(2);
-    netmesh_scales_request request = request_of(session, points, 1, 1);
-    request.ratio = 1.9;
-    request.theta = 0.1;
-    REQUIRE(session.scales(request) == NETMESH_OK);
+    netmesh::Request request = request_of(session, points, true, true);
+    request.goal.ratio = 1.9;
+    request.goal.theta = 0.1;
+    REQUIRE(session.persist_until_it_fits(request) == NETMESH_OK);
     const std::vector<netmesh_pair> pairs = session.pairs();
     const std::vector<netmesh_bar_bounds> bounds = read_all(session.context, netmesh_get_bar_bounds);
     std::size_t small = 0, large = 0;
@@ -192,10 +193,11 @@ TEST_CASE("bounds and cycles of scales take no more room than the largest scale 
     for (const double scale : {1e-3, 1e-6, 1e-9, 1e-12})
         for (const double x : inputs::uniform(2, 10, 42)) all.push_back(large[0] + scale * x);
     Session one(2), many(2);
-    netmesh_scales_request a = one.scales_request(large), b = many.scales_request(all);
-    a.bounds = b.bounds = a.representatives = b.representatives = 1;
-    REQUIRE(one.scales(a) == NETMESH_OK);
-    REQUIRE(many.scales(b) == NETMESH_OK);
+    netmesh::Request a = one.scales_request(large), b = many.scales_request(all);
+    a.bounds = b.bounds = &netmesh_bounds;
+    a.cycles = b.cycles = &netmesh_cycles;
+    REQUIRE(one.persist_until_it_fits(a) == NETMESH_OK);
+    REQUIRE(many.persist_until_it_fits(b) == NETMESH_OK);
     CHECK(many.report().scales.count > 1);
     CHECK(static_cast<double>(many.report().memory.peak_bytes) <=
           1.2 * static_cast<double>(one.report().memory.peak_bytes));

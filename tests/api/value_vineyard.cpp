@@ -67,17 +67,29 @@ struct Complex {
                 }
         return v;
     }
-    netmesh::requests::ValueVineyard request(const Vector& all) const {
-        netmesh::requests::ValueVineyard r;
-        r.vertices = vertices.data();
-        r.starts = starts.data();
-        r.entries = all.data();
-        r.simplex_count = simplices.size();
-        r.vertex_count = vertices.size();
-        r.step_count = all.size() / simplices.size();
-        return r;
+    netmesh_simplices with(const Vector& all) const {
+        auto s = netmesh::sized<netmesh_simplices>();
+        s.vertices = vertices.data();
+        s.starts = starts.data();
+        s.entries = all.data();
+        s.simplex_count = simplices.size();
+        s.vertex_count = vertices.size();
+        s.step_count = all.size() / simplices.size();
+        return s;
     }
 };
+
+netmesh::Request vines_of(netmesh_simplices&&) = delete;  // requests point to their simplices
+netmesh::Request vines_of(const netmesh_simplices& simplices) {
+    netmesh::Request r(&netmesh_filter_simplices);
+    r.simplices = &simplices;
+    r.vines = &netmesh_vines;
+    return r;
+}
+netmesh_status persist(const Session& session, const netmesh_simplices& simplices) {
+    const netmesh::Request r = vines_of(simplices);
+    return netmesh_persist(session.context, &r);
+}
 
 Complex random_complex(std::mt19937& random, std::uint32_t vertices, int maximal) {
     std::set<Simplex> all;
@@ -239,9 +251,10 @@ Seen check_diagrams(const Complex& c, const std::vector<Vector>& steps, std::uin
     Session session(2);
     session.reserve(std::size_t{1} << 24);
     const Vector all = joined(steps);
-    auto request = c.request(all);
+    const netmesh_simplices simplices = c.with(all);
+    netmesh::Request request = vines_of(simplices);
     request.max_degree = max_degree;
-    REQUIRE(netmesh_value_vineyard(session.context, &request) == NETMESH_OK);
+    REQUIRE(netmesh_persist(session.context, &request) == NETMESH_OK);
     const Seen seen = read(session, steps.size());
     for (std::size_t i = 0; i < steps.size(); ++i) {
         CAPTURE(i);
@@ -363,16 +376,15 @@ TEST_CASE("values of vertices: lower stars") {
             whole.push_back(values);
         }
         Session session(2);
-        auto request = c.request(all);
-        request.by_vertex = 1;
-        request.step_count = 4;
-        REQUIRE(netmesh_value_vineyard(session.context, &request) == NETMESH_OK);
+        netmesh_simplices of_vertices = c.with(all);
+        of_vertices.by_vertex = 1;
+        of_vertices.step_count = 4;
+        REQUIRE(persist(session, of_vertices) == NETMESH_OK);
         const std::vector<netmesh_vine_point> ours = read_all(session.context, netmesh_get_vine_point);
         const Seen seen = check_diagrams(c, whole, NETMESH_DEGREE_MAX);
         Session other(2);
         const Vector spelt = joined(whole);
-        const auto same = c.request(spelt);
-        REQUIRE(netmesh_value_vineyard(other.context, &same) == NETMESH_OK);
+        REQUIRE(persist(other, c.with(spelt)) == NETMESH_OK);
         const std::vector<netmesh_vine_point> theirs = read_all(other.context, netmesh_get_vine_point);
         REQUIRE(ours.size() == theirs.size());
         for (std::size_t i = 0; i < ours.size(); ++i) {
@@ -429,8 +441,7 @@ TEST_CASE("what is no filtration is refused, with the step and the simplices at 
         if (!is_finite) steps[step][at] = run % 4 == 1 ? HUGE_VAL : std::nan("");
         Session session(2);
         const Vector all = joined(steps);
-        const auto request = c.request(all);
-        const netmesh_status status = netmesh_value_vineyard(session.context, &request);
+        const netmesh_status status = persist(session, c.with(all));
         const netmesh_detail detail = session.detail();
         CHECK(detail.step == step + 1);
         CHECK(detail.index_a == at);
@@ -461,8 +472,7 @@ TEST_CASE("what is no filtration is refused, with the step and the simplices at 
             bad[facet] = good[top] + 1;
             Session session(2);
             const Vector all = joined({good, bad});
-            const auto request = c.request(all);
-            CHECK(netmesh_value_vineyard(session.context, &request) == NETMESH_NOT_A_COMPLEX);
+            CHECK(persist(session, c.with(all)) == NETMESH_NOT_A_COMPLEX);
             CHECK(session.detail().fault == NETMESH_FAULT_FACE_LATER);
             CHECK(session.detail().step == 2);
             CHECK(session.detail().index_a == top);
@@ -474,8 +484,7 @@ TEST_CASE("what is no filtration is refused, with the step and the simplices at 
     for (const Simplex& s : {Simplex{0}, Simplex{0, 1}}) open.add(s);
     const Vector values = {0, 1, 0, 1};
     Session session(2);
-    const auto request = open.request(values);
-    CHECK(netmesh_value_vineyard(session.context, &request) == NETMESH_NOT_A_COMPLEX);
+    CHECK(persist(session, open.with(values)) == NETMESH_NOT_A_COMPLEX);
     CHECK(session.detail().fault == NETMESH_FAULT_FACE_MISSING);
     CHECK(session.detail().index_a == 1);
     CHECK(session.detail().step == 0);
@@ -483,10 +492,10 @@ TEST_CASE("what is no filtration is refused, with the step and the simplices at 
     Complex edge;
     for (const Simplex& s : {Simplex{0, 1}, Simplex{1}, Simplex{0}}) edge.add(s);
     const Vector at_vertices = {0, 1, 2, std::nan("")};
-    auto by_vertex = edge.request(at_vertices);
+    netmesh_simplices by_vertex = edge.with(at_vertices);
     by_vertex.by_vertex = 1;
     by_vertex.step_count = 2;
-    CHECK(netmesh_value_vineyard(session.context, &by_vertex) == NETMESH_NOT_FINITE);
+    CHECK(persist(session, by_vertex) == NETMESH_NOT_FINITE);
     CHECK(session.detail().index_a == 2);
     CHECK(session.detail().step == 2);
 }
@@ -497,16 +506,17 @@ TEST_CASE("every size of memory: a status and an empty context, or the same vine
     std::vector<Vector> steps;
     for (int i = 0; i < 4; ++i) steps.push_back(c.values([&] { return double(random() % 100); }));
     const Vector all = joined(steps);
-    const auto request = c.request(all);
+    const netmesh_simplices simplices = c.with(all);
+    const netmesh::Request request = vines_of(simplices);
     Session session(2);
-    REQUIRE(netmesh_value_vineyard(session.context, &request) == NETMESH_OK);
+    REQUIRE(netmesh_persist(session.context, &request) == NETMESH_OK);
     const std::uint64_t print = session.report().fingerprint, peak = session.report().memory.peak_bytes;
-    CHECK(netmesh_plan_value_vineyard(&request) >= peak);
+    CHECK(netmesh_plan(&request) >= peak);
     int refused = 0;
     for (std::size_t bytes = 8192; bytes < 2 * peak; bytes += 208) {
         Session small(2);
         small.reserve(bytes);
-        const netmesh_status status = netmesh_value_vineyard(small.context, &request);
+        const netmesh_status status = netmesh_persist(small.context, &request);
         if (status == NETMESH_OK) {
             CHECK(small.report().fingerprint == print);
             CHECK(bytes + 512 >= peak);
@@ -525,7 +535,7 @@ TEST_CASE("arguments of vineyards of values") {
     const std::uint32_t v[] = {0, 1, 0, 1};
     const std::uint64_t starts[] = {0, 1, 2, 4};
     const double t[] = {0, 0, 1, 1, 0, 1};
-    netmesh::requests::ValueVineyard good;
+    auto good = netmesh::sized<netmesh_simplices>();
     good.vertices = v;
     good.starts = starts;
     good.entries = t;
@@ -533,11 +543,12 @@ TEST_CASE("arguments of vineyards of values") {
     good.vertex_count = 4;
     good.step_count = 2;
     const auto refused = [&](auto change, netmesh_field field) {
-        netmesh_value_vineyard_request bad = good;
+        netmesh_simplices bad = good;
         change(bad);
-        f.refused(netmesh_value_vineyard(f.c, &bad), field);
+        f.refused(persist(f.session, bad), field);
     };
-    f.needs_request<netmesh_value_vineyard_request>(netmesh_value_vineyard, good);
+    f.needs_request<netmesh_request>(netmesh_persist, vines_of(good));
+    refused([](auto& r) { r.struct_bytes = 0; }, NETMESH_FIELD_STRUCT_BYTES);
     refused([](auto& r) { r.vertices = nullptr; }, NETMESH_FIELD_VERTICES);
     refused([](auto& r) { r.starts = nullptr; }, NETMESH_FIELD_STARTS);
     refused([](auto& r) { r.entries = nullptr; }, NETMESH_FIELD_ENTRIES);
@@ -546,11 +557,12 @@ TEST_CASE("arguments of vineyards of values") {
     refused([](auto& r) { r.step_count = 0; }, NETMESH_FIELD_STEP_COUNT);
     refused([](auto& r) { r.step_count = UINT32_MAX; }, NETMESH_FIELD_STEP_COUNT);
     const auto plan = [&](std::uint64_t simplices, std::uint64_t vertices, std::uint64_t steps) {
-        netmesh_value_vineyard_request r = good;
-        r.simplex_count = simplices;
-        r.vertex_count = vertices;
-        r.step_count = steps;
-        return netmesh_plan_value_vineyard(&r);
+        netmesh_simplices s = good;
+        s.simplex_count = simplices;
+        s.vertex_count = vertices;
+        s.step_count = steps;
+        const netmesh::Request r = vines_of(s);
+        return netmesh_plan(&r);
     };
     CHECK(plan(0, 0, 1) == 0);
     CHECK(plan(5, 4, 1) == 0);
@@ -559,8 +571,8 @@ TEST_CASE("arguments of vineyards of values") {
     CHECK(plan(1, UINT64_MAX, 1) == 0);
     CHECK(plan(3, 4, 1) > 16384);
     CHECK(plan(3000, 6000, 100) > plan(3000, 6000, 1));
-    CHECK(netmesh_plan_value_vineyard(nullptr) == 0);
-    CHECK(netmesh_value_vineyard(f.c, &good) == NETMESH_OK);
+    CHECK(netmesh_plan(nullptr) == 0);
+    CHECK(persist(f.session, good) == NETMESH_OK);
     CHECK(f.session.report().vineyard.k_last == 2);
     const auto ratio = [&](std::uint32_t k) {
         double at;
@@ -571,7 +583,10 @@ TEST_CASE("arguments of vineyards of values") {
     CHECK(ratio(0) == NETMESH_INVALID_ARGUMENT);
     CHECK(ratio(3) == NETMESH_INVALID_ARGUMENT);
     // More degrees than there are dimensions.
-    good.max_degree = UINT32_MAX;
-    CHECK(netmesh_value_vineyard(f.c, &good) == NETMESH_OK);
-    CHECK(f.session.report().vineyard.max_degree == 1);
+    netmesh::Request request = vines_of(good);
+    for (const std::uint32_t degree : {2u, NETMESH_DEGREE_MAX + 1u, UINT32_MAX}) {
+        request.max_degree = degree;
+        CHECK(netmesh_persist(f.c, &request) == NETMESH_OK);
+        CHECK(f.session.report().vineyard.max_degree == 1);
+    }
 }

@@ -14,10 +14,10 @@ void diagrams_equal_fresh_ones(int dim, const inputs::Points& points, std::uint3
     Session session(dim);
     top = std::min(top, static_cast<std::uint32_t>(dim) - 1);
     session.reserve(std::size_t{1} << 26);
-    for (const netmesh_filter filter : {NETMESH_FILTER_KNN, NETMESH_FILTER_KDISTANCE})
+    for (const netmesh_filter* const filter : {&netmesh_filter_knn, &netmesh_filter_kdistance})
         for (const netmesh_values values : {NETMESH_VALUES_CERTIFIED, NETMESH_VALUES_THESIS}) {
-            REQUIRE(session.mesh(points, NETMESH_PURPOSE_PERSIST) == NETMESH_OK);
-            netmesh::requests::Vineyard request(filter);
+            REQUIRE(session.mesh(points, &netmesh_filter_complete) == NETMESH_OK);
+            netmesh::Request request(filter);
             request.k_last = k_last;
             request.values = values;
             request.max_degree = top;
@@ -40,7 +40,7 @@ void diagrams_equal_fresh_ones(int dim, const inputs::Points& points, std::uint3
                 REQUIRE(netmesh_get_vine_ratio(session.context, k, &ratio[k]) == NETMESH_OK);
             CHECK(netmesh_get_vine_ratio(session.context, k_last + 1, &ratio[0]) == NETMESH_INVALID_ARGUMENT);
             for (std::uint32_t k = 1; k <= k_last; ++k) {
-                netmesh_persist_request fresh_one = persist_by(filter, k, values);
+                netmesh::Request fresh_one = persist_by(filter, k, values);
                 fresh_one.max_degree = top;
                 REQUIRE(session.persist(fresh_one) == NETMESH_OK);
                 CHECK(session.report().diagram.certified_ratio == ratio[k]);
@@ -74,32 +74,37 @@ TEST_CASE("each diagram equals a fresh one") {
 
 TEST_CASE("what a vineyard refuses") {
     Session session(2);
-    const auto vineyard = [&](netmesh_filter filter, std::uint32_t first, std::uint32_t last) {
+    const auto vineyard = [&](const netmesh_filter* filter, std::uint32_t first, std::uint32_t last) {
         return session.vineyard(filter, first, last);
     };
-    CHECK(vineyard(NETMESH_FILTER_KNN, 1, 2) == NETMESH_NO_RESULT);
-    REQUIRE(session.mesh(inputs::uniform(2, 20), NETMESH_PURPOSE_PERSIST) == NETMESH_OK);
-    CHECK(vineyard(NETMESH_FILTER_COMPLETE, 1, 2) == NETMESH_INVALID_ARGUMENT);
-    CHECK(vineyard(NETMESH_FILTER_KNN, 0, 2) == NETMESH_INVALID_ARGUMENT);
-    CHECK(vineyard(NETMESH_FILTER_KNN, 3, 2) == NETMESH_INVALID_ARGUMENT);
-    CHECK(vineyard(NETMESH_FILTER_KNN, 1, 21) == NETMESH_INVALID_ARGUMENT);
+    CHECK(vineyard(&netmesh_filter_knn, 1, 2) == NETMESH_NO_RESULT);
+    REQUIRE(session.mesh(inputs::uniform(2, 20), &netmesh_filter_complete) == NETMESH_OK);
+    CHECK(vineyard(&netmesh_filter_complete, 1, 2) == NETMESH_INVALID_ARGUMENT);
+    CHECK(session.detail().field == NETMESH_FIELD_K);
+    CHECK(vineyard(&netmesh_filter_complete, 0, 0) == NETMESH_INVALID_ARGUMENT);
+    CHECK(session.detail().field == NETMESH_FIELD_VINES);
+    CHECK(vineyard(&netmesh_filter_knn, 3, 2) == NETMESH_INVALID_ARGUMENT);
+    CHECK(session.detail().field == NETMESH_FIELD_K_LAST);
+    CHECK(vineyard(&netmesh_filter_knn, 1, 21) == NETMESH_INVALID_ARGUMENT);
     CHECK(session.detail().field == NETMESH_FIELD_K_LAST);
     auto point = netmesh::sized<netmesh_vine_point>();
     CHECK(netmesh_get_vine_point(session.context, 0, &point) == NETMESH_INVALID_ARGUMENT);
+    REQUIRE(vineyard(&netmesh_filter_knn, 0, 2) == NETMESH_OK);  // from 1 on
+    CHECK(session.report().vineyard.k_first == 1);
 }
 
 TEST_CASE("every size of memory: a status and a whole mesh, or the same vineyard") {
     Session session(2);
     const inputs::Points points = inputs::uniform(2, 12);
-    REQUIRE(session.mesh(points, NETMESH_PURPOSE_PERSIST) == NETMESH_OK);
-    REQUIRE(session.vineyard(NETMESH_FILTER_KNN, 1, 3) == NETMESH_OK);
+    REQUIRE(session.mesh(points, &netmesh_filter_complete) == NETMESH_OK);
+    REQUIRE(session.vineyard(&netmesh_filter_knn, 1, 3) == NETMESH_OK);
     const std::uint64_t print = session.report().fingerprint, peak = session.report().memory.peak_bytes;
     int refused = 0;
     for (std::size_t bytes = peak / 8; bytes < peak + peak / 4; bytes += peak / 40) {
         Session small(2);
         small.reserve(bytes);
-        netmesh_status status = small.mesh_in_block(points, NETMESH_PURPOSE_PERSIST);
-        if (status == NETMESH_OK) status = small.vineyard(NETMESH_FILTER_KNN, 1, 3);
+        netmesh_status status = small.mesh_in_block(points, &netmesh_filter_complete);
+        if (status == NETMESH_OK) status = small.vineyard(&netmesh_filter_knn, 1, 3);
         if (status == NETMESH_OK) {
             CHECK(small.report().fingerprint == print);
             CHECK(bytes >= peak / 2);

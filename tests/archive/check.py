@@ -184,8 +184,9 @@ SEES = {
     "homology": HOMOLOGY | {"diagram/pair.hpp"},
     "diagram": HOMOLOGY | {"homology"},
     "filtration": MESH | {"geometry", "mesh", "homology/rips/rips.hpp", "homology/rank.hpp"},
+    "pieces": DELAUNAY | HOMOLOGY | {"delaunay", "complex", "filtration", "homology", "diagram"},
     "jobs": MESH | HOMOLOGY | {"mesh", "filtration", "homology", "diagram"},
-    "api": MESH | HOMOLOGY | {"mesh", "filtration", "homology", "diagram", "laboratory", "jobs"},
+    "api": MESH | HOMOLOGY | {"mesh", "filtration", "homology", "diagram", "laboratory", "jobs", "pieces"},
 }
 INCLUDE = re.compile(r"^[ \t]*#[ \t]*(?:include|include_next|import)\b[ \t]*(.*)", re.M)
 
@@ -254,6 +255,19 @@ ASSEMBLY = {"netmesh_switch_stack", "netmesh_enter_stack"}  # memory/stack_switc
 INDIRECT = "__indirect_call"
 # The poll and the caller's functions: their stack is the caller's affair.
 INDIRECT_ALLOWED = ("vocabulary/monitor.cpp", "vocabulary/callback.hpp", "mesh/sizing.hpp")
+# Calls through the constant objects of api/objects.hpp and of filtration/filters.hpp, by what stands in the line: the
+# objects that it may be, and which of their functions.
+DISPATCH = [(re.compile(r"\bfilter\.run\("), re.compile(r"netmesh_filter_\w+$"), 0),
+            (re.compile(r"\bfilter\.plan\("), re.compile(r"netmesh_filter_\w+$"), 1),
+            (re.compile(r"\bfilter\.settle\("), re.compile(r"netmesh_filter_\w+$"), 2),
+            (re.compile(r"\bmethod\.mesh\("), re.compile(r"netmesh_method_\w+$"), 0),
+            (re.compile(r"\bmethod\.settle\("), re.compile(r"netmesh_method_\w+$"), 1),
+            (re.compile(r"\bwant\.settle\("), re.compile(r"netmesh_(vines|fit)$"), 1),
+            (re.compile(r"\bwant\.run\("), re.compile(r"netmesh_(bounds|cycles|vines|fit)$"), 0),
+            (re.compile(r"\bbounds\.run\("), re.compile(r"netmesh_bounds$"), 0),
+            (re.compile(r"\bon_mesh->evaluate\("), re.compile(r"_ZN7netmesh\d+\w+_on_meshE$"), 0)]
+OBJECT_SECTION = re.compile(
+    r"'\.rela?\.(?:data\.rel\.ro|rodata)(?:\.local)?\.(netmesh_\w+|_ZN7netmesh\d+\w+_on_meshE)'")
 POLL, PAUSE = "vocabulary/monitor.cpp", "netmesh_poll_pause"
 
 
@@ -276,8 +290,10 @@ class Parts:
 
 
 class Graph:
-    def __init__(self, parts=None):
+    def __init__(self, parts=None, base="."):
+        self.base = base  # of relative paths in the records: where the compiler ran
         self.frame, self.label, self.calls, self.faults, self.files = {}, {}, {}, [], 0
+        self.dispatch, self.objects, self.lines = {}, {}, {}  # caller: rows of DISPATCH; object: its functions
         self.parts, self.polls, self.aliases = parts, set(), {}  # polls: the functions that call the poll
 
     def read(self, records, objects):
@@ -312,10 +328,61 @@ class Graph:
                 file = self.parts.of(where or "") if self.parts else where or ""
                 if POLL in file:
                     self.polls.add(caller)
-                if not any(allowed in file for allowed in INDIRECT_ALLOWED):
+                if any(allowed in file for allowed in INDIRECT_ALLOWED):
+                    return
+                rows = [row for row in DISPATCH if row[0].search(self.text_at(where or ""))]
+                if rows:
+                    self.dispatch.setdefault(caller, []).extend(rows)
+                else:
                     self.faults.append("indirect call in %s at %s" % (self.label.get(caller, caller), where))
                 return
             self.calls.setdefault(caller, set()).add(callee)
+
+    def text_at(self, place):
+        """The line of file:line:column; empty where there is no such file."""
+        m = re.match(r"(.*):(\d+):\d+$", place)
+        if not m:
+            return ""
+        path = m.group(1) if os.path.isabs(m.group(1)) else os.path.join(self.base, m.group(1))
+        if path not in self.lines:
+            self.lines[path] = []
+            if os.path.exists(path):
+                with open(path, encoding="utf-8") as f:
+                    self.lines[path] = f.read().split("\n")
+        number = int(m.group(2))
+        return self.lines[path][number - 1] if number <= len(self.lines[path]) else ""
+
+    def know_objects(self, paths, readelf):
+        """The functions that constant objects name, in their order."""
+        for path in paths:
+            name = None
+            for line in run(readelf, "-rW", path).splitlines():
+                if line.startswith("Relocation section"):
+                    m = OBJECT_SECTION.search(line)
+                    name = m.group(1) if m else None
+                    continue
+                m = re.match(r"[0-9a-f]+ +[0-9a-f]+ +R_\S+ +[0-9a-f]+ +(\S+)", line.strip())
+                if name is None or not m:
+                    continue
+                symbol = m.group(1)
+                symbol = symbol[len(".text."):] if symbol.startswith(".text.") else symbol
+                symbol = re.sub(r"^(unlikely|hot|startup)\.", "", symbol)
+                if not re.match(r"netmesh_(filter|method)_|_ZN7netmesh\d+\w+_on_meshE", symbol):
+                    self.objects.setdefault(name, []).append(symbol)
+
+    def with_objects(self, chosen):
+        """The same graph where calls through objects lead to those of them whose name is chosen."""
+        graph = Graph()
+        graph.frame, graph.label, graph.polls = self.frame, self.label, self.polls
+        graph.calls = {t: set(s) for t, s in self.calls.items()}
+        for caller, rows in self.dispatch.items():
+            for _, which, place in rows:
+                for name, functions in self.objects.items():
+                    if which.match(name) and (chosen is None or chosen.search(name)) and place < len(functions):
+                        graph.calls.setdefault(caller, set()).add(functions[place])
+        graph.aliases = self.aliases
+        graph.link()
+        return graph
 
     def know_aliases(self, paths, readelf):
         """The compiler folds functions of equal code: one has a record, the others are names of the same place."""
@@ -433,13 +500,17 @@ def dimension_of(title):
 
 
 def graph_of(options):
-    graph = Graph(Parts(options.source) if options.source else None)
+    # CMake's records stand two folders below where the compiler ran, those of one source in its own.
+    base = os.path.dirname(options.source) if options.source else os.path.join(options.records, "..", "..")
+    graph = Graph(Parts(options.source) if options.source else None, base)
     graph.read(options.records, options.objects)
     if options.source:
         graph.know_aliases(records_below(options.records, {".o"}, options.objects), options.readelf)
-    graph.link()
     if not graph.frame:
         sys.exit("FAULT no call graphs (.ci) under %s" % options.records)
+    graph.know_objects(records_below(options.records, {".o", ".obj"}, options.objects), options.readelf)
+    if graph.dispatch and not graph.objects:
+        sys.exit("FAULT calls through objects, and no objects under %s" % options.records)
     return graph
 
 
@@ -451,8 +522,10 @@ def unseen(graph, helpers):
 
 def check_stack(options):
     limit, limit_low, recursion_only = options.bytes, options.bytes_low_dim, options.recursion_only
-    graph = graph_of(options)
-    faults = sorted(set(graph.faults))
+    read = graph_of(options)
+    faults = sorted(set(read.faults))
+    graph = read.with_objects(None)
+    graph.files = read.files
     cycles = graph.cycles()
     for part in cycles:
         faults.append("recursion: " + ", ".join(graph.label[t] for t in sorted(part)))
@@ -491,33 +564,39 @@ def check_stack(options):
 
 # ----------------------------------------------------------------------------------------------------------- jobs
 
-# The calls of a job for which netmesh/job.h has a figure, NETMESH_STACK_BYTES_<JOB>(dim).
+# The calls of a job for which netmesh/job.h has a figure, NETMESH_STACK_BYTES_<JOB>(dim), and the objects that its
+# requests name.
+with open(os.path.join(os.path.dirname(os.path.abspath(__file__)), "../../engine/api/on_meshes.cpp"),
+          encoding="utf-8") as listed:
+    ON_MESH = r"_on_meshE$|netmesh_filter_(%s)$|netmesh_method_" % "|".join(
+        re.findall(r"^    FILTER\((\w+), ", listed.read(), re.M))
 JOBS = {
-    "DELAUNAY": ["netmesh_delaunay"],
-    "ALPHA": ["netmesh_persist_alpha"],
-    "CERTIFIED": ["netmesh_mesh", "netmesh_persist"],
-    "RIPS": ["netmesh_persist_points", "netmesh_persist_distances"],
+    "DELAUNAY": (["netmesh_mesh"], r"netmesh_method_delaunay$"),
+    "ALPHA": (["netmesh_persist"], r"netmesh_filter_alpha$"),
+    "CERTIFIED": (["netmesh_mesh", "netmesh_persist"], ON_MESH),
+    "RIPS": (["netmesh_persist"], r"netmesh_filter_(rips|cech)$"),
 }
 # What comes with each of them.
-EVERY_JOB = re.compile(r"netmesh_(init|\w+_init|plan_\w+|get_\w+|status_text)$")
+EVERY_JOB = re.compile(r"netmesh_(init|plan|plan_\w+|settle|get_\w+|status_text)$")
 JOB_ENTRY = re.compile(r"void .*\brun_job\(void\*\)$")
 JOB_RECORD_BYTES = 192  # of netmesh_job, its guard and its alignment (api/job.cpp)
 
 
 def stack_of_jobs(graph, dims):
     """{(job, dim): (bytes, bytes in slices beside the job's record)}."""
-    pausing = graph.pausing()
     entry = [t for t in graph.frame if JOB_ENTRY.match(graph.label[t])]
     slices = bool(entry)  # a processor on which stacks are not switched has none
     if slices and (len(entry) != 1 or PAUSE not in graph.frame or not graph.polls):
         sys.exit("FAULT jobs in slices: %d entries, %d polls" % (len(entry), len(graph.polls)))
     found = {}
-    for job, calls in JOBS.items():
+    for job, (calls, objects) in JOBS.items():
+        limited = graph.with_objects(re.compile(objects))
+        pausing = limited.pausing()
         roots = [t for t in graph.frame if t in calls or EVERY_JOB.match(t)]
         if not set(calls) <= set(roots):
             sys.exit("FAULT not in the archive: %s" % " ".join(sorted(set(calls) - set(roots))))
         for dim in dims:
-            found[job, dim] = (max(graph.worst(t, dim)[0] for t in roots),
+            found[job, dim] = (max(limited.worst(t, dim)[0] for t in roots),
                                max(pausing.worst(t, dim)[0] for t in roots) + graph.frame[entry[0]] if slices else 0)
     return found
 
@@ -539,11 +618,12 @@ def promised(options, dims):
 def check_jobs(options):
     graph = graph_of(options)
     dims = [int(d) for d in options.dims.split(",")]
-    faults = sorted(set(graph.faults)) + ["recursion: %d cycles" % len(c) for c in graph.cycles()]
+    cycles = graph.with_objects(None).cycles()
+    faults = sorted(set(graph.faults)) + ["recursion: " + ", ".join(graph.label.get(f, f) for f in c) for c in cycles]
     if faults:
         print("FAULT " + "\nFAULT ".join(faults))
         return len(faults)
-    faults = ["%s is called but not seen" % c for c in unseen(graph, options.helpers)[1]]
+    faults = ["%s is called but not seen" % c for c in unseen(graph.with_objects(None), options.helpers)[1]]
     if not re.search(r"x86_64|AMD64|i.86", options.processor):
         global RED_ZONE_BYTES
         RED_ZONE_BYTES = 0
@@ -634,7 +714,7 @@ def main():
     size = sub.add_parser("size")
     size.add_argument("--records", required=True)
     size.add_argument("--objects")
-    size.add_argument("--bytes", type=int, default=1_250_000)
+    size.add_argument("--bytes", type=int, default=1_400_000)
     size.add_argument("--nm", default="nm")
     options = parser.parse_args()
     if options.check == "size":

@@ -1,4 +1,4 @@
-// netmesh_persist_auto against either filter on sets of all kinds: how much dearer what it takes is than the other one,
+// The filter auto against either filter on sets of all kinds: how much dearer what it takes is than the other one,
 // and what share of it was given up. Processor time, the three in turn, medians. Exits 1 when the filter taken is more
 // than twice as dear as the other or more than a quarter was given up.
 //
@@ -51,25 +51,18 @@ template <class Job> Trial timed(int dim, Job job) {
 
 Trial alpha(int dim, const inputs::Points& points) {
     return timed(dim, [&](Session& s) {
-        const netmesh_status status = s.delaunay_in_block(points);
-        return status == NETMESH_OK ? s.persist(NETMESH_FILTER_ALPHA) : status;
+        netmesh::Request request = s.alpha_request(points);
+        request.keep_mesh = 1;
+        return s.persist(request);
     });
 }
 
 Trial complete(int dim, const inputs::Points& points) {
-    return timed(dim, [&](Session& s) {
-        netmesh_mesh_request mesh = s.mesh_request(points, NETMESH_PURPOSE_PERSIST);
-        mesh.certificate.ratio = std::sqrt(2 + netmesh_tau(&mesh));
-        const netmesh_status status = netmesh_mesh(s.context, &mesh);
-        return status == NETMESH_OK ? s.persist(NETMESH_FILTER_COMPLETE) : status;
-    });
+    return timed(dim, [&](Session& s) { return s.persist(on(points, s.plain(&netmesh_filter_complete))); });
 }
 
 Trial chosen(int dim, const inputs::Points& points) {
-    return timed(dim, [&](Session& s) {
-        const netmesh_auto_request request = s.auto_request(points);
-        return netmesh_persist_auto(s.context, &request);
-    });
+    return timed(dim, [&](Session& s) { return s.persist(s.auto_request(points)); });
 }
 
 // Whether all is well.

@@ -77,11 +77,11 @@ void transport(const char* name, const Diagram& a, const Diagram& b) {
 
 void cycles(std::size_t points) {
     Session session(4);
-    session.request.tau = 3.08;
+    session.request.mesh.tau = 3.08;
     session.reserve(points << 20);  // a quarter of that is used, the rest costs nothing
     const inputs::Points p = inputs::clifford(points);
     const double start = seconds();
-    session.mesh_in_block(p, NETMESH_PURPOSE_PERSIST);
+    session.mesh_in_block(p, &netmesh_filter_complete);
     const double meshed = seconds();
     double diagram = HUGE_VAL, represent = HUGE_VAL;
     netmesh_status status = NETMESH_OK;

@@ -26,10 +26,7 @@ struct Job {
 
 netmesh_status delaunay(Calls& calls, const inputs::Points& points) { return calls.delaunay_in_block(points); }
 netmesh_status mesh(Calls& calls, const inputs::Points& points) { return calls.mesh_in_block(points); }
-netmesh_status alpha(Calls& calls, const inputs::Points& points) {
-    const netmesh_alpha_request r = calls.alpha_request(points);
-    return netmesh_persist_alpha(calls.context, &r);
-}
+netmesh_status alpha(Calls& calls, const inputs::Points& points) { return calls.persist(calls.alpha_request(points)); }
 
 constexpr Job jobs[] = {
     {"delaunay 2D", 2, 1e7, 260, delaunay}, {"delaunay 3D", 3, 1e7, 700, delaunay}, {"alpha 2D", 2, 1e7, 400, alpha},
@@ -45,7 +42,7 @@ double seconds(const Job& job, const inputs::Points& points, bool touched) {
     netmesh_context* context;
     if (netmesh_init(block.get(), bytes, &context) != NETMESH_OK) return -1;
     Calls calls(job.dim, context);
-    calls.request.tau = job.dim == 2 ? 2.5 : 3;
+    calls.request.mesh.tau = job.dim == 2 ? 2.5 : 3;
     const std::clock_t start = std::clock();
     const netmesh_status status = job.run(calls, points);
     const double spent = static_cast<double>(std::clock() - start) / CLOCKS_PER_SEC;

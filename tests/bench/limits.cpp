@@ -113,14 +113,14 @@ struct Job {
 netmesh_status triangulate(Calls& calls, const inputs::Points& points) { return calls.delaunay_in_block(points); }
 netmesh_status mesh(Calls& calls, const inputs::Points& points) { return calls.mesh_in_block(points); }
 netmesh_status alpha(Calls& calls, const inputs::Points& points) {
-    const netmesh_delaunay_request r = calls.delaunay_request(points, NETMESH_PURPOSE_PERSIST);
-    const netmesh_status status = netmesh_delaunay(calls.context, &r);
-    return status == NETMESH_OK ? calls.persist(NETMESH_FILTER_ALPHA) : status;
+    netmesh::Request r = calls.alpha_request(points);
+    r.keep_mesh = 1;
+    return calls.persist(r);
 }
 netmesh_status complete(Calls& calls, const inputs::Points& points) {
-    const netmesh_mesh_request r = calls.mesh_request(points, NETMESH_PURPOSE_PERSIST);
+    const netmesh::Request r = calls.mesh_request(points, &netmesh_filter_complete);
     const netmesh_status status = netmesh_mesh(calls.context, &r);
-    return status == NETMESH_OK ? calls.persist(NETMESH_FILTER_COMPLETE) : status;
+    return status == NETMESH_OK ? calls.persist(&netmesh_filter_complete) : status;
 }
 double cells_created(const netmesh_report& r) { return static_cast<double>(r.mesh.cells_created); }
 double simplices(const netmesh_report& r) { return static_cast<double>(r.diagram.simplices); }

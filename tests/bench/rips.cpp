@@ -36,8 +36,8 @@ void measure(const char* name, int dim, const inputs::Points& points, int max_de
     Session session(dim);
     session.reserve(std::size_t{1} << 34);  // little of that is used, the rest costs nothing
     const double start = seconds();
-    const netmesh_status status =
-        session.points(session.points_request(points, NETMESH_FILTER_RIPS, 1, static_cast<std::uint32_t>(max_degree)));
+    const netmesh_status status = session.persist_until_it_fits(
+        session.points_request(points, &netmesh_filter_rips, 1, static_cast<std::uint32_t>(max_degree)));
     const double took = seconds() - start;
     std::printf("%-8s %5zu points, degrees to %d: %8.3f s %8.1f MiB (%s)", name,
                 points.size() / static_cast<std::size_t>(dim), max_degree, took,

@@ -10,9 +10,9 @@
 #include <memory>
 
 #include "common/inputs.hpp"
+#include "common/mesh_points.hpp"
 #include "common/mesh_requests.hpp"
 #include "mesh/check/quality.hpp"
-#include "mesh/mesh_points.hpp"
 #include "vocabulary/dimension.hpp"
 
 using namespace netmesh;

@@ -35,9 +35,9 @@ int main(int argc, char** argv) {
     Wish wish = {inputs::clifford(2000), argc > 1 ? std::atof(argv[1]) : 0.16, argc > 2 ? std::atof(argv[2]) : 0.95};
     Session session(4);
     session.bounds = true;
-    session.request.tau = 4;
-    session.request.sizes.size = size_of;
-    session.request.sizes.user = &wish;
+    session.request.mesh.tau = 4;
+    session.request.mesh.sizes.size = size_of;
+    session.request.mesh.sizes.user = &wish;
     if (session.mesh_and_persist(wish.points) != NETMESH_OK) return 1;
     const netmesh_report report = session.report();
     std::printf("%" PRIu64 " vertices, certified ratio %.4f\n", report.mesh.vertices, report.diagram.certified_ratio);

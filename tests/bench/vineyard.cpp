@@ -25,7 +25,7 @@ std::uint32_t equal_diagrams(Session& session, std::vector<std::vector<netmesh_p
     std::uint32_t equal = 0;
     const double start = seconds();
     for (std::uint32_t k = 1; k < diagrams.size(); ++k) {
-        if (session.persist(persist_by(NETMESH_FILTER_KNN, k)) != NETMESH_OK) continue;
+        if (session.persist(persist_by(&netmesh_filter_knn, k)) != NETMESH_OK) continue;
         const std::vector<netmesh_pair> fresh = session.pairs();
         std::sort(diagrams[k].begin(), diagrams[k].end(), before);
         const auto same = [](const netmesh_pair& a, const netmesh_pair& b) {
@@ -46,9 +46,9 @@ int main(int argc, char** argv) {
     const int dim = argument(3, 3);
     Session session(dim);
     session.reserve(std::size_t{1} << 34);  // little of that is used, the rest costs nothing
-    if (session.mesh(inputs::uniform(dim, points), NETMESH_PURPOSE_PERSIST) != NETMESH_OK) return 1;
+    if (session.mesh(inputs::uniform(dim, points), &netmesh_filter_complete) != NETMESH_OK) return 1;
     const double start = seconds();
-    const netmesh_status status = session.vineyard(NETMESH_FILTER_KNN, 1, filtrations);
+    const netmesh_status status = session.vineyard(&netmesh_filter_knn, 1, filtrations);
     const double took = seconds() - start;
     const netmesh_report report = session.report();
     const netmesh_vineyard_report& made = report.vineyard;

@@ -7,7 +7,7 @@
 
 struct Arrays {
     explicit Arrays(std::uint32_t d) : dim(d) {}
-    explicit Arrays(const Calls& c) : dim(c.request.dim), cages(read_all(c.context, netmesh_get_cage)) {
+    explicit Arrays(const Calls& c) : dim(c.dim()), cages(read_all(c.context, netmesh_get_cage)) {
         for (const netmesh_vertex& v : read_all(c.context, netmesh_get_vertex)) {
             vertices.insert(vertices.end(), v.coordinates, v.coordinates + dim);
             markers.push_back(static_cast<std::uint8_t>(v.marker));
@@ -18,24 +18,26 @@ struct Arrays {
         domain.assign(r.mesh.domain, r.mesh.domain + dim + 1);
     }
     // Points to the arrays here and to what is asked of the mesh, whose monitor watches.
-    netmesh_load_request load_request(const netmesh_mesh_request& mesh) const {
-        netmesh::requests::Load r(dim);
-        r.monitor = mesh.monitor;
+    netmesh_load_request load_request(const netmesh_request& promised) const {
+        auto r = netmesh::sized<netmesh_load_request>();
+        r.dim = dim;
+        r.monitor = promised.monitor;
         r.vertices = vertices.data();
         r.markers = markers.data();
         r.vertex_count = markers.size();
         r.cells = cells.data();
         r.cell_count = cells.size() / (dim + 1);
         r.domain = domain.empty() ? nullptr : domain.data();
-        r.mesh = &mesh;
+        r.promised = &promised;
         return r;
     }
     netmesh_status load(Calls& c) const {
-        const netmesh_load_request r = load_request(c.request);
+        const netmesh::Request promised = c.promises();
+        const netmesh_load_request r = load_request(promised);
         return netmesh_load(c.context, &r);
     }
     netmesh_status load_cages(Calls& c) const {
-        netmesh::requests::Cages r;
+        auto r = netmesh::sized<netmesh_cages_request>();
         r.monitor = c.request.monitor;
         r.cages = cages.data();
         r.cage_count = cages.size();

@@ -11,7 +11,7 @@ inline netmesh_bottleneck_request bottleneck_request(const std::vector<netmesh_p
                                                      const std::vector<netmesh_pair>& b,
                                                      netmesh_scale scale = NETMESH_SCALE_PLAIN,
                                                      std::uint32_t degree = NETMESH_ALL_DEGREES) {
-    netmesh::requests::Bottleneck request;
+    netmesh::Bottleneck request;
     request.pairs_a = a.data();
     request.pairs_b = b.data();
     request.count_a = a.size();

@@ -9,15 +9,28 @@
 #include "common/inputs.hpp"
 #include "common/read.hpp"
 
-template <class Request> Request on(const inputs::Points& points, Request request) {
-    request.points = points.data();
-    request.point_count = points.size() / request.dim;
+// A request of the points, of a dimension that stands in it.
+inline netmesh::Request on(inputs::Points&&, netmesh::Request) = delete;  // requests point into their points
+inline netmesh::Request on(const inputs::Points& points, netmesh::Request request) {
+    request.set_points(request.points.dim, points);
     return request;
 }
 
-inline netmesh_persist_request persist_by(netmesh_filter filter, std::uint32_t k = 0,
-                                          netmesh_values values = NETMESH_VALUES_CERTIFIED) {
-    netmesh::requests::Persist request(filter);
+// The filter of a number, as reports have it.
+inline const netmesh_filter* filter_of(netmesh_filter_id id) {
+    const netmesh_filter* found = id == NETMESH_FILTER_AUTO   ? &netmesh_filter_auto
+                                  : id == NETMESH_FILTER_NONE ? &netmesh_filter_simplices
+                                                              : nullptr;
+    netmesh::for_each_filter([&](const netmesh_filter_info& info) {
+        if (info.id == id) found = info.filter;
+    });
+    return found;
+}
+
+// On what the context holds.
+inline netmesh::Request persist_by(const netmesh_filter* filter, std::uint32_t k = 0,
+                                   netmesh_values values = NETMESH_VALUES_OPEN) {
+    netmesh::Request request(filter);
     request.k = k;
     request.values = values;
     return request;
@@ -25,128 +38,158 @@ inline netmesh_persist_request persist_by(netmesh_filter filter, std::uint32_t k
 
 class Calls {
 public:
-    explicit Calls(int dim, netmesh_context* of = nullptr) : context(of), request(static_cast<std::uint32_t>(dim)) {}
-
-    netmesh_status delaunay_in_block(const inputs::Points& points) {
-        const netmesh_delaunay_request r = delaunay_request(points);
-        return netmesh_delaunay(context, &r);
+    explicit Calls(int dim, netmesh_context* of = nullptr) : context(of) {
+        request.points.dim = static_cast<std::uint32_t>(dim);
     }
-    netmesh_status mesh_in_block(const inputs::Points& points, netmesh_purpose purpose = NETMESH_PURPOSE_MESH) {
-        const netmesh_mesh_request r = mesh_request(points, purpose);
+    std::uint32_t dim() const { return request.points.dim; }
+
+    // Jobs in the block as it is.
+    netmesh_status delaunay_in_block(const inputs::Points& points) {
+        const netmesh::Request r = delaunay_request(points);
         return netmesh_mesh(context, &r);
     }
-    netmesh_status persist(netmesh_persist_request r) {
+    netmesh_status mesh_in_block(const inputs::Points& points, const netmesh_filter* filter = nullptr) {
+        const netmesh::Request r = mesh_request(points, filter);
+        return netmesh_mesh(context, &r);
+    }
+    netmesh_status persist(netmesh::Request r) {
+        r.monitor = request.monitor;
+        const netmesh_status status = netmesh_persist(context, &r);
+        made_ = netmesh::Request(r.filter == &netmesh_filter_auto ? filter_of(report().diagram.filter) : r.filter);
+        made_.k = r.k;
+        made_.values = r.values;
+        made_.max_degree = r.max_degree;
+        made_.keep_zero_pairs = r.keep_zero_pairs;
+        return status;
+    }
+    netmesh_status persist(const netmesh_filter* filter = &netmesh_filter_complete) {
+        return persist(persist_by(filter));
+    }
+    netmesh_status persist(const netmesh_function& function, netmesh::Request r) {
+        r.filter = &netmesh_filter_function;
+        r.function = &function;
+        const netmesh_status status = persist(r);
+        made_.function = nullptr;  // the caller's may be gone
+        return status;
+    }
+    // More of the diagram that persist has made.
+    netmesh_status represent() {
+        netmesh::Request r = made_;
+        r.cycles = &netmesh_cycles;
         r.monitor = request.monitor;
         return netmesh_persist(context, &r);
     }
-    netmesh_status persist(netmesh_filter filter = NETMESH_FILTER_COMPLETE) { return persist(persist_by(filter)); }
-    netmesh_status represent() {
-        netmesh::requests::Represent r;
-        r.monitor = request.monitor;
-        return netmesh_represent(context, &r);
-    }
     netmesh_status bound_bars() {
-        netmesh::requests::Bounds r;
+        netmesh::Request r = made_;
+        r.bounds = &netmesh_bounds;
         r.monitor = request.monitor;
-        return netmesh_bound_bars(context, &r);
+        return netmesh_persist(context, &r);
     }
     netmesh_status bound_bars(const netmesh_function& function) {
-        netmesh::requests::Bounds r;
+        netmesh::Request r = made_;
+        r.bounds = &netmesh_bounds;
         r.monitor = request.monitor;
         r.function = &function;
-        return netmesh_bound_bars(context, &r);
+        return netmesh_persist(context, &r);
     }
-    netmesh_status persist(netmesh_function function, netmesh_persist_request r) {
-        r.filter = NETMESH_FILTER_FUNCTION;
-        r.function = &function;
-        return persist(r);
-    }
-    netmesh_status vineyard(netmesh_vineyard_request r) {
+    netmesh_status vineyard(netmesh::Request r) {
+        r.vines = &netmesh_vines;
         r.monitor = request.monitor;
-        return netmesh_vineyard(context, &r);
+        return netmesh_persist(context, &r);
     }
-    netmesh_status vineyard(netmesh_filter filter, std::uint32_t k_first, std::uint32_t k_last) {
-        netmesh::requests::Vineyard r(filter);
-        r.k_first = k_first;
+    netmesh_status vineyard(const netmesh_filter* filter, std::uint32_t k_first, std::uint32_t k_last) {
+        netmesh::Request r(filter);
+        r.k = k_first;
         r.k_last = k_last;
         return vineyard(r);
     }
     netmesh_status fit(const inputs::Points& points, bool bounds = false) {
-        netmesh_fit_request r = fit_request(points);
-        r.bounds = bounds ? 1 : 0;
-        return netmesh_fit(context, &r);
+        netmesh::Request r = fit_request(points);
+        r.bounds = bounds ? &netmesh_bounds : nullptr;
+        return persist(r);
     }
     netmesh_status check(std::uint32_t what = NETMESH_CHECK_ALL) {
-        netmesh::requests::Check r;
+        auto r = netmesh::sized<netmesh_check_request>();
         r.what = what;
         r.monitor = request.monitor;
-        r.mesh = &request;
+        const netmesh::Request promised = promises();
+        r.promised = &promised;
         return netmesh_check(context, &r);
     }
     netmesh_status analyse(netmesh_analysis* analysis, std::uint32_t what = NETMESH_ANALYSE_ALL, double tolerance = 0) {
-        netmesh::requests::Analyse r;
+        auto r = netmesh::sized<netmesh_analyse_request>();
         r.what = what;
         r.tolerance = tolerance;
         r.monitor = request.monitor;
-        r.mesh = &request;
+        const netmesh::Request promised = promises();
+        r.promised = &promised;
         *analysis = netmesh::sized<netmesh_analysis>();
         return netmesh_analyse(context, &r, analysis);
     }
 
     // Requests of all jobs.
-    netmesh_delaunay_request delaunay_request(const inputs::Points& points,
-                                              netmesh_purpose purpose = NETMESH_PURPOSE_MESH) const {
-        netmesh_delaunay_request r = on(points, watched(netmesh::requests::Delaunay(request.dim)));
-        r.seed = request.seed;
-        r.purpose = purpose;
-        return r;
-    }
-    netmesh_mesh_request mesh_request(const inputs::Points& points,
-                                      netmesh_purpose purpose = NETMESH_PURPOSE_MESH) const {
-        netmesh_mesh_request r = on(points, request);
-        r.purpose = purpose;
-        return r;
-    }
-    netmesh_alpha_request alpha_request(inputs::Points&&) const = delete;  // requests point into their points
-    netmesh_alpha_request alpha_request(const inputs::Points& points) const {
-        netmesh_alpha_request r = on(points, watched(netmesh::requests::Alpha(request.dim)));
+    netmesh::Request plain(const netmesh_filter* filter) const {
+        netmesh::Request r(filter);
+        r.points.dim = dim();
+        r.monitor = request.monitor;
         r.seed = request.seed;
         return r;
     }
-    netmesh_auto_request auto_request(inputs::Points&&) const = delete;
-    netmesh_auto_request auto_request(const inputs::Points& points) const {
-        netmesh_auto_request r = on(points, watched(netmesh::requests::Auto(request.dim)));
-        r.seed = request.seed;
+    netmesh::Request delaunay_request(const inputs::Points& points) const {
+        netmesh::Request r = on(points, plain(nullptr));
+        r.mesh.method = &netmesh_method_delaunay;
         return r;
     }
-    netmesh_points_request points_request(inputs::Points&&, netmesh_filter, std::uint32_t = 1,
-                                          std::uint32_t = 1) const = delete;
-    netmesh_points_request points_request(const inputs::Points& points, netmesh_filter filter, std::uint32_t k = 1,
-                                          std::uint32_t max_degree = 1) const {
-        netmesh_points_request r = on(points, watched(netmesh::requests::Points(request.dim, filter)));
-        r.k = k;
+    // As `request` says; by SVR where it names neither method nor ratio. filter: what the mesh is for, null: itself.
+    netmesh::Request mesh_request(const inputs::Points& points, const netmesh_filter* filter = nullptr) const {
+        netmesh::Request r = on(points, request);
+        r.filter = filter;
+        const bool by_ratio = r.goal.ratio > 0;
+        if (r.mesh.method == nullptr) r.mesh.method = by_ratio ? &netmesh_method_certificate : &netmesh_method_svr;
+        return r;
+    }
+    // What `request` says of a mesh that is there.
+    netmesh::Request promises() const {
+        netmesh::Request r = request;
+        if (r.mesh.method == nullptr && !(r.goal.ratio > 0)) r.mesh.method = &netmesh_method_svr;
+        if (r.goal.eps > 0) r.filter = &netmesh_filter_tight;
+        return r;
+    }
+    netmesh::Request alpha_request(const inputs::Points& points) const {
+        return on(points, plain(&netmesh_filter_alpha));
+    }
+    netmesh::Request auto_request(const inputs::Points& points) const {
+        return on(points, plain(&netmesh_filter_auto));
+    }
+    netmesh::Request points_request(const inputs::Points& points, const netmesh_filter* filter, std::uint32_t k = 1,
+                                    std::uint32_t max_degree = 1) const {
+        netmesh::Request r = on(points, plain(filter));
+        const bool has_k = filter == &netmesh_filter_barycentric_cech || filter == &netmesh_filter_barycentric_rips;
+        r.k = has_k ? k : 0;
         r.max_degree = max_degree;
         return r;
     }
-    netmesh_points_vineyard_request nested_request(const inputs::Points& points, netmesh_filter filter,
-                                                   std::uint32_t k_last, std::uint32_t max_degree = 1) const {
-        netmesh_points_vineyard_request r = on(points, watched(netmesh::requests::PointsVineyard(request.dim, filter)));
+    netmesh::Request nested_request(const inputs::Points& points, const netmesh_filter* filter, std::uint32_t k_last,
+                                    std::uint32_t max_degree = 1) const {
+        netmesh::Request r = on(points, plain(filter));
         r.k_last = k_last;
         r.max_degree = max_degree;
+        r.vines = &netmesh_vines;
         return r;
     }
-    netmesh_scales_request scales_request(const inputs::Points& points) const {
-        netmesh_scales_request r = on(points, watched(netmesh::requests::Scales(request.dim)));
-        r.seed = request.seed;
-        r.tau = request.tau;
+    // By 1 + eps unless request.goal says a ratio.
+    netmesh::Request scales_request(const inputs::Points& points) const {
+        netmesh::Request r = on(points, plain(&netmesh_filter_scales));
+        r.mesh.tau = request.mesh.tau;
+        r.goal.eps = 0.5;
         return r;
     }
-    netmesh_fit_request fit_request(const inputs::Points& points) const {
-        netmesh_fit_request r = on(points, watched(netmesh::requests::Fit(request.dim)));
-        r.seed = request.seed;
-        r.ratio = request.certificate.ratio;
-        r.focus_from = request.certificate.focus_from;
-        r.focus_to = request.certificate.focus_to;
+    netmesh::Request fit_request(const inputs::Points& points) const {
+        netmesh::Request r = on(points, plain(&netmesh_filter_complete));
+        r.goal.ratio = request.goal.ratio;
+        r.goal.focus_from = request.goal.focus_from;
+        r.goal.focus_to = request.goal.focus_to;
+        r.fit = &netmesh_fit;
         return r;
     }
 
@@ -168,11 +211,8 @@ public:
     }
 
     netmesh_context* context;
-    netmesh::requests::Mesh request;  // what meshes have to promise; seed and monitor of every call
+    netmesh::Request request;  // what meshes have to promise; dimension, seed and monitor of every call
 
-private:
-    template <class Request> Request watched(Request r) const {
-        r.monitor = request.monitor;
-        return r;
-    }
+protected:
+    netmesh::Request made_;  // of the diagram that was made last, without its source
 };

@@ -2,8 +2,8 @@
 #pragma once
 #include "common/block.hpp"
 #include "common/inputs.hpp"
+#include "common/mesh_points.hpp"
 #include "common/mesh_requests.hpp"
-#include "mesh/mesh_points.hpp"
 
 template <int D> struct Meshed {
     explicit Meshed(std::size_t bytes = std::size_t{1} << 26) : block(bytes), store(block.arena, state) {}

@@ -19,9 +19,10 @@ inline netmesh_detail detail_of(const netmesh_context* context) {
 
 // Whether the library serves a dimension, by what its interface says.
 inline bool plans_for(int dim) {
-    netmesh::requests::Delaunay request(static_cast<std::uint32_t>(dim));
-    request.point_count = 1;
-    return netmesh_plan_delaunay(&request) != 0;
+    netmesh::Request request(&netmesh_filter_alpha);
+    request.points.dim = static_cast<std::uint32_t>(dim);
+    request.points.count = 1;
+    return netmesh_plan(&request) != 0;
 }
 
 // Everything that one of the calls by index has: read_all(context, netmesh_get_vertex).

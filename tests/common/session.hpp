@@ -31,16 +31,17 @@ public:
     }
 
     netmesh_status delaunay(const inputs::Points& points) {
-        const netmesh_delaunay_request r = delaunay_request(points);
-        return until_it_fits(netmesh_plan_delaunay(&r), [&] { return netmesh_delaunay(context, &r); });
-    }
-    netmesh_status mesh(const inputs::Points& points, netmesh_purpose purpose = NETMESH_PURPOSE_MESH) {
-        const netmesh_mesh_request r = mesh_request(points, purpose);
+        const netmesh::Request r = delaunay_request(points);
         return until_it_fits(netmesh_plan_mesh(&r), [&] { return netmesh_mesh(context, &r); });
     }
-    netmesh_status mesh_and_persist(const inputs::Points& points, const netmesh_persist_request& diagram,
-                                    netmesh_purpose purpose = NETMESH_PURPOSE_PERSIST) {
-        const netmesh_mesh_request r = mesh_request(points, purpose);
+    netmesh_status mesh(const inputs::Points& points, const netmesh_filter* filter = nullptr) {
+        const netmesh::Request r = mesh_request(points, filter);
+        return until_it_fits(netmesh_plan_mesh(&r), [&] { return netmesh_mesh(context, &r); });
+    }
+    // The mesh for a filter, then the diagram. mesh_for: where it is another one than the diagram's.
+    netmesh_status mesh_and_persist(const inputs::Points& points, const netmesh::Request& diagram,
+                                    const netmesh_filter* mesh_for = &netmesh_filter_complete) {
+        const netmesh::Request r = mesh_request(points, mesh_for);
         return until_it_fits(netmesh_plan_mesh(&r), [&] {
             netmesh_status status = netmesh_mesh(context, &r);
             if (status == NETMESH_OK) status = persist(diagram);
@@ -50,31 +51,22 @@ public:
             return checked == NETMESH_OUT_OF_MEMORY ? checked : NETMESH_OK;
         });
     }
-    netmesh_status mesh_and_persist(const inputs::Points& points, netmesh_filter filter = NETMESH_FILTER_COMPLETE) {
+    netmesh_status mesh_and_persist(const inputs::Points& points,
+                                    const netmesh_filter* filter = &netmesh_filter_complete) {
         return mesh_and_persist(points, persist_by(filter));
     }
+    // With the triangulation kept.
     netmesh_status alpha(const inputs::Points& points) {
-        const netmesh_delaunay_request r = delaunay_request(points, NETMESH_PURPOSE_PERSIST);
-        return until_it_fits(netmesh_plan_delaunay(&r), [&] {
-            const netmesh_status status = netmesh_delaunay(context, &r);
-            return status == NETMESH_OK ? persist(NETMESH_FILTER_ALPHA) : status;
-        });
+        netmesh::Request r = alpha_request(points);
+        r.keep_mesh = 1;
+        return persist_until_it_fits(r);
     }
-    // A diagram of the points themselves; see points_request.
-    netmesh_status points(const netmesh_points_request& r) {
-        return until_it_fits(netmesh_plan_points(&r), [&] { return netmesh_persist_points(context, &r); });
-    }
-    netmesh_status nested(const netmesh_points_vineyard_request& r) {
-        return until_it_fits(netmesh_plan_points_vineyard(&r), [&] { return netmesh_points_vineyard(context, &r); });
-    }
-    netmesh_status homology(const netmesh_homology_request& r) {
-        return until_it_fits(netmesh_plan_homology(&r), [&] { return netmesh_homology(context, &r); });
-    }
-    netmesh_status scales(const netmesh_scales_request& r) {
-        return until_it_fits(netmesh_plan_scales(&r), [&] { return netmesh_persist_scales(context, &r); });
+    // Any request of points, distances or simplices.
+    netmesh_status persist_until_it_fits(const netmesh::Request& r) {
+        return until_it_fits(netmesh_plan(&r), [&] { return persist(r); });
     }
 
-    bool bounds = false;                         // mesh_and_persist goes on to netmesh_bound_bars
+    bool bounds = false;                         // mesh_and_persist goes on to bounds
     bool checks = false;                         // and to netmesh_check, which may want a larger block than the diagram
     netmesh_status checked = NETMESH_NO_RESULT;  // what that check said
 

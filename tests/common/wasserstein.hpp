@@ -6,7 +6,7 @@ inline netmesh_wasserstein_request wasserstein_request(const std::vector<netmesh
                                                        const std::vector<netmesh_pair>& b, std::uint32_t order,
                                                        double relative_error,
                                                        std::uint32_t degree = NETMESH_ALL_DEGREES) {
-    netmesh::requests::Wasserstein request;
+    netmesh::Wasserstein request;
     request.pairs_a = a.data();
     request.pairs_b = b.data();
     request.count_a = a.size();

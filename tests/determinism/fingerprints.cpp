@@ -32,7 +32,7 @@ std::uint64_t bits_of(double x) {
 
 void print(const char* job, const char* input, const Session& session, netmesh_status status) {
     if (status != NETMESH_OK) {
-        std::printf("%s %s D%" PRIu32 " failed: %s\n", job, input, session.request.dim, netmesh_status_text(status));
+        std::printf("%s %s D%" PRIu32 " failed: %s\n", job, input, session.dim(), netmesh_status_text(status));
         failed = true;
         return;
     }
@@ -63,7 +63,7 @@ std::uint64_t hash_of_cycles(const Session& session) {
 void represent(const char* job, Session& session, netmesh_status status) {
     if (status == NETMESH_OK) status = session.represent();
     failed = failed || status != NETMESH_OK;
-    std::printf("cycles %s D%" PRIu32 " %016" PRIx64 " status %d\n", job, session.request.dim, hash_of_cycles(session),
+    std::printf("cycles %s D%" PRIu32 " %016" PRIx64 " status %d\n", job, session.dim(), hash_of_cycles(session),
                 static_cast<int>(status));
 }
 
@@ -82,7 +82,7 @@ void bound(const char* job, Session& session) {
     for (const netmesh_scale_step& s : steps)
         for (const double x : {s.from, s.low, s.high, s.reach, s.ratio}) add(x);
     std::printf("bounds %s D%" PRIu32 " %016" PRIx64 " bars %zu certain %" PRIu64 " steps %zu status %d\n", job,
-                session.request.dim, hash, bars.size(), certain, steps.size(), static_cast<int>(status));
+                session.dim(), hash, bars.size(), certain, steps.size(), static_cast<int>(status));
     std::fflush(stdout);
 }
 
@@ -92,15 +92,15 @@ void print_analysis(const char* input, Session& session, std::uint32_t what) {
     failed = failed || status != NETMESH_OK;
     std::printf("analyse %s D%" PRIu32 " status %d result %016" PRIx64 " boxes %" PRIu64 " ply %" PRIu64
                 " degree %" PRIu64 "\n",
-                input, session.request.dim, static_cast<int>(status), a.fingerprint, a.size.boxes, a.structure.ply_max,
+                input, session.dim(), static_cast<int>(status), a.fingerprint, a.size.boxes, a.structure.ply_max,
                 a.structure.degree_max);
     std::fflush(stdout);
 }
 
 void print_audit(const char* input, Session& session, const inputs::Points& points) {
-    session.request.audit = NETMESH_AUDIT_LOCATION | NETMESH_AUDIT_QUALITY;
+    session.request.mesh.audit = NETMESH_AUDIT_LOCATION | NETMESH_AUDIT_QUALITY;
     const netmesh_status status = session.mesh(points);
-    session.request.audit = 0;
+    session.request.mesh.audit = 0;
     print("audit", input, session, status);
     const netmesh_audit_report a = session.report().mesh.audit;
     const double ratios[] = {a.ply_mean,      a.touches_mean, a.tests_mean,    a.aspect_ratio_max,
@@ -109,7 +109,7 @@ void print_audit(const char* input, Session& session, const inputs::Points& poin
     for (const double ratio : ratios) hash = (hash ^ bits_of(ratio)) * 0x100000001B3u;
     std::printf("audit %s D%" PRIu32 " rounds %" PRIu32 " nets %" PRIu32 " ply %" PRIu32 " touches %" PRIu32
                 " meshes %" PRIu64 " degree %" PRIu64 " ratios %016" PRIx64 "\n",
-                input, session.request.dim, a.rounds, a.nets, a.ply_max, a.touches_max, a.meshes, a.degree_max, hash);
+                input, session.dim(), a.rounds, a.nets, a.ply_max, a.touches_max, a.meshes, a.degree_max, hash);
     std::fflush(stdout);
 }
 
@@ -144,21 +144,21 @@ void meshes(Session& session, int dim, std::size_t meshed) {
     };
     mesh("mesh", "uniform", inputs::uniform(dim, meshed));
     mesh("mesh", "clusters", inputs::clusters(dim, meshed));
-    session.request.method = NETMESH_METHOD_HIERARCHY;
+    session.request.mesh.method = &netmesh_method_netmesh;
     mesh("netmesh", "clusters", inputs::clusters(dim, meshed));
     mesh("netmesh", "geometric", inputs::geometric(dim, 1000, dim < 5 ? 40 : 10));
     print_audit("uniform", session, inputs::uniform(dim, 4 + meshed / 16));
     print_audit("geometric", session, inputs::geometric(dim, 1000, 10));
-    session.request.finish = 1;
+    session.request.mesh.finish = 1;
     mesh("netmesh-finish", "clusters", inputs::clusters(dim, meshed / 4));
-    session.request.finish = 0;
-    session.request.method = NETMESH_METHOD_REFINE;
+    session.request.mesh.finish = 0;
+    session.request.mesh.method = &netmesh_method_refine;
     if (dim < 4) mesh("refine", "uniform", inputs::uniform(dim, meshed / 4));
-    session.request.method = NETMESH_METHOD_SVR;
+    session.request.mesh.method = nullptr;
     print_analysis("clusters-mesh", session, NETMESH_ANALYSE_ALL);
-    session.request.sizes.eps = dim < 4 ? 0.5 : 1;
+    session.request.mesh.sizes.eps = dim < 4 ? 0.5 : 1;
     mesh("mesh-eps", "uniform", inputs::uniform(dim, meshed / 4 + 3));
-    session.request.sizes.eps = 0;
+    session.request.mesh.sizes.eps = 0;
 }
 
 void diagrams_of_meshes(Session& session, int dim, const Sizes& sizes) {
@@ -167,47 +167,47 @@ void diagrams_of_meshes(Session& session, int dim, const Sizes& sizes) {
     bound("uniform", session);
     print("persist", "grid", session, session.mesh_and_persist(inputs::grid(dim, dim < 4 ? 5 : 2)));
     print("persist-basic", "uniform", session,
-          session.mesh_and_persist(uniform, persist_by(NETMESH_FILTER_BASIC, 0, NETMESH_VALUES_THESIS)));
+          session.mesh_and_persist(uniform, persist_by(&netmesh_filter_basic, 0, NETMESH_VALUES_THESIS)));
     represent("alpha", session, session.alpha(inputs::uniform(dim, sizes.points / 4)));
     represent("persist", session, session.mesh_and_persist(inputs::uniform(dim, dim < 5 ? sizes.meshed / 4 : 2)));
-    print("persist-knn", "uniform", session, session.mesh_and_persist(uniform, persist_by(NETMESH_FILTER_KNN, 5)));
+    print("persist-knn", "uniform", session, session.mesh_and_persist(uniform, persist_by(&netmesh_filter_knn, 5)));
     bound("knn", session);
     print("persist-kdistance", "uniform", session,
-          session.mesh_and_persist(uniform, persist_by(NETMESH_FILTER_KDISTANCE, 5)));
+          session.mesh_and_persist(uniform, persist_by(&netmesh_filter_kdistance, 5)));
     bound("kdistance", session);
-    session.request.certificate.ratio = 2.25;
+    session.request.goal.ratio = 2.25;
     print("persist-ratio", "uniform", session, session.mesh_and_persist(uniform));
     print("persist-ratio", "shell", session, session.mesh_and_persist(inputs::shell(dim, sizes.meshed / 2, 1, 1, 7)));
-    session.request.certificate.ratio = 0;
+    session.request.goal.ratio = 0;
 }
 
 // Where meshes are fine: D = 2, 3.
 void dense_runs(Session& session, int dim) {
     const inputs::Points zoom = inputs::zoom(dim, 40, dim == 2 ? 4 : 10);
-    print("persist-scales", "zoom", session, session.scales(session.scales_request(zoom)));
+    print("persist-scales", "zoom", session, session.persist_until_it_fits(session.scales_request(zoom)));
     const inputs::Points sparse = inputs::uniform(dim, dim == 2 ? 20 : 5);
     print("persist-tight", "uniform", session,
-          session.mesh_and_persist(sparse, persist_by(NETMESH_FILTER_TIGHT), NETMESH_PURPOSE_TIGHT));
+          session.mesh_and_persist(sparse, persist_by(&netmesh_filter_tight), &netmesh_filter_tight));
     const inputs::Points few = inputs::uniform(dim, dim == 2 ? 20 : 6);
     print("vineyard", "uniform", session, session.until_it_fits(std::size_t(1) << 24, [&] {
-        const netmesh_status status = session.mesh_in_block(few, NETMESH_PURPOSE_PERSIST);
-        return status == NETMESH_OK ? session.vineyard(NETMESH_FILTER_KNN, 1, 5) : status;
+        const netmesh_status status = session.mesh_in_block(few, &netmesh_filter_complete);
+        return status == NETMESH_OK ? session.vineyard(&netmesh_filter_knn, 1, 5) : status;
     }));
 }
 
 void complexes_on_points(Session& session, int dim, std::size_t number) {
-    const auto complex = [&](const char* job, const char* input, const netmesh_points_request& request) {
-        print(job, input, session, session.points(request));
+    const auto complex = [&](const char* job, const char* input, const netmesh::Request& request) {
+        print(job, input, session, session.persist_until_it_fits(request));
     };
     const inputs::Points points = inputs::uniform(dim, number), nine = inputs::uniform(dim, 9),
                          ten = inputs::uniform(dim, 10);
     const inputs::Points grid = inputs::grid(dim, dim < 4 ? 4 : 2), small_grid = inputs::grid(dim, dim < 3 ? 4 : 2);
-    complex("rips", "uniform", session.points_request(points, NETMESH_FILTER_RIPS, 1, dim < 4 ? 2 : 1));
-    complex("rips", "grid", session.points_request(grid, NETMESH_FILTER_RIPS, 1, 1));
-    complex("cech", "uniform", session.points_request(points, NETMESH_FILTER_CECH, 1, 1));
-    complex("cech", "grid", session.points_request(small_grid, NETMESH_FILTER_CECH, 1, 2));
-    complex("barycentric-cech", "uniform", session.points_request(nine, NETMESH_FILTER_BARYCENTRIC_CECH, 2, 1));
-    complex("barycentric-rips", "uniform", session.points_request(ten, NETMESH_FILTER_BARYCENTRIC_RIPS, 3, 0));
+    complex("rips", "uniform", session.points_request(points, &netmesh_filter_rips, 1, dim < 4 ? 2 : 1));
+    complex("rips", "grid", session.points_request(grid, &netmesh_filter_rips, 1, 1));
+    complex("cech", "uniform", session.points_request(points, &netmesh_filter_cech, 1, 1));
+    complex("cech", "grid", session.points_request(small_grid, &netmesh_filter_cech, 1, 2));
+    complex("barycentric-cech", "uniform", session.points_request(nine, &netmesh_filter_barycentric_cech, 2, 1));
+    complex("barycentric-rips", "uniform", session.points_request(ten, &netmesh_filter_barycentric_rips, 3, 0));
 }
 
 void dimension(int dim) {
@@ -220,8 +220,7 @@ void dimension(int dim) {
     if (dim <= 3) dense_runs(session, dim);
     print("alpha", "uniform", session, session.alpha(inputs::uniform(dim, sizes.points / 2)));
     const inputs::Points uniform = inputs::uniform(dim, sizes.points / 2);  // the request points into them
-    const netmesh_alpha_request alone = session.alpha_request(uniform);
-    print("alpha-of-points", "uniform", session, netmesh_persist_alpha(session.context, &alone));
+    print("alpha-of-points", "uniform", session, session.persist(session.alpha_request(uniform)));
     complexes_on_points(session, dim, sizes.complex);
     print("alpha", "grid", session, session.alpha(inputs::grid(dim, dim < 4 ? sizes.side : 3)));
 }
@@ -274,15 +273,17 @@ void homology() {
         values.push_back(value + static_cast<double>(face.size()) * 0.125);
     }
     Watched session(2);
-    netmesh::requests::Homology request;
-    request.vertices = list.data();
-    request.vertex_count = list.size();
-    request.starts = starts.data();
-    request.entries = values.data();
-    request.simplex_count = values.size();
+    auto simplices = netmesh::sized<netmesh_simplices>();
+    simplices.vertices = list.data();
+    simplices.vertex_count = list.size();
+    simplices.starts = starts.data();
+    simplices.entries = values.data();
+    simplices.simplex_count = values.size();
+    netmesh::Request request(&netmesh_filter_simplices);
+    request.simplices = &simplices;
     request.max_degree = 3;
-    request.representatives = 1;
-    print("homology", "joined", session, session.homology(request));
+    request.cycles = &netmesh_cycles;
+    print("homology", "joined", session, session.persist_until_it_fits(request));
     std::printf("homology cycles %016" PRIx64 "\n", hash_of_cycles(session));
 }
 
@@ -293,7 +294,7 @@ void all(bool small) {
     homology();
     if (small || !plans_for(4)) return;
     Watched session(4);
-    session.request.tau = 3.08;
+    session.request.mesh.tau = 3.08;
     print("persist", "clifford", session, session.mesh_and_persist(inputs::clifford(2000)));
 }
 

@@ -233,26 +233,36 @@ double slope(void* job, const double* x) {
 // The jobs in one block. Each that takes points begins with a fresh context.
 class Context {
 public:
-    Context(void* block, std::size_t bytes, int dim)
-        : mesh_request(static_cast<std::uint32_t>(dim)), block_(block), bytes_(bytes) {}
+    Context(void* block, std::size_t bytes, const Input& in) : in_(in), block_(block), bytes_(bytes) {
+        rules.method = &netmesh_method_svr;
+    }
 
-    netmesh_status start() { return netmesh_init(block_, bytes_, &handle); }
-    netmesh_status delaunay(const double* points, int count) {
-        netmesh::requests::Delaunay request(mesh_request.dim);
-        request.points = points;
-        request.point_count = static_cast<std::size_t>(count);
-        const netmesh_status status = start();
-        return status == NETMESH_OK ? netmesh_delaunay(handle, &request) : status;
+    // Of the first `count` points of the input.
+    netmesh::Request request(const netmesh_filter* filter, int count) const {
+        netmesh::Request request(filter);
+        request.set_points(static_cast<std::uint32_t>(in_.dim),
+                           netmesh::Span<const double>(in_.x, static_cast<std::size_t>(count * in_.dim)));
+        return request;
     }
-    netmesh_status mesh(const double* points, int count, netmesh_purpose purpose) {
-        mesh_request.points = points;
-        mesh_request.point_count = static_cast<std::size_t>(count);
-        mesh_request.purpose = purpose;
-        const netmesh_status status = start();
-        return status == NETMESH_OK ? netmesh_mesh(handle, &mesh_request) : status;
+    netmesh::Request request(const netmesh_filter* filter) const { return request(filter, in_.count); }
+    // Of a mesh by the rules. filter: what it is for, null: itself.
+    netmesh::Request mesh_request(const netmesh_filter* filter, int count) const {
+        netmesh::Request mesh = request(filter, count);
+        mesh.mesh = rules;
+        return mesh;
     }
-    netmesh_status persist(netmesh_filter filter, bool keep_zero_pairs, std::uint32_t k = 0) {
-        netmesh::requests::Persist request(filter);
+
+    netmesh_status persist_anew(const netmesh::Request& request) {
+        const netmesh_status status = start();
+        return status == NETMESH_OK ? netmesh_persist(handle, &request) : status;
+    }
+    netmesh_status mesh_anew(const netmesh::Request& request) {
+        const netmesh_status status = start();
+        return status == NETMESH_OK ? netmesh_mesh(handle, &request) : status;
+    }
+    // On what is there.
+    netmesh_status persist(const netmesh_filter* filter, bool keep_zero_pairs, std::uint32_t k = 0) {
+        netmesh::Request request(filter);
         request.k = k;
         request.keep_zero_pairs = keep_zero_pairs ? 1 : 0;
         return netmesh_persist(handle, &request);
@@ -261,9 +271,12 @@ public:
     std::size_t block_bytes() const { return bytes_; }
 
     netmesh_context* handle = nullptr;
-    netmesh::requests::Mesh mesh_request;
+    netmesh_mesh_rules rules = {};
 
 private:
+    netmesh_status start() { return netmesh_init(block_, bytes_, &handle); }
+
+    const Input& in_;
     void* block_;
     std::size_t bytes_;
 };
@@ -271,10 +284,8 @@ private:
 // The other calls, on few points in each dimension: a line a kind of result.
 class Calls {
 public:
-    Calls(Input* in, int dim, void* block, std::size_t bytes, void (*print)(const char*))
-        : in_(*in), context_(block, bytes, dim), print_(print) {
-        in_.dim = dim;
-    }
+    Calls(Input* in, void* block, std::size_t bytes, void (*print)(const char*))
+        : in_(*in), context_(block, bytes, *in), print_(print) {}
     int run() {
         in_.count = 0;
         uniform(&in_, 11, in_.dim < 5 ? in_.dim + 2 : 3);
@@ -291,46 +302,50 @@ public:
 
 private:
     Text begin() const { return Text().words("D").number(static_cast<unsigned>(in_.dim)).words(" calls"); }
-    netmesh_status mesh(netmesh_purpose purpose) { return context_.mesh(in_.x, in_.count, purpose); }
+    netmesh::Request mesh_request(const netmesh_filter* filter = nullptr) const {
+        return context_.mesh_request(filter, in_.count);
+    }
 
     void on_mesh() {
         Text line = begin();
-        netmesh_status status = mesh(NETMESH_PURPOSE_PERSIST);
-        const auto persist = [&](const char* job, netmesh_filter filter) {
-            if (status == NETMESH_OK) status = context_.persist(filter, false, 2);
+        netmesh_status status = context_.mesh_anew(mesh_request(&netmesh_filter_complete));
+        const auto persist = [&](const char* job, const netmesh_filter* filter, std::uint32_t k) {
+            if (status == NETMESH_OK) status = context_.persist(filter, false, k);
             add_result(&line, job, status, context_.handle);
         };
-        persist("tight", NETMESH_FILTER_TIGHT);
-        persist("kdistance", NETMESH_FILTER_KDISTANCE);
-        persist("knn", NETMESH_FILTER_KNN);
-        const netmesh::requests::Represent represent;
-        const netmesh::requests::Bounds bounds;
-        if (status == NETMESH_OK) status = netmesh_represent(context_.handle, &represent);
-        if (status == NETMESH_OK) status = netmesh_bound_bars(context_.handle, &bounds);
+        persist("tight", &netmesh_filter_tight, 0);
+        persist("kdistance", &netmesh_filter_kdistance, 2);
+        persist("knn", &netmesh_filter_knn, 2);
+        netmesh::Request more(&netmesh_filter_knn);  // of the diagram that is there
+        more.k = 2;
+        more.bounds = &netmesh_bounds;
+        more.cycles = &netmesh_cycles;
+        if (status == NETMESH_OK) status = netmesh_persist(context_.handle, &more);
         add_hash(&line, "bars", status, hash_of_bars(context_.handle));
         if (status == NETMESH_OK) status = function();
         add_result(&line, "function", status, context_.handle);
-        netmesh::requests::Vineyard vineyard(NETMESH_FILTER_KNN);
+        netmesh::Request vineyard(&netmesh_filter_knn);
         vineyard.k_last = 2;
-        if (status == NETMESH_OK) status = netmesh_vineyard(context_.handle, &vineyard);
+        vineyard.vines = &netmesh_vines;
+        if (status == NETMESH_OK) status = netmesh_persist(context_.handle, &vineyard);
         add_result(&line, "vineyard", status, context_.handle);
         print_(line.words());
     }
     netmesh_status function() {
-        netmesh::requests::Function of;
+        auto of = netmesh::sized<netmesh_function>();
         of.evaluate = slope;
         of.lipschitz = 0.75;
         of.cut = 2;
-        netmesh::requests::Persist request(NETMESH_FILTER_FUNCTION);
+        netmesh::Request request(&netmesh_filter_function);
         request.function = &of;
         return in_slices(&of.user, &request);
     }
     // Paused at every value of the function, where there are jobs on stacks of their own.
-    netmesh_status in_slices(void** user, const netmesh_persist_request* request) {
+    netmesh_status in_slices(void** user, const netmesh_request* request) {
         alignas(16) static unsigned char stack[NETMESH_STACK_BYTES(NETMESH_DIM_MAX) + 4096];
         struct Work {
             netmesh_context* context;
-            const netmesh_persist_request* request;
+            const netmesh_request* request;
         } work = {context_.handle, request};
         const auto task = [](void* of) {
             const Work& w = *static_cast<const Work*>(of);
@@ -350,10 +365,11 @@ private:
     // With cages and without; what is measured of them.
     void of_mesh() {
         Text line = begin();
-        netmesh_status status = mesh(NETMESH_PURPOSE_MESH);
-        netmesh::requests::Analyse request;
+        const netmesh::Request promised = mesh_request();
+        netmesh_status status = context_.mesh_anew(promised);
+        auto request = netmesh::sized<netmesh_analyse_request>();
         request.tolerance = 30;
-        request.mesh = &context_.mesh_request;
+        request.promised = &promised;
         auto analysis = netmesh::sized<netmesh_analysis>();
         if (status == NETMESH_OK) status = netmesh_analyse(context_.handle, &request, &analysis);
         add_hash(&line, "analysis", status, analysis.fingerprint);
@@ -368,48 +384,42 @@ private:
         add_hash(&line, "order", status, hash.value());
         in_.count = 0;
         zoom(&in_, in_.dim < 5 ? 5 : 3, 6, 13);
-        context_.mesh_request.method = NETMESH_METHOD_HIERARCHY;
-        add_result(&line, "cages", mesh(NETMESH_PURPOSE_MESH), context_.handle);
-        context_.mesh_request.finish = 1;
-        if (in_.dim < 4) add_result(&line, "finished", mesh(NETMESH_PURPOSE_MESH), context_.handle);
-        context_.mesh_request.finish = 0;
-        context_.mesh_request.method = NETMESH_METHOD_SVR;
+        context_.rules.method = &netmesh_method_netmesh;
+        add_result(&line, "cages", context_.mesh_anew(mesh_request()), context_.handle);
+        context_.rules.finish = 1;
+        if (in_.dim < 4) add_result(&line, "finished", context_.mesh_anew(mesh_request()), context_.handle);
         print_(line.words());
     }
 
     void on_points() {
         Text line = begin();
-        const auto persist = [&](const char* job, netmesh_filter filter, bool cycles) {
-            netmesh::requests::Points request(context_.mesh_request.dim, filter);
-            request.points = in_.x;
-            request.point_count = static_cast<std::size_t>(in_.count);
-            request.k = 2;
-            request.representatives = cycles ? 1 : 0;
-            netmesh_status status = context_.start();
-            if (status == NETMESH_OK) status = netmesh_persist_points(context_.handle, &request);
+        // Cycles where there is no k.
+        const auto persist = [&](const char* job, const netmesh_filter* filter, std::uint32_t k) {
+            netmesh::Request request = context_.request(filter);
+            request.k = k;
+            if (k == 0) request.cycles = &netmesh_cycles;
+            const netmesh_status status = context_.persist_anew(request);
             add_result(&line, job, status, context_.handle);
-            if (cycles) add_hash(&line, "cycles", status, hash_of_bars(context_.handle));
+            if (k == 0) add_hash(&line, "cycles", status, hash_of_bars(context_.handle));
         };
-        persist("rips", NETMESH_FILTER_RIPS, true);
-        persist("cech", NETMESH_FILTER_CECH, true);
-        persist("barycentric-cech", NETMESH_FILTER_BARYCENTRIC_CECH, false);
-        persist("barycentric-rips", NETMESH_FILTER_BARYCENTRIC_RIPS, false);
+        persist("rips", &netmesh_filter_rips, 0);
+        persist("cech", &netmesh_filter_cech, 0);
+        persist("barycentric-cech", &netmesh_filter_barycentric_cech, 2);
+        persist("barycentric-rips", &netmesh_filter_barycentric_rips, 2);
         print_(line.words());
     }
 
     void over_k() {
         Text line = begin();
-        const auto vineyard = [&](const char* job, netmesh_filter filter) {
-            netmesh::requests::PointsVineyard request(context_.mesh_request.dim, filter);
-            request.points = in_.x;
-            request.point_count = static_cast<std::size_t>(in_.count);
+        const auto vineyard = [&](const char* job, const netmesh_filter* filter) {
+            netmesh::Request request = context_.request(filter);
             request.k_last = 3;
-            netmesh_status status = context_.start();
-            if (status == NETMESH_OK) status = netmesh_points_vineyard(context_.handle, &request);
+            request.vines = &netmesh_vines;
+            const netmesh_status status = context_.persist_anew(request);
             add_result(&line, job, status, context_.handle);
         };
-        vineyard("nested-cech", NETMESH_FILTER_BARYCENTRIC_CECH);
-        vineyard("nested-rips", NETMESH_FILTER_BARYCENTRIC_RIPS);
+        vineyard("nested-cech", &netmesh_filter_barycentric_cech);
+        vineyard("nested-rips", &netmesh_filter_barycentric_rips);
         print_(line.words());
     }
 
@@ -423,11 +433,7 @@ private:
     void scales(Text* line) {
         in_.count = 0;
         zoom(&in_, 2, 30, 14);
-        netmesh::requests::Scales request(context_.mesh_request.dim);
-        request.points = in_.x;
-        request.point_count = static_cast<std::size_t>(in_.count);
-        netmesh_status status = context_.start();
-        if (status == NETMESH_OK) status = netmesh_persist_scales(context_.handle, &request);
+        const netmesh_status status = context_.persist_anew(context_.request(&netmesh_filter_scales));
         add_result(line, "scales", status, context_.handle);
     }
     // A complex given by its simplices: two triangles with a common edge, one of them filled.
@@ -435,15 +441,16 @@ private:
         static const std::uint32_t vertices[] = {0, 1, 2, 3, 0, 1, 1, 2, 2, 0, 3, 1, 2, 3, 0, 1, 2};
         static const std::uint64_t starts[] = {0, 1, 2, 3, 4, 6, 8, 10, 12, 14, 17};
         static const double entries[] = {0, 0.5, 0.25, 0, 1, 2, 1.5, 2, 3, 2.5};
-        netmesh::requests::Homology request;
-        request.vertices = vertices;
-        request.starts = starts;
-        request.entries = entries;
-        request.simplex_count = 10;
+        auto simplices = netmesh::sized<netmesh_simplices>();
+        simplices.vertices = vertices;
+        simplices.starts = starts;
+        simplices.entries = entries;
+        simplices.simplex_count = 10;
+        netmesh::Request request(&netmesh_filter_simplices);
+        request.simplices = &simplices;
         request.max_degree = 2;
-        request.representatives = 1;
-        netmesh_status status = context_.start();
-        if (status == NETMESH_OK) status = netmesh_homology(context_.handle, &request);
+        request.cycles = &netmesh_cycles;
+        const netmesh_status status = context_.persist_anew(request);
         add_result(line, "homology", status, context_.handle);
         add_hash(line, "cycles", status, hash_of_bars(context_.handle));
     }
@@ -452,7 +459,7 @@ private:
         constexpr std::uint32_t bytes = sizeof(netmesh_pair);
         static const netmesh_pair a[] = {{bytes, 0, 0.25, 1}, {bytes, 0, 0.5, 2.25}, {bytes, 1, 0.125, 0.75}};
         static const netmesh_pair b[] = {{bytes, 0, 0.3, 1.1}, {bytes, 1, 0.1, 0.7}, {bytes, 1, 0.6, 0.65}};
-        netmesh::requests::Bottleneck request;
+        netmesh::Bottleneck request;
         request.pairs_a = a;
         request.pairs_b = b;
         request.count_a = request.count_b = 3;
@@ -464,7 +471,7 @@ private:
         Hash hash;
         hash.add(distance.value);
         add_hash(line, "distance", status, hash.value());
-        netmesh::requests::Wasserstein transport;
+        netmesh::Wasserstein transport;
         transport.pairs_a = a;
         transport.pairs_b = b;
         transport.count_a = transport.count_b = 3;
@@ -489,13 +496,16 @@ Text jobs_on(Input* in, int which, Context* context) {
     Text out;
     out.words("D").number(static_cast<unsigned>(in->dim)).words(" ").number(static_cast<unsigned>(which)).words(" ");
     out.words(make(in, in->dim, which));
-    netmesh_status status = context->delaunay(in->x, in->count);
+    netmesh::Request delaunay = context->request(nullptr);
+    delaunay.mesh.method = &netmesh_method_delaunay;
+    netmesh_status status = context->mesh_anew(delaunay);
     add_result(&out, "delaunay", status, context->handle);
-    if (status == NETMESH_OK) status = context->persist(NETMESH_FILTER_ALPHA, true);
+    if (status == NETMESH_OK) status = context->persist(&netmesh_filter_alpha, true);
     add_result(&out, "alpha", status, context->handle);
-    status = context->mesh(in->x, in->meshed < in->count ? in->meshed : in->count, NETMESH_PURPOSE_PERSIST);
+    const int meshed = in->meshed < in->count ? in->meshed : in->count;
+    status = context->mesh_anew(context->mesh_request(&netmesh_filter_complete, meshed));
     add_result(&out, "mesh", status, context->handle);
-    if (status == NETMESH_OK) status = context->persist(NETMESH_FILTER_COMPLETE, true);
+    if (status == NETMESH_OK) status = context->persist(&netmesh_filter_complete, true);
     add_result(&out, "persist", status, context->handle);
     return out;
 }
@@ -507,10 +517,10 @@ int run(void* block, std::size_t bytes, int first, int last, void (*print)(const
     int lines = 0;
     for (int dim = first; dim <= last; ++dim) {
         in.dim = dim;
-        Context context(block, bytes, dim);
+        Context context(block, bytes, in);
         for (int which = 0; which < inputs_per_dimension; ++which, ++lines)
             print(jobs_on(&in, which, &context).words());
-        lines += Calls(&in, dim, block, bytes, print).run();
+        lines += Calls(&in, block, bytes, print).run();
     }
     return lines;
 }
@@ -520,17 +530,23 @@ netmesh_status demo(int dim, void* block, std::size_t bytes, netmesh_report* rep
     const int n = dim == 2 ? 500 : 200;
     Random random(static_cast<std::uint64_t>(dim));
     for (int i = 0; i < n * dim; ++i) x[i] = random.uniform();
-    Context context(block, bytes, dim);
-    context.mesh_request.tau = dim == 2 ? 2.5 : 3;
+    netmesh::Request request(&netmesh_filter_complete);
+    request.set_points(static_cast<std::uint32_t>(dim),
+                       netmesh::Span<const double>(x, static_cast<std::size_t>(n * dim)));
+    request.mesh.method = &netmesh_method_svr;
+    request.mesh.tau = dim == 2 ? 2.5 : 3;
+    netmesh_context* context = nullptr;
     Text out;
     out.words("demo D").number(static_cast<unsigned>(dim));
-    netmesh_status status = context.mesh(x, n, NETMESH_PURPOSE_PERSIST);
-    add_result(&out, "mesh", status, context.handle);
-    if (status == NETMESH_OK) status = context.persist(NETMESH_FILTER_COMPLETE, false);
-    add_result(&out, "persist", status, context.handle);
+    netmesh_status status = netmesh_init(block, bytes, &context);
+    if (status == NETMESH_OK) status = netmesh_mesh(context, &request);
+    add_result(&out, "mesh", status, context);
+    const netmesh::Request diagram(&netmesh_filter_complete);
+    if (status == NETMESH_OK) status = netmesh_persist(context, &diagram);
+    add_result(&out, "persist", status, context);
     print(out.words());
     report->struct_bytes = sizeof *report;
-    return status != NETMESH_OK ? status : netmesh_get_report(context.handle, report);
+    return status != NETMESH_OK ? status : netmesh_get_report(context, report);
 }
 
 }  // namespace slice

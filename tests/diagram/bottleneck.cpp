@@ -208,7 +208,7 @@ TEST_CASE("arguments and scratch") {
     CHECK(call({{0, -1, 1}}, NETMESH_SCALE_LOG, bytes) == NETMESH_INVALID_ARGUMENT);
     request.count_a = std::uint64_t{1} << 60;
     CHECK(netmesh_bottleneck_bytes(&request) == SIZE_MAX);
-    netmesh::requests::Bottleneck empty;
+    netmesh::Bottleneck empty;
     CHECK(netmesh_bottleneck(&empty, &d, nullptr) ==
           (netmesh_bottleneck_bytes(&empty) == 0 ? NETMESH_OK : NETMESH_OUT_OF_MEMORY));
 }

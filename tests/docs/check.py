@@ -44,8 +44,10 @@ def own_pages():
 
 
 def other_pages():
-    paths = ["CHANGELOG.md", "CONTRIBUTING.md", "engine/DESIGN.md", "tests/CHECKS.md", "tests/coverage/COVERAGE.md",
-             "platform/python/README.md", "platform/wasm/npm/README.md"]
+    paths = ["CHANGELOG.md", "CONTRIBUTING.md", "engine/ARCHITECTURE.md", "engine/thesis.md", "tests/CHECKS.md",
+             "tests/figures/FIGURES.md", "tests/coverage/COVERAGE.md", "platform/python/README.md",
+             "platform/wasm/npm/README.md"]
+    paths += sorted(os.path.relpath(p, ROOT) for p in glob.glob(os.path.join(ROOT, "engine/decisions/*.md")))
     return {path: read(path) for path in paths}
 
 
@@ -535,7 +537,7 @@ def planted(build):
     expect("a call that does not exist", faults_of_names(change(calls, "netmesh_adopt", "netmesh_adapt"), program),
            "no call")
     expect("a call under another header", faults_of_names(
-        change(calls, "| `netmesh_get_report` |", "| `netmesh_get_report`, `netmesh_tau` |"), program), "is not in")
+        change(calls, "| `netmesh_get_report` |", "| `netmesh_get_report`, `netmesh_mesh` |"), program), "is not in")
     expect("a name that does not exist", faults_of_names({**pages, page: pages[page] + " netmesh_none "}, program),
            "there is no netmesh_none")
 

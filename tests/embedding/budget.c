@@ -20,9 +20,8 @@ int main(void) {
     const uintptr_t at = (uintptr_t)memory;
     uint64_t state = 1, partial;
     netmesh_context* context;
-    netmesh_delaunay_request request;
-    netmesh_check_request check;
-    netmesh_persist_request persist;
+    netmesh_request request = netmesh_default_request(), persist = netmesh_default_request();
+    netmesh_check_request check = {sizeof check, 0, {NULL, NULL}, NULL};
     netmesh_report report;
     int i, left;
     for (i = 0; i < 3 * POINTS; ++i) {
@@ -30,25 +29,24 @@ int main(void) {
         points[i] = (double)(state >> 40);
     }
     if (netmesh_init((unsigned char*)memory + (16 - at % 16) % 16, BLOCK_BYTES, &context) != NETMESH_OK) return 1;
-    netmesh_delaunay_request_init(&request, sizeof request, 3);
-    request.points = points;
-    request.point_count = POINTS;
+    request.points.coordinates = points;
+    request.points.count = POINTS;
+    request.points.dim = 3;
+    request.mesh.method = &netmesh_method_delaunay;
     request.monitor.poll = spend;
     request.monitor.user = &left;
-    netmesh_check_request_init(&check, sizeof check);
-    netmesh_persist_request_init(&persist, sizeof persist);
-    persist.filter = NETMESH_FILTER_ALPHA;
+    persist.filter = &netmesh_filter_alpha; /* of what the context holds */
     report.struct_bytes = sizeof report;
 
     left = 600;
-    if (netmesh_delaunay(context, &request) != NETMESH_CANCELLED) return 2;
+    if (netmesh_mesh(context, &request) != NETMESH_CANCELLED) return 2;
     if (netmesh_get_report(context, &report) != NETMESH_OK || report.complete || report.mesh.vertices == 0) return 3;
     if (netmesh_check(context, &check) != NETMESH_OK) return 4;
     partial = report.mesh.cells;
     if (netmesh_persist(context, &persist) != NETMESH_NO_RESULT) return 5;
 
     left = 1000000;
-    if (netmesh_delaunay(context, &request) != NETMESH_OK) return 6;
+    if (netmesh_mesh(context, &request) != NETMESH_OK) return 6;
     if (netmesh_get_report(context, &report) != NETMESH_OK || !report.complete || report.mesh.inputs != POINTS)
         return 7;
     printf("%u cells within the budget, %u in all\n", (unsigned)partial, (unsigned)report.mesh.cells);

@@ -14,10 +14,10 @@ alignas(16) unsigned char first[block_bytes], second[block_bytes], moved[block_b
 
 int main() {
     const double points[] = {0, 0, 2, 0, 2, 2, 0, 2, 1, -0.5, 2.5, 1, 1, 2.5, -0.5, 1};
-    netmesh::requests::Mesh mesh(2);
-    mesh.points = points;
-    mesh.point_count = 8;
-    mesh.purpose = NETMESH_PURPOSE_PERSIST;
+    netmesh::Request mesh(&netmesh_filter_complete);
+    mesh.set_points(2, netmesh::Span<const double>(points, 16));
+    mesh.mesh.method = &netmesh_method_svr;
+    const netmesh::Request persist(&netmesh_filter_complete);  // of the mesh that the context holds
     std::memset(second, 0xAA, sizeof second);
     netmesh::Engine a(first, sizeof first), b(second, sizeof second);
     for (netmesh::Engine* engine : {&a, &b}) {
@@ -31,8 +31,8 @@ int main() {
     std::memset(second, 0, sizeof second);
     netmesh::Engine c = netmesh::Engine::adopt(moved);
     if (c.status() != NETMESH_OK) return 3;
-    if (c.persist() != NETMESH_OK) return 4;
-    if (a.persist() != NETMESH_OK) return 5;
+    if (c.persist(persist) != NETMESH_OK) return 4;
+    if (a.persist(persist) != NETMESH_OK) return 5;
     if (c.report().fingerprint != a.report().fingerprint) return 7;
     int loops = 0;
     a.for_each_pair(

@@ -43,31 +43,33 @@ static void ended(const char* job, netmesh_status status, const char* switches, 
     }
 }
 
-/* Of a job that takes what is there: a line for the full build's result, or the reason of another one. */
-static void taken(const char* job, netmesh_status status) {
-    netmesh_report report;
-    if (NETMESH_WITH_ALPHA) {
-        ended(job, status, "", 1);
-        return;
-    }
-    report.struct_bytes = sizeof report;
-    netmesh_get_report(context, &report);
-    if (status == NETMESH_OK && report.diagram.filter == NETMESH_FILTER_COMPLETE &&
-        report.diagram.why == NETMESH_WHY_NOT_BUILT)
-        return;
-    fprintf(stderr, "D = %u, %s: status %d, filter %d\n", (unsigned)dim, job, (int)status, (int)report.diagram.filter);
-    ++faults;
-}
-
 static void fresh(void) { netmesh_init(block, BLOCK_BYTES, &context); }
 
-static netmesh_mesh_request mesh_request(void) {
-    netmesh_mesh_request request;
-    netmesh_mesh_request_init(&request, sizeof request, dim);
-    request.points = points;
-    request.point_count = dim == 2 ? POINTS : dim == 3 ? 10 : 4;
-    if (dim > 3) request.tau = 6;
+/* count 0: as many as a mesh in this dimension is made of soon. */
+static netmesh_request request_of(const netmesh_filter* filter, size_t count) {
+    netmesh_request request = netmesh_default_request();
+    request.points.coordinates = points;
+    request.points.count = count != 0 ? count : dim == 2 ? POINTS : dim == 3 ? 10 : 4;
+    request.points.dim = dim;
+    request.filter = filter;
     return request;
+}
+
+static netmesh_request mesh_request(const netmesh_method* method) {
+    netmesh_request request = request_of(NULL, 0);
+    request.mesh.method = method;
+    if (dim > 3) request.mesh.tau = 6;
+    return request;
+}
+
+/* In a new context. */
+static netmesh_status mesh(const netmesh_request* request) {
+    fresh();
+    return netmesh_mesh(context, request);
+}
+static netmesh_status persist(const netmesh_request* request) {
+    fresh();
+    return netmesh_persist(context, request);
 }
 
 static double height(void* user, const double* x) {
@@ -81,161 +83,113 @@ static double even_size(void* user, const double* x) {
 }
 
 static netmesh_function function_of_height(void) {
-    netmesh_function function;
-    netmesh_function_init(&function, sizeof function);
-    function.evaluate = height;
-    function.lipschitz = 1;
-    function.cut = 4;
+    netmesh_function function = {sizeof function, height, NULL, 1, 0, 4};
     return function;
 }
 
-static netmesh_status persist(netmesh_filter filter, uint32_t k, const netmesh_function* function) {
-    netmesh_persist_request request;
-    netmesh_persist_request_init(&request, sizeof request);
-    request.filter = filter;
+/* Of the mesh that the context holds. */
+static netmesh_status filter(const netmesh_filter* by, uint32_t k, const netmesh_function* function) {
+    netmesh_request request = netmesh_default_request();
+    request.filter = by;
     request.k = k;
     request.function = function;
     return netmesh_persist(context, &request);
 }
 
 static void meshes(void) {
-    netmesh_mesh_request request = mesh_request();
-    fresh();
-    ended("svr", netmesh_mesh(context, &request), "", 1);
+    netmesh_request request = mesh_request(&netmesh_method_svr);
+    ended("svr", mesh(&request), "", 1);
 
-    request.method = NETMESH_METHOD_HIERARCHY;
-    fresh();
-    ended("cages", netmesh_mesh(context, &request), "CAGES", NETMESH_WITH_CAGES);
-    request.finish = 1;
-    fresh();
-    ended("finished", netmesh_mesh(context, &request), "CAGES", NETMESH_WITH_CAGES);
+    request = mesh_request(&netmesh_method_netmesh);
+    ended("cages", mesh(&request), "", 1);
+    request.mesh.finish = 1;
+    ended("finished", mesh(&request), "", 1);
     if (dim < 4) {
-        request.finish = 0;
-        request.cage_kind = NETMESH_CAGES_THESIS;
-        request.tau = 6;
-        fresh();
-        ended("thesis-cages", netmesh_mesh(context, &request), "THESIS_CAGES", NETMESH_WITH_THESIS_CAGES);
+        request = mesh_request(&netmesh_method_thesis);
+        request.mesh.tau = 6;
+        ended("thesis-cages", mesh(&request), "", 1);
+        request = mesh_request(&netmesh_method_refine);
+        request.points.count = 3;
+        ended("refine", mesh(&request), "", 1);
     }
 
-    if (dim < 4) {
-        request = mesh_request();
-        request.method = NETMESH_METHOD_REFINE;
-        request.point_count = 3;
-        fresh();
-        ended("refine", netmesh_mesh(context, &request), "REFINE", NETMESH_WITH_REFINE);
-    }
+    request = mesh_request(&netmesh_method_svr);
+    request.mesh.sizes.size = even_size;
+    ended("sizes", mesh(&request), "SIZES", NETMESH_WITH_SIZES);
+    request = mesh_request(&netmesh_method_svr);
+    request.mesh.sizes.at_inputs = request.mesh.sizes.growth = 1;
+    ended("size-at-inputs", mesh(&request), "SIZES", NETMESH_WITH_SIZES);
 
-    request = mesh_request();
-    request.sizes.size = even_size;
-    fresh();
-    ended("sizes", netmesh_mesh(context, &request), "SIZES", NETMESH_WITH_SIZES);
-    request = mesh_request();
-    request.size_at_inputs = request.size_growth = 1;
-    fresh();
-    ended("size-at-inputs", netmesh_mesh(context, &request), "SIZES", NETMESH_WITH_SIZES);
-
-    request = mesh_request();
-    request.audit = NETMESH_AUDIT_QUALITY;
-    fresh();
-    ended("audit-quality", netmesh_mesh(context, &request), "AUDITS", NETMESH_WITH_AUDITS);
-    request.audit = NETMESH_AUDIT_LOCATION;
-    fresh();
-    ended("audit-location", netmesh_mesh(context, &request), "AUDITS", NETMESH_WITH_AUDITS);
+    request = mesh_request(&netmesh_method_svr);
+    request.mesh.audit = NETMESH_AUDIT_QUALITY;
+    ended("audit-quality", mesh(&request), "AUDITS", NETMESH_WITH_AUDITS);
+    request.mesh.audit = NETMESH_AUDIT_LOCATION;
+    ended("audit-location", mesh(&request), "AUDITS", NETMESH_WITH_AUDITS);
 }
 
 static void filters(void) {
     const netmesh_function function = function_of_height();
-    netmesh_mesh_request request = mesh_request();
-    netmesh_vineyard_request vineyard;
-    request.purpose = NETMESH_PURPOSE_PERSIST;
-    fresh();
-    if (netmesh_mesh(context, &request) != NETMESH_OK) ++faults;
-    ended("complete", persist(NETMESH_FILTER_COMPLETE, 0, NULL), "", 1);
-    ended("knn-1", persist(NETMESH_FILTER_KNN, 1, NULL), "", 1);
-    ended("basic", persist(NETMESH_FILTER_BASIC, 0, NULL), "BASIC", NETMESH_WITH_BASIC);
-    ended("knn-2", persist(NETMESH_FILTER_KNN, 2, NULL), "NEAREST_K", NETMESH_WITH_NEAREST_K);
-    ended("kdistance", persist(NETMESH_FILTER_KDISTANCE, 2, NULL), "NEAREST_K", NETMESH_WITH_NEAREST_K);
-    ended("function", persist(NETMESH_FILTER_FUNCTION, 0, &function), "FUNCTION", NETMESH_WITH_FUNCTION);
-    ended("tight", persist(NETMESH_FILTER_TIGHT, 0, NULL), "TIGHT", NETMESH_WITH_TIGHT);
-    netmesh_vineyard_request_init(&vineyard, sizeof vineyard, NETMESH_FILTER_KNN);
-    vineyard.k_last = 3;
-    ended("vineyard", netmesh_vineyard(context, &vineyard), "NEAREST_K", NETMESH_WITH_NEAREST_K);
+    netmesh_request request = mesh_request(&netmesh_method_svr);
+    request.filter = &netmesh_filter_complete;
+    if (mesh(&request) != NETMESH_OK) ++faults;
+    ended("complete", filter(&netmesh_filter_complete, 0, NULL), "", 1);
+    ended("knn-1", filter(&netmesh_filter_knn, 1, NULL), "", 1);
+    ended("basic", filter(&netmesh_filter_basic, 0, NULL), "", 1);
+    ended("knn-2", filter(&netmesh_filter_knn, 2, NULL), "", 1);
+    ended("kdistance", filter(&netmesh_filter_kdistance, 2, NULL), "", 1);
+    ended("function", filter(&netmesh_filter_function, 0, &function), "", 1);
+    ended("tight", filter(&netmesh_filter_tight, 0, NULL), "", 1);
+    request = netmesh_default_request();
+    request.filter = &netmesh_filter_knn;
+    request.k_last = 3;
+    request.vines = &netmesh_vines;
+    ended("vineyard", netmesh_persist(context, &request), "", 1);
 
-    request.certificate.ratio = 2.6;
-    fresh();
-    {
-        const netmesh_status status = netmesh_mesh(context, &request);
-        ended("clipped", status == NETMESH_OK ? persist(NETMESH_FILTER_COMPLETE, 0, NULL) : status, "CERTIFICATE",
-              NETMESH_WITH_CERTIFICATE);
-    }
+    request = request_of(&netmesh_filter_complete, 0);
+    request.goal.ratio = 2.6;
+    ended("clipped", persist(&request), "CERTIFICATE", NETMESH_WITH_CERTIFICATE);
     if (dim < 4) {
-        request = mesh_request();
-        request.purpose = NETMESH_PURPOSE_TIGHT;
-        request.point_count = 3;
-        fresh();
-        ended("tight-mesh", netmesh_mesh(context, &request), "SIZES", NETMESH_WITH_SIZES);
+        request = request_of(&netmesh_filter_tight, 3);
+        request.mesh.method = &netmesh_method_svr;
+        ended("tight-mesh", mesh(&request), "SIZES", NETMESH_WITH_SIZES);
     }
 }
 
 static void others(void) {
     const netmesh_function function = function_of_height();
-    netmesh_delaunay_request delaunay;
-    netmesh_alpha_request alpha;
-    netmesh_auto_request either;
-    netmesh_fit_request fit;
-    netmesh_scales_request scales;
-    netmesh_delaunay_request_init(&delaunay, sizeof delaunay, dim);
-    delaunay.points = points;
-    delaunay.point_count = POINTS;
-    fresh();
-    ended("delaunay", netmesh_delaunay(context, &delaunay), "", 1);
-    ended("alpha", persist(NETMESH_FILTER_ALPHA, 0, NULL), "ALPHA", NETMESH_WITH_ALPHA);
-    netmesh_alpha_request_init(&alpha, sizeof alpha, dim);
-    alpha.points = points;
-    alpha.point_count = POINTS;
-    fresh();
-    ended("alpha-of-points", netmesh_persist_alpha(context, &alpha), "", 1);
-    /* takes whichever filter is there */
-    netmesh_auto_request_init(&either, sizeof either, dim);
-    either.points = points;
-    either.point_count = POINTS;
+    netmesh_request request = request_of(NULL, POINTS);
+    request.mesh.method = &netmesh_method_delaunay;
+    ended("delaunay", mesh(&request), "", 1);
+    ended("alpha", filter(&netmesh_filter_alpha, 0, NULL), "", 1);
+    request = request_of(&netmesh_filter_alpha, POINTS);
+    ended("alpha-of-points", persist(&request), "", 1);
     if (dim < 4) {
-        fresh();
-        taken("auto", netmesh_persist_auto(context, &either));
+        request = request_of(&netmesh_filter_auto, POINTS);
+        ended("auto", persist(&request), "", 1);
     }
 
-    netmesh_fit_request_init(&fit, sizeof fit, dim);
-    fit.points = points;
-    fit.point_count = 4;
-    fit.ratio = 3;
-    fresh();
-    ended("fit", netmesh_fit(context, &fit), "CERTIFICATE", NETMESH_WITH_CERTIFICATE);
-    fit.ratio = 0;
-    fit.by_error = 1;
-    fit.filter = NETMESH_FILTER_FUNCTION;
-    fit.function = &function;
-    fit.values = NETMESH_VALUES_THESIS;
+    request = request_of(&netmesh_filter_complete, 4);
+    request.fit = &netmesh_fit;
+    request.goal.ratio = 3;
+    ended("fit", persist(&request), "CERTIFICATE", NETMESH_WITH_CERTIFICATE);
     if (dim == 2) {
-        fresh();
-        ended("fit-error", netmesh_fit(context, &fit), "SIZES FUNCTION", NETMESH_WITH_SIZES && NETMESH_WITH_FUNCTION);
+        request = request_of(&netmesh_filter_function, 4);
+        request.fit = &netmesh_fit;
+        request.function = &function;
+        ended("fit-error", persist(&request), "SIZES", NETMESH_WITH_SIZES);
     }
 
-    netmesh_scales_request_init(&scales, sizeof scales, dim);
-    scales.points = points;
-    scales.point_count = dim == 2 ? 6 : 3;
-    scales.ratio = 3;
-    fresh();
-    ended("scales-ratio", netmesh_persist_scales(context, &scales), "CERTIFICATE", NETMESH_WITH_CERTIFICATE);
-    scales.ratio = 0;
+    request = request_of(&netmesh_filter_scales, dim == 2 ? 6 : 3);
+    request.goal.ratio = 3;
+    ended("scales-ratio", persist(&request), "CERTIFICATE", NETMESH_WITH_CERTIFICATE);
     if (dim == 2) {
-        fresh();
-        ended("scales-eps", netmesh_persist_scales(context, &scales), "SIZES TIGHT",
-              NETMESH_WITH_SIZES && NETMESH_WITH_TIGHT);
+        request.goal.ratio = 0;
+        ended("scales-eps", persist(&request), "SIZES", NETMESH_WITH_SIZES);
     }
 }
 
 static void dimension(uint32_t d, int built) {
-    netmesh_delaunay_request request;
+    netmesh_request request;
     uint32_t seed = 12345, i;
     dim = d;
     for (i = 0; i < d * POINTS; ++i) {
@@ -248,11 +202,9 @@ static void dimension(uint32_t d, int built) {
         others();
         return;
     }
-    netmesh_delaunay_request_init(&request, sizeof request, d);
-    request.points = points;
-    request.point_count = POINTS;
-    fresh();
-    if (netmesh_delaunay(context, &request) != NETMESH_NOT_BUILT || netmesh_plan_delaunay(&request) != 0) {
+    request = request_of(NULL, POINTS);
+    request.mesh.method = &netmesh_method_delaunay;
+    if (mesh(&request) != NETMESH_NOT_BUILT || netmesh_plan_mesh(&request) != 0) {
         fprintf(stderr, "D = %u is left out and does not say so\n", (unsigned)d);
         ++faults;
     }

@@ -22,40 +22,28 @@ static void draw_points(void) {
 }
 
 __attribute__((noinline)) static netmesh_status work(netmesh_context* context) {
-#if JOB == 1
-    netmesh_delaunay_request request;
-    netmesh_delaunay_request_init(&request, sizeof request, DIM);
-    request.points = points;
-    request.point_count = POINTS;
-    return netmesh_delaunay(context, &request);
-#elif JOB == 2
-    netmesh_alpha_request request;
-    netmesh_alpha_request_init(&request, sizeof request, DIM);
-    request.points = points;
-    request.point_count = POINTS;
-    return netmesh_persist_alpha(context, &request);
-#elif JOB == 3 || JOB == 4
-    netmesh_mesh_request mesh;
-    netmesh_persist_request persist;
-    netmesh_status status;
-    netmesh_mesh_request_init(&mesh, sizeof mesh, DIM);
-    mesh.points = points;
-    mesh.point_count = POINTS;
-    mesh.purpose = NETMESH_PURPOSE_PERSIST;
-#if JOB == 4
-    mesh.certificate.ratio = 2.25;
-#endif
-    if ((status = netmesh_mesh(context, &mesh)) != NETMESH_OK) return status;
-    netmesh_persist_request_init(&persist, sizeof persist);
-    return netmesh_persist(context, &persist);
-#elif JOB == 5
-    netmesh_points_request request;
-    netmesh_points_request_init(&request, sizeof request, DIM, NETMESH_FILTER_RIPS);
-    request.points = points;
-    request.point_count = POINTS;
-    return netmesh_persist_points(context, &request);
-#else
+#if JOB == 0
     return context == NULL ? NETMESH_OK : NETMESH_INTERNAL;
+#else
+    netmesh_request request = netmesh_default_request();
+    request.points.coordinates = points;
+    request.points.count = POINTS;
+    request.points.dim = DIM;
+#if JOB == 1
+    request.mesh.method = &netmesh_method_delaunay;
+    return netmesh_mesh(context, &request);
+#elif JOB == 2
+    request.filter = &netmesh_filter_alpha;
+#elif JOB == 3
+    request.filter = &netmesh_filter_complete;
+    request.mesh.method = &netmesh_method_svr;
+#elif JOB == 4
+    request.filter = &netmesh_filter_complete;
+    request.goal.ratio = 2.25;
+#else
+    request.filter = &netmesh_filter_rips;
+#endif
+    return netmesh_persist(context, &request);
 #endif
 }
 

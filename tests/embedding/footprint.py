@@ -21,8 +21,7 @@ sys.path.insert(0, os.path.join(ROOT, "tests", "archive"))
 import check  # noqa: E402
 
 BOARD = os.path.join(ROOT, "platform/cortexm")
-MESHES = "CAGES REFINE SIZES AUDITS"
-FILTERS = "ALPHA BASIC NEAREST_K FUNCTION TIGHT"
+SWITCHES = "CERTIFICATE SIZES AUDITS"
 # Name, JOB of footprint.c, points by D, switches that the job leaves on, name of its stack in netmesh/job.h.
 JOBS = [
     ("Delaunay", 1, {2: 500, 3: 500, 4: 50}, "", "DELAUNAY"),
@@ -50,7 +49,7 @@ def run(*command, cwd):
 
 
 def off(left_on):
-    return [s for s in (MESHES + " CERTIFICATE " + FILTERS).split() if s not in left_on.split()]
+    return [s for s in SWITCHES.split() if s not in left_on.split()]
 
 
 def build_engine(work, target, dim, left_on):

@@ -1,9 +1,9 @@
 #!/usr/bin/env python3
-"""Looks at netmesh.h, with the headers that it includes, and at netmesh.hpp.
+"""Looks at headers, with those that they include, and at netmesh.hpp.
 
-  header.py shorten NETMESH_H      prints an older version's header: structs with a size lack their last member
-  header.py calls NETMESH_H NETMESH_HPP
-                                   every function of the first occurs in the second; prints what is missing, exits 1
+  header.py shorten HEADER...      prints an older version's header: structs with a size lack their last member
+  header.py calls HEADER... NETMESH_HPP
+                                   every function of the others occurs in the last; prints what is missing, exits 1
   header.py same PROGRAM PROGRAM   runs both; exits 1 when one fails or they print different lines
 """
 import difflib
@@ -12,10 +12,11 @@ import re
 import subprocess
 import sys
 
+WHOLE = ("netmesh_distances", "netmesh_simplices")  # their last members have to be set
 
-def code_of(path, seen=None):
+
+def code_of(path, seen):
     """A header without comments, its own headers in the place where they are first included."""
-    seen = set() if seen is None else seen
     if path in seen:
         return ""
     seen.add(path)
@@ -26,23 +27,33 @@ def code_of(path, seen=None):
 def shortened(body):
     """The members of a struct without the last one."""
     members = [m.strip() for m in body.split(";") if m.strip()]
+    if re.search(r"\breserved$", members[-1]):  # fills the struct up
+        members.pop()
     declared = re.match(r"(.*,)\s*\w+(?:\[[^\]]*\])?$", members[-1], re.S)
     members[-1:] = [declared.group(1)[:-1]] if declared and "(" not in members[-1] else []
     return "".join("    %s;\n" % m for m in members)
 
 
-def shorten(header):
+def code_of_all(headers):
+    seen = set()
+    return "".join(code_of(header, seen) for header in headers)
+
+
+def shorten(*headers):
     struct = re.compile(r"typedef struct (netmesh_\w+) \{\s*(uint32_t struct_bytes;.*?)\} \1;", re.S)
     def without_last(m):
+        if m.group(1) in WHOLE:
+            return m.group(0)
         return "typedef struct %s {\n%s} %s;" % (m.group(1), shortened(m.group(2)), m.group(1))
-    text, count = struct.subn(without_last, code_of(header))
+    text, count = struct.subn(without_last, code_of_all(headers))
     if count < 20:
-        sys.exit("only %d structs with a size in %s" % (count, header))
+        sys.exit("only %d structs with a size in %s" % (count, " ".join(headers)))
     print("#define NETMESH_SHORTER\n" + text)
 
 
-def calls(header, wrapper):
-    without_types = re.sub(r"typedef [^;{]*;", "", code_of(header))
+def calls(*headers_and_wrapper):
+    *headers, wrapper = headers_and_wrapper
+    without_types = re.sub(r"typedef [^;{]*;", "", code_of_all(headers))
     functions = sorted(set(re.findall(r"\b(netmesh_\w+)\s*\(", without_types)))
     text = re.sub(r"//.*", "", open(wrapper).read())
     missing = [f for f in functions if not re.search(r"\b%s\b" % f, text)]

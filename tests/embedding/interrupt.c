@@ -27,8 +27,8 @@ int main(void) {
     const uintptr_t at = (uintptr_t)memory;
     uint64_t state = 1;
     netmesh_context* context;
-    netmesh_mesh_request request;
-    netmesh_check_request check;
+    netmesh_request request = netmesh_default_request();
+    netmesh_check_request check = {sizeof check, 0, {NULL, NULL}, NULL};
     int i, polls = 0;
     for (i = 0; i < 2 * POINTS; ++i) {
         state = state * 6364136223846793005u + 1442695040888963407u;
@@ -36,15 +36,15 @@ int main(void) {
     }
     signal(SIGINT, on_signal);
     if (netmesh_init((unsigned char*)memory + (16 - at % 16) % 16, BLOCK_BYTES, &context) != NETMESH_OK) return 1;
-    netmesh_mesh_request_init(&request, sizeof request, 2);
-    request.points = points;
-    request.point_count = POINTS;
+    request.points.coordinates = points;
+    request.points.count = POINTS;
+    request.points.dim = 2;
+    request.mesh.method = &netmesh_method_svr;
     request.monitor.poll = poll;
     request.monitor.user = &polls;
     if (netmesh_mesh(context, &request) != NETMESH_CANCELLED) return 2;
     if (polls != 600) return 3;
     stop_wanted = 0;
-    netmesh_check_request_init(&check, sizeof check);
     check.what = NETMESH_CHECK_COMBINATORIAL | NETMESH_CHECK_DELAUNAY;
     if (netmesh_check(context, &check) != NETMESH_OK) return 4;
     printf("%s, and what is held is a Delaunay triangulation\n", netmesh_status_text(NETMESH_CANCELLED));

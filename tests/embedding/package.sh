@@ -50,6 +50,7 @@ cat >"$work/expected" <<END
 ./usr/share/man/man1/netmesh-homology.1.gz
 ./usr/share/man/man1/netmesh-mesh.1.gz
 ./usr/share/man/man1/netmesh-persist.1.gz
+./usr/share/man/man1/netmesh-pieces.1.gz
 ./usr/share/man/man1/netmesh-sample.1.gz
 ./usr/share/man/man1/netmesh-size.1.gz
 ./usr/share/man/man1/netmesh-vineyard.1.gz

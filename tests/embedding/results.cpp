@@ -22,11 +22,10 @@ double length_of(const netmesh_simplex& edge) {
 
 int main() {
     constexpr std::array<float, 16> points = {0, 0, 2, 0, 2, 2, 0, 2, 1, -0.5F, 2.5F, 1, 1, 2.5F, -0.5F, 1};
-    netmesh::requests::Delaunay delaunay(2);
-    netmesh::set_points(&delaunay, points);
-    if (engine.delaunay(delaunay) != NETMESH_OK ||
-        engine.persist(netmesh::requests::Persist(NETMESH_FILTER_ALPHA)) != NETMESH_OK ||
-        engine.represent() != NETMESH_OK) {
+    netmesh::Request alpha(&netmesh_filter_alpha);
+    alpha.set_points(2, points);
+    alpha.cycles = &netmesh_cycles;
+    if (engine.persist(alpha) != NETMESH_OK) {
         std::puts(engine.detail().message);
         return 1;
     }
@@ -44,8 +43,7 @@ int main() {
     constexpr std::size_t bytes = std::size_t{1} << 20;
     netmesh::OwningEngine other(std::malloc(bytes), bytes, std::free);
     if (other.status() != NETMESH_OK) return 2;
-    netmesh::requests::Alpha alpha(2);
-    netmesh::set_points(&alpha, points);
-    if (other.persist_alpha(alpha) != NETMESH_OK) return 3;
+    alpha.cycles = nullptr;
+    if (other.persist(alpha) != NETMESH_OK) return 3;
     return other.pairs(1).size() == loops.size() ? 0 : 4;
 }

@@ -11,14 +11,15 @@ static union {
 
 int main(void) {
     netmesh_context* context;
-    netmesh_alpha_request request;
+    netmesh_request request = netmesh_default_request();
     netmesh_pair pair;
     unsigned count = 0;
     if (netmesh_init(&block, sizeof block, &context) != NETMESH_OK) return 1;
-    netmesh_alpha_request_init(&request, sizeof request, 2);
-    request.points = points[0];
-    request.point_count = sizeof points / sizeof points[0];
-    if (netmesh_persist_alpha(context, &request) != NETMESH_OK) return 1;
+    request.points.coordinates = points[0];
+    request.points.count = sizeof points / sizeof points[0];
+    request.points.dim = 2;
+    request.filter = &netmesh_filter_alpha;
+    if (netmesh_persist(context, &request) != NETMESH_OK) return 1;
     pair.struct_bytes = sizeof pair;
     while (netmesh_get_pair(context, count, &pair) == NETMESH_OK) ++count;
     printf("%u\n", count);

@@ -10,14 +10,15 @@ static union {
 
 int main(void) {
     netmesh_context* context;
-    netmesh_delaunay_request request;
+    netmesh_request request = netmesh_default_request();
     netmesh_cell cell;
     unsigned count = 0;
     if (netmesh_init(&block, sizeof block, &context) != NETMESH_OK) return 1;
-    netmesh_delaunay_request_init(&request, sizeof request, 2);
-    request.points = points[0];
-    request.point_count = sizeof points / sizeof points[0];
-    if (netmesh_delaunay(context, &request) != NETMESH_OK) return 1;
+    request.points.coordinates = points[0];
+    request.points.count = sizeof points / sizeof points[0];
+    request.points.dim = 2;
+    request.mesh.method = &netmesh_method_delaunay;
+    if (netmesh_mesh(context, &request) != NETMESH_OK) return 1;
     cell.struct_bytes = sizeof cell;
     while (netmesh_get_cell(context, count, &cell) == NETMESH_OK) ++count;
     printf("%u\n", count);

@@ -10,18 +10,16 @@ static union {
 
 int main(void) {
     netmesh_context* context;
-    netmesh_mesh_request mesh;
-    netmesh_persist_request persist;
+    netmesh_request request = netmesh_default_request();
     netmesh_pair pair;
     unsigned count = 0;
     if (netmesh_init(&block, sizeof block, &context) != NETMESH_OK) return 1;
-    netmesh_mesh_request_init(&mesh, sizeof mesh, 2);
-    mesh.points = points[0];
-    mesh.point_count = sizeof points / sizeof points[0];
-    mesh.purpose = NETMESH_PURPOSE_PERSIST;
-    if (netmesh_mesh(context, &mesh) != NETMESH_OK) return 1;
-    netmesh_persist_request_init(&persist, sizeof persist);
-    if (netmesh_persist(context, &persist) != NETMESH_OK) return 1;
+    request.points.coordinates = points[0];
+    request.points.count = sizeof points / sizeof points[0];
+    request.points.dim = 2;
+    request.filter = &netmesh_filter_complete;
+    request.mesh.method = &netmesh_method_svr;
+    if (netmesh_persist(context, &request) != NETMESH_OK) return 1;
     pair.struct_bytes = sizeof pair;
     while (netmesh_get_pair(context, count, &pair) == NETMESH_OK) ++count;
     printf("%u\n", count);

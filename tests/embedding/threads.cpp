@@ -25,11 +25,9 @@ std::vector<std::uint64_t> series(std::uint32_t first_dim, int jobs) {
     for (int i = 0; i < jobs; ++i) {
         const std::uint32_t dim = 2 + (first_dim + static_cast<std::uint32_t>(i)) % 3;
         const std::vector<double> p = points(dim, 400 / dim / dim);
-        netmesh::requests::Mesh mesh(dim);
-        mesh.points = p.data();
-        mesh.point_count = p.size() / dim;
-        mesh.purpose = NETMESH_PURPOSE_PERSIST;
-        const bool good = engine.mesh(mesh) == NETMESH_OK && engine.persist() == NETMESH_OK;
+        netmesh::Request request(&netmesh_filter_complete);
+        request.set_points(dim, p);
+        const bool good = engine.persist(request) == NETMESH_OK;
         found.push_back(good ? engine.report().fingerprint : 0);
     }
     return found;

@@ -2,6 +2,7 @@
  * structs lack their last member, as an older version's did (header.py). Every struct stands between bytes that the
  * library must leave alone. What both print must be the same. */
 #include "netmesh.h"
+#include "netmesh/laboratory.h"
 
 #include <stdio.h>
 #include <string.h>
@@ -55,28 +56,17 @@ static uint64_t memory[BLOCK_BYTES / 8 + 2];
 static double points[2 * POINTS];
 static netmesh_context* context;
 
-GUARDED(netmesh_delaunay_request, delaunay);
-GUARDED(netmesh_mesh_request, mesh);
+GUARDED(netmesh_request, request);
+GUARDED(netmesh_function, function);
+GUARDED(netmesh_distances, distances);
+GUARDED(netmesh_simplices, simplices);
 GUARDED(netmesh_load_request, load);
 GUARDED(netmesh_cages_request, cages);
 GUARDED(netmesh_check_request, check);
-GUARDED(netmesh_function, function);
-GUARDED(netmesh_persist_request, persist);
-GUARDED(netmesh_bounds_request, bounds);
-GUARDED(netmesh_represent_request, represent);
-GUARDED(netmesh_fit_request, fit);
-GUARDED(netmesh_vineyard_request, vineyard);
-GUARDED(netmesh_scales_request, scales);
-GUARDED(netmesh_alpha_request, alpha);
-GUARDED(netmesh_auto_request, either);
-GUARDED(netmesh_points_request, rips);
-GUARDED(netmesh_distances_request, distances);
-GUARDED(netmesh_points_vineyard_request, nested);
-GUARDED(netmesh_homology_request, homology);
-GUARDED(netmesh_value_vineyard_request, values);
 GUARDED(netmesh_bottleneck_request, bottleneck);
 GUARDED(netmesh_wasserstein_request, wasserstein);
 GUARDED(netmesh_analyse_request, analyse);
+GUARDED(netmesh_request, settled);
 GUARDED(netmesh_detail, detail);
 GUARDED(netmesh_report, report);
 GUARDED(netmesh_analysis, analysis);
@@ -94,51 +84,37 @@ GUARDED(netmesh_distance, distance);
 GUARDED(netmesh_wasserstein_distance, transport);
 GUARDED(netmesh_figure, figure);
 GUARDED(netmesh_filter_info, info);
+GUARDED(netmesh_option, option);
+GUARDED(netmesh_option_word, word);
 
 static void fill_results(void) {
-    FILL(detail), FILL(report), FILL(analysis), FILL(vertex), FILL(cell), FILL(cage), FILL(voronoi), FILL(ball),
-        FILL(pair), FILL(bar), FILL(step);
-    FILL(simplex), FILL(vine), FILL(distance), FILL(transport), FILL(figure), FILL(info);
+    FILL(settled), FILL(detail), FILL(report), FILL(analysis), FILL(vertex), FILL(cell), FILL(cage), FILL(voronoi),
+        FILL(ball), FILL(pair), FILL(bar), FILL(step);
+    FILL(simplex), FILL(vine), FILL(distance), FILL(transport), FILL(figure), FILL(info), FILL(option), FILL(word);
 }
 
-#define POINTS_OF(request) ((request).it.points = points, (request).it.point_count = POINTS)
+/* Between its guards an empty struct of its size. */
+#define EMPTY(name) (FILL(name), memset(&(name).it, 0, sizeof((name).it)), (name).it.struct_bytes = sizeof((name).it))
 
 static void fill_requests(void) {
-    FILL(delaunay), FILL(mesh), FILL(load), FILL(cages), FILL(check), FILL(function), FILL(persist), FILL(bounds);
-    FILL(represent), FILL(fit), FILL(either), FILL(vineyard), FILL(scales), FILL(rips), FILL(distances), FILL(nested),
-        FILL(homology), FILL(values), FILL(bottleneck), FILL(wasserstein), FILL(analyse);
-    netmesh_delaunay_request_init(&delaunay.it, sizeof delaunay.it, 2);
-    netmesh_mesh_request_init(&mesh.it, sizeof mesh.it, 2);
-    netmesh_load_request_init(&load.it, sizeof load.it, 2);
-    netmesh_cages_request_init(&cages.it, sizeof cages.it, sizeof(netmesh_cage));
-    netmesh_check_request_init(&check.it, sizeof check.it);
-    netmesh_function_init(&function.it, sizeof function.it);
-    netmesh_persist_request_init(&persist.it, sizeof persist.it);
-    netmesh_bounds_request_init(&bounds.it, sizeof bounds.it);
-    netmesh_represent_request_init(&represent.it, sizeof represent.it);
-    netmesh_fit_request_init(&fit.it, sizeof fit.it, 2);
-    netmesh_vineyard_request_init(&vineyard.it, sizeof vineyard.it, NETMESH_FILTER_KNN);
-    netmesh_scales_request_init(&scales.it, sizeof scales.it, 2);
-    netmesh_alpha_request_init(&alpha.it, sizeof alpha.it, 2);
-    netmesh_auto_request_init(&either.it, sizeof either.it, 2);
-    netmesh_points_request_init(&rips.it, sizeof rips.it, 2, NETMESH_FILTER_RIPS);
-    netmesh_distances_request_init(&distances.it, sizeof distances.it);
-    netmesh_points_vineyard_request_init(&nested.it, sizeof nested.it, 2, NETMESH_FILTER_BARYCENTRIC_CECH);
-    netmesh_homology_request_init(&homology.it, sizeof homology.it);
-    netmesh_value_vineyard_request_init(&values.it, sizeof values.it);
-    netmesh_bottleneck_request_init(&bottleneck.it, sizeof bottleneck.it, sizeof(netmesh_pair));
-    netmesh_wasserstein_request_init(&wasserstein.it, sizeof wasserstein.it, sizeof(netmesh_pair));
-    netmesh_analyse_request_init(&analyse.it, sizeof analyse.it);
-    look_at_guards("an init call");
-    POINTS_OF(delaunay), POINTS_OF(either), POINTS_OF(mesh), POINTS_OF(fit), POINTS_OF(scales), POINTS_OF(alpha),
-        POINTS_OF(rips), POINTS_OF(nested);
-    mesh.it.purpose = NETMESH_PURPOSE_PERSIST;
-    vineyard.it.k_last = 3;
-    nested.it.point_count = 8;
-    nested.it.k_last = 2;
-#ifndef NETMESH_SHORTER
-    vineyard.it.max_degree = 0; /* what an older program cannot say counts as 0 */
-#endif
+    EMPTY(function), EMPTY(distances), EMPTY(simplices), EMPTY(load), EMPTY(cages), EMPTY(check), EMPTY(analyse);
+    FILL(request), FILL(bottleneck), FILL(wasserstein);
+    load.it.dim = 2;
+    cages.it.cage_bytes = sizeof(netmesh_cage);
+    bottleneck.it = netmesh_default_bottleneck();
+    wasserstein.it = netmesh_default_wasserstein();
+}
+
+/* A request of what the context holds; of `count` points. */
+static void ask(const netmesh_filter* filter) {
+    request.it = netmesh_default_request();
+    request.it.filter = filter;
+}
+static void ask_of_points(const netmesh_filter* filter, size_t count) {
+    ask(filter);
+    request.it.points.coordinates = points;
+    request.it.points.count = count;
+    request.it.points.dim = 2;
 }
 
 static void print_report(void) {
@@ -148,7 +124,7 @@ static void print_report(void) {
 }
 
 static void print_figures(void) {
-    uint32_t i, applying = 0;
+    uint32_t i, w, applying = 0;
     for (i = 0; netmesh_get_report_figure(&report.it, i, &figure.it) == NETMESH_OK; ++i)
         applying += figure.it.applies && strncmp(figure.it.path, "predicates.", 11) != 0;
     printf("%u figures of the report, %u apply without those of predicates\n", i, applying);
@@ -156,76 +132,102 @@ static void print_figures(void) {
         applying += figure.it.applies && strncmp(figure.it.path, "fatness.", 8) != 0;
     printf("%u figures of the analysis, %u apply without those of fatness\n", i, applying);
     for (i = 0; netmesh_get_filter_info(i, &info.it) == NETMESH_OK; ++i) printf("%s ", info.it.name);
+    for (i = 0; netmesh_get_option(i, &option.it) == NETMESH_OK; ++i) {
+        printf("%s ", option.it.name);
+        for (w = 0; netmesh_get_option_word(i, w, &word.it) == NETMESH_OK; ++w) printf("%s ", word.it.name);
+    }
     printf("\n");
     look_at_guards("a table");
 }
 
 static void run_mesh(void) {
-    uint64_t simplices;
-    DID(netmesh_mesh(context, &mesh.it));
+    uint64_t length;
+    ask_of_points(&netmesh_filter_complete, POINTS);
+    request.it.mesh.method = &netmesh_method_svr;
+    DID(netmesh_mesh(context, &request.it));
     DID(netmesh_check(context, &check.it));
-    DID(netmesh_persist(context, &persist.it));
-    DID(netmesh_bound_bars(context, &bounds.it));
-    DID(netmesh_represent(context, &represent.it));
+    ask(&netmesh_filter_complete);
+    DID(netmesh_persist(context, &request.it));
+    request.it.bounds = &netmesh_bounds;
+    DID(netmesh_persist(context, &request.it));
+    request.it.bounds = NULL;
+    request.it.cycles = &netmesh_cycles;
+    DID(netmesh_persist(context, &request.it));
     DID(netmesh_analyse(context, &analyse.it, &analysis.it));
     DID(netmesh_get_vertex(context, 1, &vertex.it));
     DID(netmesh_get_cell(context, 1, &cell.it));
     DID(netmesh_get_pair(context, 1, &pair.it));
     DID(netmesh_get_bar_bounds(context, 1, &bar.it));
     DID(netmesh_get_scale_step(context, 0, &step.it));
-    DID(netmesh_get_cycle(context, 1, &simplices));
+    DID(netmesh_get_cycle(context, 1, &length));
     DID(netmesh_get_cycle_simplex(context, 1, 0, &simplex.it));
     printf("vertex at %g %g, cell of %u, pair born at %.17g, between %g and %g\n", vertex.it.coordinates[0],
            vertex.it.coordinates[1], (unsigned)cell.it.vertices[0], pair.it.birth, bar.it.birth_low, bar.it.birth_high);
     print_report();
     print_figures();
-    DID(netmesh_vineyard(context, &vineyard.it));
+    ask(&netmesh_filter_knn);
+    request.it.k_last = 3;
+    request.it.max_degree = 0;
+    request.it.vines = &netmesh_vines;
+    DID(netmesh_persist(context, &request.it));
     DID(netmesh_get_vine_point(context, 1, &vine.it));
     printf("vine %u born at %.17g\n", (unsigned)vine.it.vine, vine.it.birth);
-    persist.it.filter = NETMESH_FILTER_FUNCTION; /* there is none */
-    DID(netmesh_persist(context, &persist.it));
+    ask(&netmesh_filter_function); /* there is none */
+    DID(netmesh_persist(context, &request.it));
     DID(netmesh_get_detail(context, &detail.it));
     printf("field %s\n", netmesh_field_text(detail.it.field));
+}
+
+static void persist(const netmesh_filter* filter, size_t count) {
+    ask_of_points(filter, count);
+    DID(netmesh_settle(&request.it, &settled.it, &detail.it));
+    printf("method %u, ratio %.17g, degree %u\n", (unsigned)(settled.it.mesh.method == &netmesh_method_certificate),
+           settled.it.goal.ratio, (unsigned)settled.it.max_degree);
+    DID(netmesh_persist(context, &request.it));
+    print_report();
 }
 
 static void run_others(void) {
     static const uint32_t vertices[] = {0, 1, 0, 1};
     static const uint64_t starts[] = {0, 1, 2, 4};
-    static const double entries[] = {0, 0, 1};
+    static const double entries[] = {0, 0, 1}, lower[] = {3, 5, 4};
     static const uint8_t markers[3] = {0, 0, 0};
     static const uint32_t one_cell[] = {0, 1, 2};
-    DID(netmesh_delaunay(context, &delaunay.it));
+    ask_of_points(NULL, POINTS);
+    request.it.mesh.method = &netmesh_method_delaunay;
+    DID(netmesh_mesh(context, &request.it));
     print_report();
-    DID(netmesh_persist_scales(context, &scales.it));
-    print_report();
-    DID(netmesh_persist_alpha(context, &alpha.it));
-    print_report();
-    DID(netmesh_persist_auto(context, &either.it));
-    print_report();
-    DID(netmesh_persist_points(context, &rips.it));
-    print_report();
-    static const double lower[3] = {3, 5, 4};
+    persist(&netmesh_filter_scales, POINTS);
+    persist(&netmesh_filter_alpha, POINTS);
+    persist(&netmesh_filter_auto, POINTS);
+    persist(&netmesh_filter_rips, POINTS);
     distances.it.layout = NETMESH_DISTANCES_LOWER;
     distances.it.numbers = lower;
-    distances.it.point_count = 3;
-    DID(netmesh_persist_distances(context, &distances.it));
+    distances.it.count = 3;
+    ask(&netmesh_filter_rips);
+    request.it.distances = &distances.it;
+    DID(netmesh_persist(context, &request.it));
     print_report();
-    DID(netmesh_points_vineyard(context, &nested.it));
+    ask_of_points(&netmesh_filter_barycentric_cech, 8);
+    request.it.k_last = 2;
+    request.it.vines = &netmesh_vines;
+    DID(netmesh_persist(context, &request.it));
     print_report();
-    DID(netmesh_fit(context, &fit.it));
+    ask_of_points(&netmesh_filter_complete, POINTS);
+    request.it.fit = &netmesh_fit;
+    DID(netmesh_persist(context, &request.it));
     print_report();
-    homology.it.vertices = vertices;
-    homology.it.starts = starts;
-    homology.it.entries = entries;
-    homology.it.simplex_count = 3;
-    DID(netmesh_homology(context, &homology.it));
+    simplices.it.vertices = vertices;
+    simplices.it.starts = starts;
+    simplices.it.entries = entries;
+    simplices.it.simplex_count = 3;
+    ask(&netmesh_filter_simplices);
+    request.it.simplices = &simplices.it;
+    DID(netmesh_persist(context, &request.it));
     print_report();
-    values.it.vertices = vertices;
-    values.it.starts = starts;
-    values.it.entries = entries;
-    values.it.simplex_count = 3;
-    values.it.step_count = 1;
-    DID(netmesh_value_vineyard(context, &values.it));
+    simplices.it.step_count = 1;
+    request.it.vines = &netmesh_vines;
+    DID(netmesh_persist(context, &request.it));
     print_report();
     load.it.vertices = points;
     load.it.markers = markers;
@@ -236,11 +238,14 @@ static void run_others(void) {
     print_report();
     netmesh_load_cages(context, &cages.it); /* without a domain; and an older program's cages may be too small */
     look_at_guards("netmesh_load_cages");
-    mesh.it.method = NETMESH_METHOD_HIERARCHY;
-    mesh.it.purpose = NETMESH_PURPOSE_MESH;
+    ask_of_points(&netmesh_filter_function, POINTS);
+    request.it.function = &function.it; /* which has no function yet */
+    DID(netmesh_persist(context, &request.it));
     points[0] = points[2] + 1e-6 * (points[4] - points[2]); /* two points that a cage goes around */
     points[1] = points[3] + 1e-6 * (points[5] - points[3]);
-    DID(netmesh_mesh(context, &mesh.it));
+    ask_of_points(NULL, POINTS);
+    request.it.mesh.method = &netmesh_method_netmesh;
+    DID(netmesh_mesh(context, &request.it));
     DID(netmesh_get_cage(context, 0, &cage.it));
     printf("cage about %u\n", (unsigned)cage.it.centre);
     bottleneck.it.pairs_a = bottleneck.it.pairs_b = &pair.it;

@@ -76,14 +76,20 @@ std::string fault_of_cycles(const netmesh_context* context, std::size_t pairs, V
     return "";
 }
 
+inline netmesh_request request_of(int dim, const std::vector<double>& x, const netmesh_filter* filter) {
+    netmesh_request request = netmesh_default_request();
+    request.points.coordinates = x.data();
+    request.points.count = x.size() / static_cast<std::size_t>(dim);
+    request.points.dim = static_cast<std::uint32_t>(dim);
+    request.filter = filter;
+    return request;
+}
+
 inline Answer ask_alpha(const Block& block, int dim, const std::vector<double>& x) {
     netmesh_context* const context = block.fresh();
-    netmesh_alpha_request request;
-    netmesh_alpha_request_init(&request, sizeof request, static_cast<std::uint32_t>(dim));
-    request.points = x.data();
-    request.point_count = x.size() / static_cast<std::size_t>(dim);
+    const netmesh_request request = request_of(dim, x, &netmesh_filter_alpha);
     Answer answer;
-    answer.status = netmesh_persist_alpha(context, &request);
+    answer.status = netmesh_persist(context, &request);
     if (answer.status == NETMESH_OK) answer.bars = read_bars(context);
     return answer;
 }
@@ -91,23 +97,16 @@ inline Answer ask_alpha(const Block& block, int dim, const std::vector<double>& 
 // By way of a triangulation, and with representatives.
 inline Answer ask_delaunay(const Block& block, int dim, const std::vector<double>& x, const Balls& balls) {
     netmesh_context* const context = block.fresh();
-    netmesh_delaunay_request request;
-    netmesh_delaunay_request_init(&request, sizeof request, static_cast<std::uint32_t>(dim));
-    request.points = x.data();
-    request.point_count = x.size() / static_cast<std::size_t>(dim);
-    request.purpose = NETMESH_PURPOSE_PERSIST;
+    netmesh_request request = request_of(dim, x, &netmesh_filter_alpha);
     Answer answer;
-    answer.status = netmesh_delaunay(context, &request);
+    answer.status = netmesh_mesh(context, &request);
     if (answer.status != NETMESH_OK) return answer;
-    netmesh_persist_request diagram;
-    netmesh_persist_request_init(&diagram, sizeof diagram);
-    diagram.filter = NETMESH_FILTER_ALPHA;
-    answer.status = netmesh_persist(context, &diagram);
+    request.points = {};  // what the context holds
+    answer.status = netmesh_persist(context, &request);
     if (answer.status != NETMESH_OK) return answer;
     answer.bars = read_bars(context);
-    netmesh_represent_request represent;
-    netmesh_represent_request_init(&represent, sizeof represent);
-    const netmesh_status status = netmesh_represent(context, &represent);
+    request.cycles = &netmesh_cycles;
+    const netmesh_status status = netmesh_persist(context, &request);
     answer.fault = status != NETMESH_OK ? "representatives: status " + std::to_string(status)
                                         : fault_of_cycles(context, answer.bars.size(), [&](Set set, double* value) {
                                               return balls.alpha(set, value);
@@ -116,19 +115,17 @@ inline Answer ask_delaunay(const Block& block, int dim, const std::vector<double
 }
 
 // `cycles`: with representatives, whose simplices have these values; of RIPS and CECH.
-inline Answer ask_points(const Block& block, int dim, const std::vector<double>& x, netmesh_filter filter, int k,
+inline Answer ask_points(const Block& block, int dim, const std::vector<double>& x, const netmesh_filter* filter, int k,
                          std::uint32_t max_degree, const Levels* cycles = nullptr) {
     netmesh_context* const context = block.fresh();
-    netmesh_points_request request;
-    netmesh_points_request_init(&request, sizeof request, static_cast<std::uint32_t>(dim), filter);
-    request.points = x.data();
-    request.point_count = x.size() / static_cast<std::size_t>(dim);
+    netmesh_request request = request_of(dim, x, filter);
     request.k = static_cast<std::uint32_t>(k);
     request.max_degree = max_degree;
-    request.values = NETMESH_VALUES_THESIS;  // of BARYCENTRIC_RIPS: not times 2^(1/4)
-    request.representatives = cycles != nullptr;
+    // Of BARYCENTRIC_RIPS: not times 2^(1/4).
+    if (filter == &netmesh_filter_barycentric_rips) request.values = NETMESH_VALUES_THESIS;
+    if (cycles != nullptr) request.cycles = &netmesh_cycles;
     Answer answer;
-    answer.status = netmesh_persist_points(context, &request);
+    answer.status = netmesh_persist(context, &request);
     if (answer.status != NETMESH_OK) return answer;
     answer.bars = read_bars(context);
     if (cycles != nullptr)
@@ -143,32 +140,32 @@ inline Answer ask_points(const Block& block, int dim, const std::vector<double>&
 inline Answer ask_distances(const Block& block, std::size_t n, const std::vector<double>& numbers,
                             std::uint32_t max_degree) {
     netmesh_context* const context = block.fresh();
-    netmesh_distances_request request;
-    netmesh_distances_request_init(&request, sizeof request);
-    request.layout = NETMESH_DISTANCES_LOWER;
-    request.numbers = numbers.data();
-    request.point_count = n;
+    netmesh_distances distances = {};
+    distances.struct_bytes = sizeof distances;
+    distances.layout = NETMESH_DISTANCES_LOWER;
+    distances.numbers = numbers.data();
+    distances.count = n;
+    netmesh_request request = netmesh_default_request();
+    request.distances = &distances;
+    request.filter = &netmesh_filter_rips;
     request.max_degree = max_degree;
     Answer answer;
-    answer.status = netmesh_persist_distances(context, &request);
+    answer.status = netmesh_persist(context, &request);
     if (answer.status == NETMESH_OK) answer.bars = read_bars(context);
     return answer;
 }
 
 // The diagrams of k = 1..k_last from one vineyard: [k - 1].
 inline std::vector<Answer> ask_vineyard(const Block& block, int dim, const std::vector<double>& x,
-                                        netmesh_filter filter, int k_last, std::uint32_t max_degree) {
+                                        const netmesh_filter* filter, int k_last, std::uint32_t max_degree) {
     netmesh_context* const context = block.fresh();
-    netmesh_points_vineyard_request request;
-    netmesh_points_vineyard_request_init(&request, sizeof request, static_cast<std::uint32_t>(dim), filter);
-    request.points = x.data();
-    request.point_count = x.size() / static_cast<std::size_t>(dim);
-    request.k_first = 1;
+    netmesh_request request = request_of(dim, x, filter);
+    request.k = 1;
     request.k_last = static_cast<std::uint32_t>(k_last);
     request.max_degree = max_degree;
-    request.values = NETMESH_VALUES_THESIS;
+    request.vines = &netmesh_vines;
     std::vector<Answer> answers(static_cast<std::size_t>(k_last));
-    const netmesh_status status = netmesh_points_vineyard(context, &request);
+    const netmesh_status status = netmesh_persist(context, &request);
     for (Answer& answer : answers) answer.status = status;
     if (status != NETMESH_OK) return answers;
     netmesh_vine_point point;
@@ -250,10 +247,11 @@ struct Plan {
 };
 
 inline bool is_served(int dim) {
-    netmesh_delaunay_request request;
-    netmesh_delaunay_request_init(&request, sizeof request, static_cast<std::uint32_t>(dim));
-    request.point_count = 1;
-    return netmesh_plan_delaunay(&request) != 0;
+    netmesh_request request = netmesh_default_request();
+    request.points.dim = static_cast<std::uint32_t>(dim);
+    request.points.count = 1;
+    request.filter = &netmesh_filter_alpha;
+    return netmesh_plan(&request) != 0;
 }
 
 // Nested sets of k_first to k_last + max_degree + 1 of n points, as many as a simplex of dimension max_degree + 1 has
@@ -333,10 +331,10 @@ inline std::vector<Finding> judge(const Block& block, int dim, const std::vector
 
     const Truth rips_truth = nerve_diagram(points, balls.rips, plan.rips_degree);
     begin(rips);
-    Answer answer = ask_points(block, dim, x, NETMESH_FILTER_RIPS, 1, plan.rips_degree, &balls.rips);
+    Answer answer = ask_points(block, dim, x, &netmesh_filter_rips, 0, plan.rips_degree, &balls.rips);
     note(rips, answer, rips_truth, fault_of(answer, rips_truth.bars), "with representatives: ");
     begin(rips);
-    answer = ask_points(block, dim, y, NETMESH_FILTER_RIPS, 1, plan.rips_degree);
+    answer = ask_points(block, dim, y, &netmesh_filter_rips, 0, plan.rips_degree);
     note(rips, answer, rips_truth, fault_of(answer, rips_truth.bars), "permuted: ");
 
     // Lengths rounded to doubles are distances of their own, of which halves are exact but for subnormal numbers.
@@ -369,28 +367,28 @@ inline std::vector<Finding> judge(const Block& block, int dim, const std::vector
     note(delaunay, answer, balls_truth, fault_of_alpha(answer, balls_truth.bars, cloud, balls));
 
     begin(cech);
-    answer = ask_points(block, dim, x, NETMESH_FILTER_CECH, 1, top, &balls.cech);
+    answer = ask_points(block, dim, x, &netmesh_filter_cech, 0, top, &balls.cech);
     note(cech, answer, balls_truth, fault_of_balls(answer, balls_truth.bars, cloud));
     begin(cech);
-    answer = ask_points(block, dim, y, NETMESH_FILTER_CECH, 1, top);
+    answer = ask_points(block, dim, y, &netmesh_filter_cech, 0, top);
     note(cech, answer, balls_truth, fault_of_balls(answer, balls_truth.bars, cloud), "permuted: ");
 
     const int k_last = std::min<int>(plan.k, static_cast<int>(n));
     const std::uint32_t degree = plan.nested_degree;
     begin(vineyard);
-    const std::vector<Answer> vines = ask_vineyard(block, dim, y, NETMESH_FILTER_BARYCENTRIC_CECH, k_last, degree);
+    const std::vector<Answer> vines = ask_vineyard(block, dim, y, &netmesh_filter_barycentric_cech, k_last, degree);
     for (int k = 1; k <= k_last; ++k) {
         const std::vector<Set> sets = members(n, k);
         const std::string how = "k = " + std::to_string(k) + ": ";
         const Truth nested = nerve_diagram(sets, balls.cech, degree);
         begin(nested_cech);
-        answer = ask_points(block, dim, x, NETMESH_FILTER_BARYCENTRIC_CECH, k, degree);
+        answer = ask_points(block, dim, x, &netmesh_filter_barycentric_cech, k, degree);
         note(nested_cech, answer, nested, fault_of_balls(answer, nested.bars, cloud), how);
         const Answer& vine = vines[static_cast<std::size_t>(k) - 1];
         note(vineyard, vine, nested, fault_of_balls(vine, nested.bars, cloud), how);
         const Truth edges = nerve_diagram(sets, balls.rips, degree);
         begin(nested_rips);
-        answer = ask_points(block, dim, x, NETMESH_FILTER_BARYCENTRIC_RIPS, k, degree);
+        answer = ask_points(block, dim, x, &netmesh_filter_barycentric_rips, k, degree);
         note(nested_rips, answer, edges, fault_of(answer, edges.bars), how);
     }
     return found;

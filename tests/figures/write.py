@@ -1,16 +1,17 @@
 #!/usr/bin/env python3
 """Writes measured figures into the documents, between `<!-- figures: NAME -->` and `<!-- end -->`.
 
-  write.py stack BUILD      stack of every public call, by the compiler's call graph   -> tests/CHECKS.md
+  write.py stack BUILD      stack of every public call, by the compiler's call graph   -> FIGURES.md
   write.py jobs BUILD       stack of the documented jobs: of the Release build in BUILD for 64-bit machines, and of
                             engines for every core of platform/cortexm/cores.txt, which are built in BUILD/stack
                                                                                        -> engine/include/netmesh/job.h
-  write.py size BUILD       code and constants by folder and dimension                 -> tests/CHECKS.md
-  write.py bare LOG         what `platform/cortexm/run` printed                        -> tests/CHECKS.md
+  write.py size BUILD       code and constants by folder and dimension                 -> FIGURES.md
+  write.py bare LOG         what `platform/cortexm/run` printed                        -> FIGURES.md
+  write.py gaps LOG         what `tests/gaps/run short 3` printed                      -> FIGURES.md
   write.py coverage LOG     what `tests/coverage/run` printed                          -> tests/coverage/COVERAGE.md
   write.py light WORK       what jobs take on a board, measured by tests/embedding/footprint.py in WORK
                                                                                        -> tools/docs/small-parts.md
-  write.py lemmas LOG       what `test_mesh -tc="every lemma*"` printed (CHECKS.md)    -> tests/CHECKS.md
+  write.py lemmas LOG       what `test_mesh -tc="every lemma*"` printed                -> FIGURES.md
 
 Nothing between the marks is written by hand. Exit code 1: the marks or the figures are missing."""
 import argparse
@@ -24,7 +25,7 @@ sys.path[:0] = [os.path.join(TESTS, "archive"), os.path.join(TESTS, "stack")]
 import check as graph_check  # noqa: E402
 import run as stack_run  # noqa: E402
 
-CHECKS = os.path.join(TESTS, "CHECKS.md")
+FIGURES = os.path.join(TESTS, "figures", "FIGURES.md")
 JOB_HEADER = os.path.join(os.path.dirname(TESTS), "engine", "include", "netmesh", "job.h")
 SMALL_PARTS = os.path.join(os.path.dirname(TESTS), "tools", "docs", "small-parts.md")
 COVERAGE = os.path.join(TESTS, "coverage", "COVERAGE.md")
@@ -70,7 +71,7 @@ def stack(build):
     small = [int(c[1]) for c in calls if int(c[1]) < STACK_LEAST]
     rows = [["`%s`" % c[0]] + c[2:] for c in sorted(calls, key=lambda c: -int(c[1])) if int(c[1]) >= STACK_LEAST]
     text = table(["bytes"] + ["D = " + d for d in dimensions], rows)
-    put(CHECKS, "stack", text + ["", "%d other calls take at most %d bytes." % (len(small), max(small))])
+    put(FIGURES, "stack", text + ["", "%d other calls take at most %d bytes." % (len(small), max(small))])
 
 
 def promises(graphs):
@@ -121,13 +122,23 @@ def size(build):
     for line in lines[1:]:
         name, numbers = re.match(r"(.*?)((?:\s+\d+)+)$", line).groups()
         rows.append([name] + ["{:,}".format(int(n)) if int(n) > 0 else "" for n in numbers.split()])
-    put(CHECKS, "size", table(["bytes"] + columns, rows))
+    put(FIGURES, "size", table(["bytes"] + columns, rows))
 
 
 def bare(log):
     with open(log, encoding="utf-8") as f:
         lines = [line.rstrip() for line in f if line.startswith("cortex-")]
-    put(CHECKS, "bare", ["```"] + lines + ["```"])
+    put(FIGURES, "bare", ["```"] + lines + ["```"])
+
+
+def gaps(log):
+    """Lines of calls alone."""
+    line_of_call = re.compile(r"(.*\S)\s+D3 +(\d+) +(\d+) +([\d.]+) +([\d.]+) ")
+    with open(log, encoding="utf-8") as f:
+        calls = [found.groups() for found in map(line_of_call.match, f) if found]
+    rows = [[name, "{:,}".format(int(points)), "{:,.1f}".format(float(millions)), "{:,}".format(int(polls)),
+             "%.1f" % float(longest)] for name, points, polls, millions, longest in calls]
+    put(FIGURES, "gaps", rows and table(["call", "points", "millions", "polls", "longest"], rows))
 
 
 def coverage(log):
@@ -173,14 +184,14 @@ def lemmas(log):
                     [str(sum(int(c[2]) for c in cells))])
     head = ["lemma"] + ["checks, D = " + d for d in dims] + ["worst, D = " + d for d in dims] + ["violations"]
     more = [[name] + [largest[d].get(name, "") for d in dims] for name in sorted({n for d in dims for n in largest[d]})]
-    put(CHECKS, "lemmas", ["Inputs: " + ", ".join("{:,} in {}D".format(titles[d], d) for d in dims) + ".", ""] +
+    put(FIGURES, "lemmas", ["Inputs: " + ", ".join("{:,} in {}D".format(titles[d], d) for d in dims) + ".", ""] +
         table(head, text) + ["", "Largest values of what has no bound with a number:", ""] +
         table(["largest"] + ["D = " + d for d in dims], more))
 
 
 def main():
-    writers = {"stack": stack, "jobs": jobs, "size": size, "bare": bare, "coverage": coverage, "light": light,
-               "lemmas": lemmas}
+    writers = {"stack": stack, "jobs": jobs, "size": size, "bare": bare, "gaps": gaps, "coverage": coverage,
+               "light": light, "lemmas": lemmas}
     if len(sys.argv) != 3 or sys.argv[1] not in writers:
         sys.exit(__doc__)
     writers[sys.argv[1]](sys.argv[2])

@@ -6,6 +6,7 @@
 #include <cmath>
 #include <vector>
 
+#include "api/objects.hpp"
 #include "certificate/cells.hpp"
 #include "common/dimensions.hpp"
 #include "common/filtered_mesh.hpp"
@@ -139,7 +140,8 @@ public:
         std::vector<double> value(count());
         std::vector<Interval> interval(count());
         Evaluation out = {value.data(), interval.data()};
-        REQUIRE(evaluate(mesh, {NETMESH_FILTER_COMPLETE, FilterValues::certified}, work, &out) == Status::ok);
+        REQUIRE(evaluate(mesh, {NETMESH_FILTER_COMPLETE, &complete_on_mesh, FilterValues::certified}, work, &out) ==
+                Status::ok);
         CHECK(out.certificate.ratio <= goal_.ratio);
         check_samples(interval);
         const double ratio2 = goal_.ratio * goal_.ratio, focus2 = goal_.focus * goal_.focus;
@@ -167,14 +169,15 @@ public:
 private:
     // Where no intervals are asked for cells are clipped as far as values depend on it: values and ratios are the same.
     void check_without_intervals(const FilteredMesh<D>& mesh) {
-        for (const netmesh_filter filter : {NETMESH_FILTER_COMPLETE, NETMESH_FILTER_BASIC})
+        for (const auto& [filter, on_mesh] : {std::pair(NETMESH_FILTER_COMPLETE, &complete_on_mesh),
+                                              std::pair(NETMESH_FILTER_BASIC, netmesh_filter_basic.on_mesh)})
             for (const FilterValues values : {FilterValues::certified, FilterValues::thesis}) {
                 std::vector<double> closely(count()), alone(count());
                 std::vector<Interval> interval(count());
                 Evaluation all = {closely.data(), interval.data()}, some = {alone.data()};
                 const Work work = {this->block.arena, this->monitor};
-                REQUIRE(evaluate(mesh, {filter, values}, work, &all) == Status::ok);
-                REQUIRE(evaluate(mesh, {filter, values}, work, &some) == Status::ok);
+                REQUIRE(evaluate(mesh, {filter, on_mesh, values}, work, &all) == Status::ok);
+                REQUIRE(evaluate(mesh, {filter, on_mesh, values}, work, &some) == Status::ok);
                 CHECK(closely == alone);
                 CHECK(all.certificate.ratio == some.certificate.ratio);
                 CHECK(all.certificate.ratio_best == some.certificate.ratio_best);
@@ -343,8 +346,8 @@ TEST_CASE("absent vertices have a value and an interval and count nowhere") {
     std::vector<Interval> interval(count);
     Evaluation out = {value.data(), interval.data()};
     const auto run = [&] {
-        REQUIRE(evaluate(filtered, {NETMESH_FILTER_COMPLETE, FilterValues::certified}, {mesh.block.arena, mesh.monitor},
-                         &out) == Status::ok);
+        REQUIRE(evaluate(filtered, {NETMESH_FILTER_COMPLETE, &complete_on_mesh, FilterValues::certified},
+                         {mesh.block.arena, mesh.monitor}, &out) == Status::ok);
         return out.certificate.ratio;
     };
     double before = run();

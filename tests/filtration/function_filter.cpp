@@ -7,6 +7,7 @@
 #include <cmath>
 #include <vector>
 
+#include "api/objects.hpp"
 #include "common/dimensions.hpp"
 #include "common/filtered_mesh.hpp"
 #include "common/meshed.hpp"
@@ -35,8 +36,10 @@ double brute(const inputs::Points& points, int dim, const double* x, std::uint32
     return std::sqrt(sum / k);
 }
 
-netmesh_filter filter_of(InputDistance kind) {
-    return kind == InputDistance::kth ? NETMESH_FILTER_KNN : NETMESH_FILTER_KDISTANCE;
+FilterRequest request_of(InputDistance kind, FilterValues values, std::uint32_t k) {
+    return kind == InputDistance::kth
+               ? FilterRequest{NETMESH_FILTER_KNN, netmesh_filter_knn.on_mesh, values, k}
+               : FilterRequest{NETMESH_FILTER_KDISTANCE, netmesh_filter_kdistance.on_mesh, values, k};
 }
 
 template <int D> struct Mesh {
@@ -77,7 +80,7 @@ template <int D> void sample_distances(const inputs::Points& points, double tau,
                 Monitor monitor;
                 Evaluation evaluation = {value.data()};
                 const std::size_t used = mesh.block.arena.bytes_used();
-                REQUIRE(evaluate(mesh.filtered(), {filter_of(kind), values, k}, {mesh.block.arena, monitor},
+                REQUIRE(evaluate(mesh.filtered(), request_of(kind, values, k), {mesh.block.arena, monitor},
                                  &evaluation) == Status::ok);
                 CHECK(evaluation.zero_born == 0);
                 const Certificate certificate = evaluation.certificate;
@@ -164,8 +167,8 @@ TEST_CASE("intervals of d_k and the k-distance hold at the corners of cells") {
             std::vector<double> value(mesh.state.vertex_count);
             std::vector<Interval> interval(mesh.state.vertex_count);
             Evaluation out = {value.data(), interval.data()};
-            REQUIRE(evaluate(mesh.filtered(), {filter_of(kind), FilterValues::certified, k},
-                             {mesh.block.arena, monitor}, &out) == Status::ok);
+            REQUIRE(evaluate(mesh.filtered(), request_of(kind, FilterValues::certified, k), {mesh.block.arena, monitor},
+                             &out) == Status::ok);
             int below_cut = 0;
             for_each_corner<2>(mesh.store, [&](VertexId v, const double* corner, double) {
                 const double f = std::min(brute(points, 2, corner, k, kind), cut);
@@ -197,8 +200,9 @@ TEST_CASE("the interval of d_2 holds what is as far as it can be") {
     std::vector<double> value(state.vertex_count);
     std::vector<Interval> interval(state.vertex_count);
     Evaluation out = {value.data(), interval.data()};
-    REQUIRE(evaluate(FilteredMesh<2>{store, domain, 2}, {NETMESH_FILTER_KNN, FilterValues::thesis, 2},
-                     {block.arena, monitor}, &out) == Status::ok);
+    REQUIRE(evaluate(FilteredMesh<2>{store, domain, 2},
+                     {NETMESH_FILTER_KNN, netmesh_filter_knn.on_mesh, FilterValues::thesis, 2}, {block.arena, monitor},
+                     &out) == Status::ok);
     CHECK(value[2] == 2);
     CHECK(interval[2].hi >= 3);
     CHECK(interval[2].hi <= 3 * (1 + 1e-11));
@@ -284,10 +288,11 @@ TEST_CASE("eps-refined meshes keep the bound of 8.6.4") {
         for (const std::uint32_t k : {2u, 5u}) {
             Monitor monitor;
             Evaluation evaluation = {value.data()};
-            REQUIRE(evaluate(mesh.filtered(), {NETMESH_FILTER_KNN, FilterValues::thesis, k},
+            REQUIRE(evaluate(mesh.filtered(), {NETMESH_FILTER_KNN, netmesh_filter_knn.on_mesh, FilterValues::thesis, k},
                              {mesh.block.arena, monitor}, &evaluation) == Status::ok);
             CHECK(evaluation.certificate.ratio <= 1 / (1 - eps) * (1 + 1e-9));
-            REQUIRE(evaluate(mesh.filtered(), {NETMESH_FILTER_KDISTANCE, FilterValues::thesis, k},
+            REQUIRE(evaluate(mesh.filtered(),
+                             {NETMESH_FILTER_KDISTANCE, netmesh_filter_kdistance.on_mesh, FilterValues::thesis, k},
                              {mesh.block.arena, monitor}, &evaluation) == Status::ok);
             CHECK(evaluation.certificate.ratio <= 1 / (1 - std::sqrt(2.0) * eps) * (1 + 1e-9));
         }
@@ -376,7 +381,7 @@ TEST_CASE("too little memory is said") {
     Monitor monitor;
     const std::size_t high = mesh.block.arena.high_mark();
     REQUIRE(mesh.block.arena.take_low<unsigned char>(mesh.block.arena.bytes_free() - 512) != nullptr);
-    CHECK(evaluate(mesh.filtered(), {NETMESH_FILTER_KNN, FilterValues::thesis, 3}, {mesh.block.arena, monitor},
-                   &evaluation) == Status::out_of_memory);
+    CHECK(evaluate(mesh.filtered(), {NETMESH_FILTER_KNN, netmesh_filter_knn.on_mesh, FilterValues::thesis, 3},
+                   {mesh.block.arena, monitor}, &evaluation) == Status::out_of_memory);
     CHECK(mesh.block.arena.high_mark() == high);
 }

@@ -6,6 +6,7 @@
 #include <cmath>
 #include <vector>
 
+#include "api/objects.hpp"
 #include "common/dimensions.hpp"
 #include "common/filtered_mesh.hpp"
 #include "common/meshed.hpp"
@@ -25,7 +26,7 @@ template <int D> void sample_inclusions(const inputs::Points& points, double tau
     std::vector<double> value(store.state.vertex_count);
     for (const FilterValues kind : {FilterValues::certified, FilterValues::thesis}) {
         Evaluation complete = {value.data()};
-        REQUIRE(evaluate(FilteredMesh<D>{store, domain, inputs}, {NETMESH_FILTER_COMPLETE, kind},
+        REQUIRE(evaluate(FilteredMesh<D>{store, domain, inputs}, {NETMESH_FILTER_COMPLETE, &complete_on_mesh, kind},
                          {mesh.block.arena, mesh.monitor}, &complete) == Status::ok);
         CHECK(complete.zero_born == inputs);
         const Certificate certificate = complete.certificate;
@@ -87,11 +88,11 @@ TEST_CASE_TEMPLATE_DEFINE("the thesis's own values by looking at all vertices, a
     std::vector<double> value(count), input_distance(count);
     std::vector<Interval> interval(count);
     Evaluation out = {value.data(), interval.data()};
-    const auto run = [&](netmesh_filter filter) {
-        REQUIRE(evaluate(filtered, {filter, FilterValues::thesis}, {mesh.block.arena, mesh.monitor}, &out) ==
+    const auto run = [&](netmesh_filter_id filter, const MeshFilter* on_mesh) {
+        REQUIRE(evaluate(filtered, {filter, on_mesh, FilterValues::thesis}, {mesh.block.arena, mesh.monitor}, &out) ==
                 Status::ok);
     };
-    run(NETMESH_FILTER_COMPLETE);
+    run(NETMESH_FILTER_COMPLETE, &complete_on_mesh);
     for (std::uint32_t v = 0; v < count; ++v) {
         double to_input = infinity, to_vertex = infinity;
         for (std::uint32_t w = 0; w < count; ++w) {
@@ -104,8 +105,9 @@ TEST_CASE_TEMPLATE_DEFINE("the thesis's own values by looking at all vertices, a
     }
     // Were they on the hull, cells would reach as far as there is space, whatever corners they have.
     for (std::uint32_t v = inputs; v < count; ++v) mesh.store.vertex(v).marker = Marker::exempt;
-    for (const netmesh_filter filter : {NETMESH_FILTER_COMPLETE, NETMESH_FILTER_BASIC}) {
-        run(filter);
+    for (const bool basic : {false, true}) {
+        run(basic ? NETMESH_FILTER_BASIC : NETMESH_FILTER_COMPLETE,
+            basic ? netmesh_filter_basic.on_mesh : &complete_on_mesh);
         for (std::uint32_t v = inputs; v < count; ++v) {
             CHECK(interval[v].hi == cut);
             CHECK(interval[v].lo <= input_distance[v] / 2);
@@ -133,7 +135,8 @@ TEST_CASE("the basic filter gives inputs zero and says from where its ratio hold
     const Domain<2>& domain = mesh.result.domain;
     std::vector<double> value(store.state.vertex_count);
     Evaluation basic = {value.data()};
-    REQUIRE(evaluate(FilteredMesh<2>{store, domain, 100}, {NETMESH_FILTER_BASIC, FilterValues::thesis},
+    REQUIRE(evaluate(FilteredMesh<2>{store, domain, 100},
+                     {NETMESH_FILTER_BASIC, netmesh_filter_basic.on_mesh, FilterValues::thesis},
                      {mesh.block.arena, mesh.monitor}, &basic) == Status::ok);
     CHECK(basic.zero_born == 0);
     const Certificate certificate = basic.certificate;

@@ -24,12 +24,12 @@ constexpr double infinity = std::numeric_limits<double>::infinity();
 using Diagram = std::vector<netmesh_pair>;
 using Vector = std::vector<long double>;
 
-Diagram persist(int dim, const inputs::Points& points, netmesh_filter filter, std::uint32_t k, std::uint32_t degree,
-                netmesh_values values = NETMESH_VALUES_CERTIFIED) {
+Diagram persist(int dim, const inputs::Points& points, const netmesh_filter* filter, std::uint32_t k,
+                std::uint32_t degree, netmesh_values values = NETMESH_VALUES_CERTIFIED) {
     Session session(dim);
-    netmesh_points_request request = session.points_request(points, filter, k, degree);
+    netmesh::Request request = session.points_request(points, filter, k, degree);
     request.values = values;
-    REQUIRE(session.points(request) == NETMESH_OK);
+    REQUIRE(session.persist_until_it_fits(request) == NETMESH_OK);
     return session.pairs();
 }
 
@@ -220,12 +220,12 @@ TEST_CASE("Rips and Cech diagrams equal the textbook's on all simplices") {
             for (std::uint32_t degree = 0; degree <= 3; ++degree) {
                 const auto all = subsets(n, 1, degree + 2);
                 const auto rips = oracle::filter(all, [&](const Simplex& s) { return half_diameter(points, dim, s); });
-                CHECK(distance(persist(dim, points, NETMESH_FILTER_RIPS, 0, degree), textbook(rips, degree),
+                CHECK(distance(persist(dim, points, &netmesh_filter_rips, 0, degree), textbook(rips, degree),
                                NETMESH_SCALE_PLAIN) <= 1e-12);
                 if (degree > 2) continue;
                 const auto cech = oracle::filter(
                     all, [&](const Simplex& s) { return enclosing_radius(points, dim, s) + 1e-13 * double(s.size()); });
-                CHECK(distance(persist(dim, points, NETMESH_FILTER_CECH, 0, degree), textbook(cech, degree),
+                CHECK(distance(persist(dim, points, &netmesh_filter_cech, 0, degree), textbook(cech, degree),
                                NETMESH_SCALE_PLAIN) <= 1e-11);
             }
         }
@@ -233,18 +233,18 @@ TEST_CASE("Rips and Cech diagrams equal the textbook's on all simplices") {
 }
 
 TEST_CASE("degrees beyond what the points can have") {
-    CHECK(persist(2, {1, 2}, NETMESH_FILTER_RIPS, 0, 30).size() == 1);
-    CHECK(persist(2, {1, 2, 1, 2}, NETMESH_FILTER_CECH, 0, 5).size() == 1);
-    const Diagram two = persist(2, {0, 0, 3, 4}, NETMESH_FILTER_CECH, 0, 1);
+    CHECK(persist(2, {1, 2}, &netmesh_filter_rips, 0, 30).size() == 1);
+    CHECK(persist(2, {1, 2, 1, 2}, &netmesh_filter_cech, 0, 5).size() == 1);
+    const Diagram two = persist(2, {0, 0, 3, 4}, &netmesh_filter_cech, 0, 1);
     REQUIRE(two.size() == 2);
     CHECK(two[0].death == 2.5);
     // Four corners of a square: a circle, and in the Rips complex of the octahedron's corners a sphere.
-    const Diagram square = persist(2, {0, 0, 1, 0, 1, 1, 0, 1}, NETMESH_FILTER_RIPS, 0, 2);
+    const Diagram square = persist(2, {0, 0, 1, 0, 1, 1, 0, 1}, &netmesh_filter_rips, 0, 2);
     CHECK(square.back().degree == 1);
     CHECK(square.back().birth == 0.5);
     CHECK(square.back().death == std::sqrt(2.0) / 2);
     const Diagram octahedron =
-        persist(3, {1, 0, 0, -1, 0, 0, 0, 1, 0, 0, -1, 0, 0, 0, 1, 0, 0, -1}, NETMESH_FILTER_RIPS, 0, 2);
+        persist(3, {1, 0, 0, -1, 0, 0, 0, 1, 0, 0, -1, 0, 0, 0, 1, 0, 0, -1}, &netmesh_filter_rips, 0, 2);
     CHECK(octahedron.back().degree == 2);
     CHECK(octahedron.back().birth == std::sqrt(2.0) / 2);
     CHECK(octahedron.back().death == 1);
@@ -252,9 +252,9 @@ TEST_CASE("degrees beyond what the points can have") {
 
 TEST_CASE("far and near points") {
     const double huge = 1.5e308, tiny = 4.9e-324;
-    const Diagram far = persist(2, {-huge, 0, huge, 0}, NETMESH_FILTER_RIPS, 0, 1);
+    const Diagram far = persist(2, {-huge, 0, huge, 0}, &netmesh_filter_rips, 0, 1);
     CHECK(far[0].death == huge);
-    const Diagram near = persist(2, {0, 0, 4 * tiny, 0, 0, 1}, NETMESH_FILTER_RIPS, 0, 1);
+    const Diagram near = persist(2, {0, 0, 4 * tiny, 0, 0, 1}, &netmesh_filter_rips, 0, 1);
     CHECK(near[0].death == 2 * tiny);
 }
 
@@ -264,11 +264,11 @@ TEST_CASE("in every dimension: points far apart and close, right triangles, two 
         const std::size_t d = static_cast<std::size_t>(dim), n = d + 3;
         const std::uint32_t degree = static_cast<std::uint32_t>(dim) - 1;
         const inputs::Points points = inputs::uniform(dim, n);
-        const Diagram base = persist(dim, points, NETMESH_FILTER_CECH, 0, degree);
+        const Diagram base = persist(dim, points, &netmesh_filter_cech, 0, degree);
         for (const double scale : {0x1p600, 0x1p-600}) {
             inputs::Points scaled = points;
             for (double& x : scaled) x *= scale;
-            const Diagram other = persist(dim, scaled, NETMESH_FILTER_CECH, 0, degree);
+            const Diagram other = persist(dim, scaled, &netmesh_filter_cech, 0, degree);
             REQUIRE(other.size() == base.size());
             for (std::size_t i = 0; i < base.size(); ++i) {
                 CHECK(other[i].birth / scale == doctest::Approx(base[i].birth));
@@ -279,14 +279,14 @@ TEST_CASE("in every dimension: points far apart and close, right triangles, two 
         inputs::Points right(3 * d, 0.0);
         right[d] = 6;
         right[2 * d + 1] = 8;
-        const Diagram triangle = persist(dim, right, NETMESH_FILTER_CECH, 0, 1);
+        const Diagram triangle = persist(dim, right, &netmesh_filter_cech, 0, 1);
         REQUIRE(triangle.size() == 3);
         CHECK(triangle[0].death == 3);
         CHECK(triangle[1].death == 4);
         CHECK(triangle[2].death == infinity);
         // Two points have no simplices of the dimension that was asked for.
         right.resize(2 * d);
-        const Diagram two = persist(dim, right, NETMESH_FILTER_CECH, 0, 4);
+        const Diagram two = persist(dim, right, &netmesh_filter_cech, 0, 4);
         REQUIRE(two.size() == 2);
         CHECK(two[0].death == 3);
     }
@@ -396,11 +396,11 @@ TEST_CASE("barycentric Cech equals the k-nerve on 50 random sets, Rips is within
         for (std::uint32_t k = 1; k <= 4; ++k) {
             CAPTURE(k);
             const Diagram exact = k_nerve(points, dim, k, 1);
-            const Diagram cech = persist(dim, points, NETMESH_FILTER_BARYCENTRIC_CECH, k, 1);
+            const Diagram cech = persist(dim, points, &netmesh_filter_barycentric_cech, k, 1);
             CHECK(distance(cech, exact, NETMESH_SCALE_PLAIN) <= 1e-9);
-            const Diagram rips = persist(dim, points, NETMESH_FILTER_BARYCENTRIC_RIPS, k, 1);
+            const Diagram rips = persist(dim, points, &netmesh_filter_barycentric_rips, k, 1);
             CHECK(distance(rips, cech, NETMESH_SCALE_LOG) <= std::pow(2, 0.25) * (1 + 1e-11));
-            const Diagram own = persist(dim, points, NETMESH_FILTER_BARYCENTRIC_RIPS, k, 1, NETMESH_VALUES_THESIS);
+            const Diagram own = persist(dim, points, &netmesh_filter_barycentric_rips, k, 1, NETMESH_VALUES_THESIS);
             CHECK(distance(own, cech, NETMESH_SCALE_LOG) <= std::sqrt(2.0) * (1 + 1e-11));
         }
     }
@@ -409,22 +409,22 @@ TEST_CASE("barycentric Cech equals the k-nerve on 50 random sets, Rips is within
 TEST_CASE("barycentric Cech in degree 2, and of one point each is the Cech complex") {
     for (std::uint64_t seed = 1; seed <= 4; ++seed) {
         const inputs::Points points = inputs::uniform(3, 6, 200 + seed);
-        CHECK(distance(persist(3, points, NETMESH_FILTER_BARYCENTRIC_CECH, 2, 2), k_nerve(points, 3, 2, 2),
+        CHECK(distance(persist(3, points, &netmesh_filter_barycentric_cech, 2, 2), k_nerve(points, 3, 2, 2),
                        NETMESH_SCALE_PLAIN) <= 1e-9);
         const inputs::Points more = inputs::uniform(2, 14, 300 + seed);
-        CHECK(distance(persist(2, more, NETMESH_FILTER_BARYCENTRIC_CECH, 1, 1),
-                       persist(2, more, NETMESH_FILTER_CECH, 0, 1), NETMESH_SCALE_PLAIN) <= 1e-15);
+        CHECK(distance(persist(2, more, &netmesh_filter_barycentric_cech, 1, 1),
+                       persist(2, more, &netmesh_filter_cech, 0, 1), NETMESH_SCALE_PLAIN) <= 1e-15);
     }
 }
 
 TEST_CASE("the report names filter, k and ratio; arguments are checked") {
     Session session(2);
     const inputs::Points points = inputs::uniform(2, 8);
-    const auto call = [&](netmesh_filter filter, std::uint32_t k, std::uint32_t degree) {
-        const netmesh_points_request request = session.points_request(points, filter, k, degree);
-        return netmesh_persist_points(session.context, &request);
+    const auto call = [&](const netmesh_filter* filter, std::uint32_t k, std::uint32_t degree) {
+        const netmesh::Request request = session.points_request(points, filter, k, degree);
+        return netmesh_persist(session.context, &request);
     };
-    REQUIRE(call(NETMESH_FILTER_BARYCENTRIC_RIPS, 3, 1) == NETMESH_OK);
+    REQUIRE(call(&netmesh_filter_barycentric_rips, 3, 1) == NETMESH_OK);
     netmesh_report r = session.report();
     CHECK(r.diagram.filter == NETMESH_FILTER_BARYCENTRIC_RIPS);
     CHECK(r.diagram.k == 3);
@@ -432,47 +432,46 @@ TEST_CASE("the report names filter, k and ratio; arguments are checked") {
     CHECK(r.input.points == 8);
     CHECK(r.diagram.simplices == netmesh::barycentric_count(8, 3, 5, 2));
     CHECK(r.diagram.essential[0] == 1);
-    for (const std::uint32_t k : {0u, 9u}) {
-        CHECK(call(NETMESH_FILTER_BARYCENTRIC_CECH, k, 1) == NETMESH_INVALID_ARGUMENT);
-        CHECK(session.detail().field == NETMESH_FIELD_K);
-    }
-    CHECK(call(NETMESH_FILTER_BARYCENTRIC_CECH, 8, 1) == NETMESH_OK);
+    CHECK(call(&netmesh_filter_barycentric_cech, 9, 1) == NETMESH_INVALID_ARGUMENT);
+    CHECK(session.detail().field == NETMESH_FIELD_K);
+    CHECK(call(&netmesh_filter_barycentric_cech, 0, 1) == NETMESH_OK);
+    CHECK(session.report().diagram.k == 1);
+    CHECK(call(&netmesh_filter_barycentric_cech, 8, 1) == NETMESH_OK);
     CHECK(session.pairs().size() == 1);
-    CHECK(call(NETMESH_FILTER_BARYCENTRIC_CECH, 30, 1) == NETMESH_INVALID_ARGUMENT);
-    CHECK(call(NETMESH_FILTER_RIPS, 0, 31) == NETMESH_INVALID_ARGUMENT);
+    CHECK(call(&netmesh_filter_barycentric_cech, 30, 1) == NETMESH_INVALID_ARGUMENT);
+    CHECK(call(&netmesh_filter_rips, 0, 31) == NETMESH_INVALID_ARGUMENT);
     for (const double threshold : {-1.0, std::nan(""), 1.0}) {
-        netmesh_points_request request = session.points_request(points, NETMESH_FILTER_CECH);
+        netmesh::Request request = session.points_request(points, &netmesh_filter_cech);
         request.threshold = threshold;
-        CHECK(session.points(request) == NETMESH_INVALID_ARGUMENT);
+        CHECK(session.persist_until_it_fits(request) == NETMESH_INVALID_ARGUMENT);
         CHECK(session.detail().field == NETMESH_FIELD_THRESHOLD);
     }
-    CHECK(call(NETMESH_FILTER_ALPHA, 0, 1) == NETMESH_INVALID_ARGUMENT);
-    CHECK(call(NETMESH_FILTER_CECH, 0, 1) == NETMESH_OK);
-    CHECK(session.persist(NETMESH_FILTER_ALPHA) == NETMESH_NO_RESULT);
+    CHECK(call(&netmesh_filter_cech, 0, 1) == NETMESH_OK);
+    CHECK(session.persist(&netmesh_filter_alpha) == NETMESH_NO_RESULT);
     CHECK(session.check() == NETMESH_NO_RESULT);
     auto v = netmesh::sized<netmesh_vertex>();
     CHECK(netmesh_get_vertex(session.context, 0, &v) == NETMESH_INVALID_ARGUMENT);
     inputs::Points bad = points;
     bad[7] = std::nan("");
-    CHECK(session.points(session.points_request(bad, NETMESH_FILTER_RIPS)) == NETMESH_NOT_FINITE);
+    CHECK(session.persist_until_it_fits(session.points_request(bad, &netmesh_filter_rips)) == NETMESH_NOT_FINITE);
     CHECK(session.detail().index_a == 3);
 }
 
 TEST_CASE("what is planned is enough, what is too small says so") {
-    for (const netmesh_filter filter :
-         {NETMESH_FILTER_RIPS, NETMESH_FILTER_CECH, NETMESH_FILTER_BARYCENTRIC_CECH, NETMESH_FILTER_BARYCENTRIC_RIPS}) {
-        const bool sets = filter >= NETMESH_FILTER_BARYCENTRIC_CECH;
+    for (const netmesh_filter* const filter : {&netmesh_filter_rips, &netmesh_filter_cech,
+                                               &netmesh_filter_barycentric_cech, &netmesh_filter_barycentric_rips}) {
+        const bool sets = filter == &netmesh_filter_barycentric_cech || filter == &netmesh_filter_barycentric_rips;
         for (const std::size_t n : {1, 5, 13, 40}) {
             if (sets && n > 13) continue;
             Session session(3);
             const inputs::Points points = inputs::uniform(3, n);
-            const netmesh_points_request request = session.points_request(points, filter);
-            const std::size_t planned = netmesh_plan_points(&request);
+            const netmesh::Request request = session.points_request(points, filter);
+            const std::size_t planned = netmesh_plan(&request);
             bool fitted = false;
             for (const double share : {0.001, 0.01, 0.1, 0.2, 0.4, 1.0}) {
                 const std::size_t bytes = static_cast<std::size_t>(share * static_cast<double>(planned)) + 4096;
                 session.reserve(bytes);
-                const netmesh_status status = netmesh_persist_points(session.context, &request);
+                const netmesh_status status = netmesh_persist(session.context, &request);
                 CHECK((status == NETMESH_OK || status == NETMESH_OUT_OF_MEMORY));
                 CHECK(!(fitted && status != NETMESH_OK));
                 fitted = fitted || status == NETMESH_OK;
@@ -481,10 +480,12 @@ TEST_CASE("what is planned is enough, what is too small says so") {
             CHECK(fitted);
         }
     }
-    netmesh::requests::Points many(3, NETMESH_FILTER_RIPS), wrong(3, NETMESH_FILTER_ALPHA);
-    many.point_count = 1u << 28;
-    many.max_degree = 30;
-    CHECK(netmesh_plan_points(&many) == SIZE_MAX);
-    wrong.point_count = 5;
-    CHECK(netmesh_plan_points(&wrong) == 0);
+    netmesh::Request request(&netmesh_filter_rips);
+    request.points.dim = 3;
+    request.points.count = 1u << 28;
+    request.max_degree = 30;
+    CHECK(netmesh_plan(&request) == SIZE_MAX);
+    request.points.count = 5;
+    request.k = 2;
+    CHECK(netmesh_plan(&request) == 0);
 }

@@ -47,7 +47,7 @@ template <int D> void sample_cover(const inputs::Points& points, const MeshReque
     std::vector<Interval> interval(count);
     Evaluation tight = {value.data(), interval.data()};
     REQUIRE(evaluate(FilteredMesh<D>{mesh.store, mesh.result.domain, inputs},
-                     {NETMESH_FILTER_TIGHT, FilterValues::certified}, {mesh.block.arena, mesh.monitor},
+                     {NETMESH_FILTER_TIGHT, &tight_on_mesh, FilterValues::certified}, {mesh.block.arena, mesh.monitor},
                      &tight) == Status::ok);
     // Clumps by their definition.
     std::vector<std::uint32_t> clump(count, none);
@@ -61,7 +61,7 @@ template <int D> void sample_cover(const inputs::Points& points, const MeshReque
     std::vector<double> own(count);
     Evaluation thesis = {own.data()};
     REQUIRE(evaluate(FilteredMesh<D>{mesh.store, mesh.result.domain, inputs},
-                     {NETMESH_FILTER_TIGHT, FilterValues::thesis}, {mesh.block.arena, mesh.monitor},
+                     {NETMESH_FILTER_TIGHT, &tight_on_mesh, FilterValues::thesis}, {mesh.block.arena, mesh.monitor},
                      &thesis) == Status::ok);
     for (std::uint32_t v = 0; v < count; ++v) {
         const Nearest<D> n = nearest_of<D>(store, inputs, store.point(v));
@@ -134,8 +134,8 @@ TEST_CASE("no other input is nearer to the cells of a clump than its ball's radi
         std::vector<Interval> interval(count);
         Evaluation tight = {value.data(), interval.data()};
         REQUIRE(evaluate(FilteredMesh<2>{mesh.store, mesh.result.domain, inputs},
-                         {NETMESH_FILTER_TIGHT, FilterValues::certified}, {mesh.block.arena, mesh.monitor},
-                         &tight) == Status::ok);
+                         {NETMESH_FILTER_TIGHT, &tight_on_mesh, FilterValues::certified},
+                         {mesh.block.arena, mesh.monitor}, &tight) == Status::ok);
         for_each_side(store, [&](std::uint32_t v, const double* a, const double* b) {
             if (store.vertex(v).marker == Marker::exempt) return;
             const Nearest<2> n = nearest_of<2>(store, inputs, store.point(v));
@@ -158,7 +158,7 @@ TEST_CASE("the sizes of the tight filter reach the accuracy that is promised") {
         std::vector<double> value(mesh.store.state.vertex_count);
         Evaluation out = {value.data()};
         REQUIRE(evaluate(FilteredMesh<D>{mesh.store, mesh.result.domain, mesh.inputs()},
-                         {NETMESH_FILTER_TIGHT, FilterValues::thesis}, {mesh.block.arena, mesh.monitor},
+                         {NETMESH_FILTER_TIGHT, &tight_on_mesh, FilterValues::thesis}, {mesh.block.arena, mesh.monitor},
                          &out) == Status::ok);
         return out.certificate.ratio;
     };

@@ -32,8 +32,8 @@ void sample_cells(const inputs::Points& points, double tau, int samples, double 
     std::vector<double> value(count);
     std::vector<Interval> known(count), sharp;
     Evaluation complete = {value.data(), known.data()};
-    REQUIRE(evaluate(mesh, {NETMESH_FILTER_COMPLETE, FilterValues::certified}, {arena, monitor}, &complete) ==
-            Status::ok);
+    REQUIRE(evaluate(mesh, {NETMESH_FILTER_COMPLETE, &complete_on_mesh, FilterValues::certified}, {arena, monitor},
+                     &complete) == Status::ok);
     sharp = known;
     const std::size_t low = arena.low_mark(), high = arena.high_mark();
     REQUIRE(tighten_cell_bounds(mesh, {arena, monitor}, sharp.data()) == Status::ok);
@@ -102,8 +102,8 @@ template <int D> void little_memory(const inputs::Points& points, double tau) {
     std::vector<double> value(count);
     std::vector<Interval> known(count), whole, sharp;
     Evaluation complete = {value.data(), known.data()};
-    REQUIRE(evaluate(mesh, {NETMESH_FILTER_COMPLETE, FilterValues::certified}, {arena, monitor}, &complete) ==
-            Status::ok);
+    REQUIRE(evaluate(mesh, {NETMESH_FILTER_COMPLETE, &complete_on_mesh, FilterValues::certified}, {arena, monitor},
+                     &complete) == Status::ok);
     whole = known;
     REQUIRE(tighten_cell_bounds(mesh, {arena, monitor}, whole.data()) == Status::ok);
     const std::size_t free_bytes = arena.bytes_free();
@@ -255,8 +255,8 @@ TEST_CASE("no input is nearer to a cell of the plane than its lower bound, to th
         std::vector<double> value(count);
         std::vector<Interval> interval(count);
         Evaluation complete = {value.data(), interval.data()};
-        REQUIRE(evaluate(mesh, {NETMESH_FILTER_COMPLETE, FilterValues::certified}, {meshed.block.arena, meshed.monitor},
-                         &complete) == Status::ok);
+        REQUIRE(evaluate(mesh, {NETMESH_FILTER_COMPLETE, &complete_on_mesh, FilterValues::certified},
+                         {meshed.block.arena, meshed.monitor}, &complete) == Status::ok);
         REQUIRE(tighten_cell_bounds(mesh, {meshed.block.arena, meshed.monitor}, interval.data()) == Status::ok);
         std::vector<double> least(count, infinity);
         for_each_side(store, [&](std::uint32_t v, const double* a, const double* b) {

@@ -151,7 +151,7 @@ Said judge(const Forged& f, Dice& dice, int samples, double* ratio, std::string*
                 if (cell.neighbours[i] == UINT32_MAX && j != i && f.markers[cell.vertices[j]] != 2)
                     return Said::nothing;
     *ratio = least_ratio(f, arrays.cells, dice, samples);
-    loaded.request.tau = f.tau;
+    loaded.request.mesh.tau = f.tau;
     loaded.reserve(std::size_t{1} << 26);
     netmesh_status status = arrays.load(loaded);
     if (status == NETMESH_OK) status = loaded.check(NETMESH_CHECK_ALL & ~NETMESH_CHECK_BOUNDS);
@@ -187,7 +187,7 @@ Forged of_mesh(const Arrays& mesh, double tau) { return {mesh.dim, mesh.vertices
 
 Arrays honest_mesh(std::size_t dim, Dice& dice, double tau) {
     Session s(static_cast<int>(dim));
-    s.request.tau = tau;
+    s.request.mesh.tau = tau;
     const inputs::Points points = inputs::uniform(static_cast<int>(dim), 3 + dice.below(10), dice.below(1000));
     if (s.mesh(points) != NETMESH_OK) std::abort();
     return Arrays(s);
@@ -296,19 +296,18 @@ void honest(std::size_t dim, int runs, bool every) {
                 for (double& x : points) x = 1 + std::floor(x * 4000) * 0x1p-52;
             Session made(d), loaded(d);
             made.reserve(std::size_t{1} << 28);
-            netmesh_mesh_request& r = made.request;
-            if (method == 1) r.method = NETMESH_METHOD_HIERARCHY;
-            if (method == 2) r.method = NETMESH_METHOD_REFINE;
-            if (method == 3) r.method = NETMESH_METHOD_HIERARCHY, r.finish = 1;
-            if (method == 4) r.method = NETMESH_METHOD_HIERARCHY, r.cage_kind = NETMESH_CAGES_THESIS, r.tau = 7;
-            if (method == 5) r.sizes.eps = 0.8;
-            if (method == 6) r.certificate.ratio = 2.5;
-            if (method == 7) r.certificate.ratio = 2.5, r.whole_cells = 1;
-            if (method == 8 && dim < 4) r.tau = 2.2;
+            netmesh_request& r = made.request;
+            if (method == 1) r.mesh.method = &netmesh_method_netmesh;
+            if (method == 2) r.mesh.method = &netmesh_method_refine;
+            if (method == 3) r.mesh.method = &netmesh_method_netmesh, r.mesh.finish = 1;
+            if (method == 4) r.mesh.method = &netmesh_method_thesis, r.mesh.tau = 7;
+            if (method == 5) r.mesh.sizes.eps = 0.8;
+            if (method == 6) r.goal.ratio = 2.5;
+            if (method == 7) r.goal.ratio = 2.5, r.mesh.whole_cells = 1;
+            if (method == 8 && dim < 4) r.mesh.tau = 2.2;
             const bool persists = method == 0 || method == 6 || method == 7;
-            const netmesh_purpose purpose = persists ? NETMESH_PURPOSE_PERSIST : NETMESH_PURPOSE_MESH;
             const char* const name = "honest";
-            netmesh_status status = made.mesh(points, purpose);
+            netmesh_status status = made.mesh(points, persists ? &netmesh_filter_complete : nullptr);
             if (status == NETMESH_TOO_CLOSE || status == NETMESH_INVALID_ARGUMENT) {
                 ++skipped[name];
                 continue;
@@ -318,7 +317,7 @@ void honest(std::size_t dim, int runs, bool every) {
             std::string why = made.detail().message;
             if (status == NETMESH_OK) {
                 const Arrays arrays(made);
-                static_cast<netmesh_mesh_request&>(loaded.request) = r;
+                static_cast<netmesh_request&>(loaded.request) = r;
                 loaded.reserve(std::size_t{1} << 28);
                 step = "load and check";
                 status = arrays.load(loaded);

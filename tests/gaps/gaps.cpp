@@ -204,7 +204,7 @@ struct Room : Calls {
 
 double planes(void*, const double* x) { return (x[0] < 0 ? -x[0] : x[0]) + (x[1] < 0 ? -x[1] : x[1]); }
 netmesh_function function_of_planes() {
-    netmesh::requests::Function function;
+    auto function = netmesh::sized<netmesh_function>();
     function.evaluate = planes;
     function.lipschitz = 1.5;
     function.cut = 1;
@@ -223,16 +223,15 @@ void delaunay(int dim) {
     netmesh_analysis analysis;
     measure("analyse", dim, n,
             [&] { return room.analyse(&analysis, NETMESH_ANALYSE_STRUCTURE | NETMESH_ANALYSE_FATNESS); });
-    measure("persist alpha", dim, n, [&] { return room.persist(NETMESH_FILTER_ALPHA); });
+    measure("persist alpha", dim, n, [&] { return room.persist(&netmesh_filter_alpha); });
     measure("bound alpha", dim, n, [&] { return room.bound_bars(); });
     measure("represent alpha", dim, n, [&] { return room.represent(); });
     Arrays arrays(room);
     arrays.domain.clear();
     measure("load delaunay", dim, n, [&] { return arrays.load(room); });
-    const netmesh_alpha_request request = room.alpha_request(points);
-    measure("persist_alpha", dim, n, [&] { return netmesh_persist_alpha(room.context, &request); });
-    const netmesh_auto_request either = room.auto_request(points);
-    measure("persist_auto", dim, n, [&] { return netmesh_persist_auto(room.context, &either); });
+    measure("alpha of points", dim, n, [&] { return room.persist(room.alpha_request(points)); });
+    const netmesh::Request either = room.auto_request(points);
+    measure("auto", dim, n, [&] { return netmesh_persist(room.context, &either); });
 }
 
 void grids(int dim) {
@@ -240,27 +239,27 @@ void grids(int dim) {
     const inputs::Points points = inputs::grid(dim, is_short ? (dim == 2 ? 50 : dim == 3 ? 12 : 4) : side);
     const std::size_t n = points.size() / static_cast<std::size_t>(dim);
     Room room(dim);
-    const netmesh_auto_request either = room.auto_request(points);
-    measure("persist_auto grid", dim, n, [&] { return netmesh_persist_auto(room.context, &either); });
+    const netmesh::Request either = room.auto_request(points);
+    measure("auto grid", dim, n, [&] { return netmesh_persist(room.context, &either); });
     measure("delaunay grid", dim, n, [&] { return room.delaunay_in_block(points); });
-    measure("persist alpha grid", dim, n, [&] { return room.persist(NETMESH_FILTER_ALPHA); });
+    measure("persist alpha grid", dim, n, [&] { return room.persist(&netmesh_filter_alpha); });
 }
 
 void mesh(int dim) {
     const std::size_t n = dim == 4 ? some(1000, 40) : some(100000, 1000);
     const inputs::Points points = inputs::uniform(dim, n);
     Room room(dim);
-    measure("mesh", dim, n, [&] { return room.mesh_in_block(points, NETMESH_PURPOSE_PERSIST); });
+    measure("mesh", dim, n, [&] { return room.mesh_in_block(points, &netmesh_filter_complete); });
     measure("check mesh", dim, n, [&] { return room.check(NETMESH_CHECK_ALL & ~NETMESH_CHECK_BOUNDS); });
-    measure("persist basic", dim, n, [&] { return room.persist(NETMESH_FILTER_BASIC); });
+    measure("persist basic", dim, n, [&] { return room.persist(&netmesh_filter_basic); });
     measure("bound basic", dim, n, [&] { return room.bound_bars(); });
-    measure("persist knn", dim, n, [&] { return room.persist(persist_by(NETMESH_FILTER_KNN, 2)); });
-    measure("persist kdistance", dim, n, [&] { return room.persist(persist_by(NETMESH_FILTER_KDISTANCE, 5)); });
-    measure("persist tight", dim, n, [&] { return room.persist(NETMESH_FILTER_TIGHT); });
+    measure("persist knn", dim, n, [&] { return room.persist(persist_by(&netmesh_filter_knn, 2)); });
+    measure("persist kdistance", dim, n, [&] { return room.persist(persist_by(&netmesh_filter_kdistance, 5)); });
+    measure("persist tight", dim, n, [&] { return room.persist(&netmesh_filter_tight); });
     const netmesh_function function = function_of_planes();
-    measure("persist function", dim, n, [&] { return room.persist(function, persist_by(NETMESH_FILTER_FUNCTION)); });
+    measure("persist function", dim, n, [&] { return room.persist(function, persist_by(&netmesh_filter_function)); });
     measure("bound function", dim, n, [&] { return room.bound_bars(function); });
-    measure("persist complete", dim, n, [&] { return room.persist(NETMESH_FILTER_COMPLETE); });
+    measure("persist complete", dim, n, [&] { return room.persist(&netmesh_filter_complete); });
     measure("represent", dim, n, [&] { return room.represent(); });
     measure("bound complete", dim, n, [&] { return room.bound_bars(); });
     const Arrays arrays(room);
@@ -283,18 +282,18 @@ void goals(int dim) {
     const std::size_t n = dim == 4 ? some(300, 30) : some(100000, 500);
     const inputs::Points points = inputs::uniform(dim, n);
     Room room(dim);
-    room.request.certificate.ratio = 2.5;
-    measure("mesh by ratio", dim, n, [&] { return room.mesh_in_block(points, NETMESH_PURPOSE_PERSIST); });
+    room.request.goal.ratio = 2.5;
+    measure("mesh by ratio", dim, n, [&] { return room.mesh_in_block(points, &netmesh_filter_complete); });
     measure("check by ratio", dim, n, [&] { return room.check(NETMESH_CHECK_QUALITY); });
-    measure("persist by ratio", dim, n, [&] { return room.persist(NETMESH_FILTER_COMPLETE); });
+    measure("persist by ratio", dim, n, [&] { return room.persist(&netmesh_filter_complete); });
     measure("bound by ratio", dim, n, [&] { return room.bound_bars(); });
     measure("represent by ratio", dim, n, [&] { return room.represent(); });
-    room.request.certificate.focus_ratio = 2.2;
-    room.request.certificate.focus_from = 0.01;
-    room.request.certificate.focus_to = 0.1;
+    room.request.goal.focus_ratio = 2.2;
+    room.request.goal.focus_from = 0.01;
+    room.request.goal.focus_to = 0.1;
     const std::size_t fewer = n / 10;
     const inputs::Points few = inputs::uniform(dim, fewer);
-    measure("mesh focused", dim, fewer, [&] { return room.mesh_in_block(few, NETMESH_PURPOSE_PERSIST); });
+    measure("mesh focused", dim, fewer, [&] { return room.mesh_in_block(few, &netmesh_filter_complete); });
 }
 
 void cages(int dim) {
@@ -302,7 +301,7 @@ void cages(int dim) {
     const inputs::Points points = inputs::close_pairs(dim, n / 2, 1e-3, 2);
     {
         Room room(dim);
-        room.request.method = NETMESH_METHOD_HIERARCHY;
+        room.request.mesh.method = &netmesh_method_netmesh;
         measure("hierarchy", dim, n, [&] { return room.mesh_in_block(points); });
         measure("check hierarchy", dim, n, [&] { return room.check(NETMESH_CHECK_ALL & ~NETMESH_CHECK_BOUNDS); });
         netmesh_analysis analysis;
@@ -310,15 +309,14 @@ void cages(int dim) {
         const Arrays arrays(room);
         measure("load hierarchy", dim, n, [&] { return arrays.load(room); });
         measure("load_cages", dim, n, [&] { return arrays.load_cages(room); });
-        room.request.finish = 1;
+        room.request.mesh.finish = 1;
         measure("hierarchy finished", dim, n, [&] { return room.mesh_in_block(points); });
     }
     const std::size_t fewer = dim == 4 ? some(20, 6) : some(dim == 2 ? 20000 : 2000, dim == 2 ? 100 : 16);
     const inputs::Points far = inputs::close_pairs(dim, fewer / 2, 1e-3, 2);
     Room room(dim);
-    room.request.method = NETMESH_METHOD_HIERARCHY;
-    room.request.cage_kind = NETMESH_CAGES_THESIS;
-    room.request.tau = 7;
+    room.request.mesh.method = &netmesh_method_thesis;
+    room.request.mesh.tau = 7;
     measure("thesis cages", dim, fewer, [&] { return room.mesh_in_block(far); });
     measure("check thesis cages", dim, fewer, [&] { return room.check(NETMESH_CHECK_ALL & ~NETMESH_CHECK_BOUNDS); });
 }
@@ -328,7 +326,7 @@ void refine(int dim) {
     const inputs::Points points = inputs::uniform(dim, n);
     {
         Room room(dim);
-        room.request.method = NETMESH_METHOD_REFINE;
+        room.request.mesh.method = &netmesh_method_refine;
         measure("voronoi refine", dim, n, [&] { return room.mesh_in_block(points); });
         measure("check refine", dim, n, [&] { return room.check(NETMESH_CHECK_ALL & ~NETMESH_CHECK_BOUNDS); });
     }
@@ -336,19 +334,19 @@ void refine(int dim) {
     const inputs::Points fewer = inputs::uniform(dim, few);
     {
         Room room(dim);
-        room.request.sizes.eps = 0.5;
+        room.request.mesh.sizes.eps = 0.5;
         measure("sizes", dim, few, [&] { return room.mesh_in_block(fewer); });
         measure("check sizes", dim, few, [&] { return room.check(NETMESH_CHECK_QUALITY); });
     }
     Room room(dim);
-    room.request.audit = NETMESH_AUDIT_LOCATION;
+    room.request.mesh.audit = NETMESH_AUDIT_LOCATION;
     measure("audit location", dim, few, [&] { return room.mesh_in_block(fewer); });
-    room.request.audit = NETMESH_AUDIT_QUALITY;
+    room.request.mesh.audit = NETMESH_AUDIT_QUALITY;
     const std::size_t fewest = std::max<std::size_t>(few / 4, 12);
     const inputs::Points small = inputs::uniform(dim, fewest);
     measure("audit quality", dim, fewest, [&] { return room.mesh_in_block(small); });
-    room.request.method = NETMESH_METHOD_HIERARCHY;
-    room.request.audit = NETMESH_AUDIT_LOCATION | NETMESH_AUDIT_QUALITY;
+    room.request.mesh.method = &netmesh_method_netmesh;
+    room.request.mesh.audit = NETMESH_AUDIT_LOCATION | NETMESH_AUDIT_QUALITY;
     measure("audit hierarchy", dim, fewest, [&] { return room.mesh_in_block(small); });
 }
 
@@ -358,16 +356,13 @@ void fit(int dim) {
     const std::size_t each = dim == 2 ? 4000 : dim == 3 ? 24000 : 160000;
     Room room(dim, (n * each + (std::size_t{1} << 18)) / 16 * 16);
     measure("fit", dim, n, [&] { return room.fit(points, true); });
-    netmesh_fit_request request = room.fit_request(points);
-    request.longer_than = 1.5;
-    measure("fit decided", dim, n, [&] { return netmesh_fit(room.context, &request); });
+    netmesh::Request request = room.fit_request(points);
+    request.goal.longer_than = 1.5;
+    request.goal.ratio = 4;
+    request.bounds = &netmesh_bounds;
+    measure("fit decided", dim, n, [&] { return room.persist(request); });
     const netmesh_function function = function_of_planes();
-    netmesh_fit_request by_error = room.fit_request(points);
-    by_error.filter = NETMESH_FILTER_FUNCTION;
-    by_error.function = &function;
-    by_error.by_error = 1;
-    by_error.ratio = 0;
-    measure("fit by error", dim, n, [&] { return netmesh_fit(room.context, &by_error); });
+    measure("fit by error", dim, n, [&] { return room.persist(function, room.fit_request(points)); });
 }
 
 void scales(int dim) {
@@ -375,44 +370,44 @@ void scales(int dim) {
     inputs::Points points = inputs::uniform(dim, n);
     for (std::size_t i = 0; i < points.size() / 2; ++i) points[i] *= 0x1p-30;
     Room room(dim);
-    netmesh_scales_request request = room.scales_request(points);
-    request.ratio = 3;
-    request.bounds = 1;
-    request.representatives = 1;
-    measure("persist_scales", dim, n, [&] { return netmesh_persist_scales(room.context, &request); });
+    netmesh::Request request = room.scales_request(points);
+    request.goal = {};
+    request.goal.ratio = 3;
+    request.bounds = &netmesh_bounds;
+    request.cycles = &netmesh_cycles;
+    measure("scales", dim, n, [&] { return room.persist(request); });
 }
 
 void vineyard(int dim) {
     const std::size_t n = dim == 4 ? some(20, 4) : some(dim == 2 ? 2000 : 300, dim == 2 ? 60 : 12);
     Room room(dim);
     const inputs::Points points = inputs::uniform(dim, n);
-    measure("mesh", dim, n, [&] { return room.mesh_in_block(points, NETMESH_PURPOSE_PERSIST); });
-    measure("vineyard", dim, n, [&] { return room.vineyard(NETMESH_FILTER_KNN, 1, 2); });
+    measure("mesh", dim, n, [&] { return room.mesh_in_block(points, &netmesh_filter_complete); });
+    measure("vineyard", dim, n, [&] { return room.vineyard(&netmesh_filter_knn, 1, 2); });
 }
 
 void points(int dim) {
-    const auto one = [&](const char* name, netmesh_filter filter, std::size_t n, std::uint32_t degree,
-                         bool representatives = false) {
+    const auto one = [&](const char* name, const netmesh_filter* filter, std::size_t n, std::uint32_t degree,
+                         bool cycles = false) {
         const inputs::Points all = inputs::uniform(dim, n);
         Room room(dim);
-        netmesh_points_request request =
-            room.points_request(all, filter, filter < NETMESH_FILTER_BARYCENTRIC_CECH ? 1 : 2, degree);
-        request.representatives = representatives ? 1 : 0;
-        measure(name, dim, n, [&] { return netmesh_persist_points(room.context, &request); });
+        netmesh::Request request = room.points_request(all, filter, 2, degree);
+        request.cycles = cycles ? &netmesh_cycles : nullptr;
+        measure(name, dim, n, [&] { return room.persist(request); });
     };
-    one("rips", NETMESH_FILTER_RIPS, some(4000, 200), 0);
-    one("rips, degree 1", NETMESH_FILTER_RIPS, some(800, 60), 1);
-    one("rips, degree 2", NETMESH_FILTER_RIPS, some(150, 24), 2);
-    one("rips with cycles", NETMESH_FILTER_RIPS, some(250, 40), 1, true);
-    one("cech", NETMESH_FILTER_CECH, some(250, 40), 1);
-    one("cech with cycles", NETMESH_FILTER_CECH, some(100, 20), 2, true);
-    one("barycentric cech", NETMESH_FILTER_BARYCENTRIC_CECH, some(60, 12), 1);
-    one("barycentric rips", NETMESH_FILTER_BARYCENTRIC_RIPS, some(60, 12), 1);
+    one("rips", &netmesh_filter_rips, some(4000, 200), 0);
+    one("rips, degree 1", &netmesh_filter_rips, some(800, 60), 1);
+    one("rips, degree 2", &netmesh_filter_rips, some(150, 24), 2);
+    one("rips with cycles", &netmesh_filter_rips, some(250, 40), 1, true);
+    one("cech", &netmesh_filter_cech, some(250, 40), 1);
+    one("cech with cycles", &netmesh_filter_cech, some(100, 20), 2, true);
+    one("barycentric cech", &netmesh_filter_barycentric_cech, some(60, 12), 1);
+    one("barycentric rips", &netmesh_filter_barycentric_rips, some(60, 12), 1);
     const std::size_t n = some(40, 10);
     const inputs::Points all = inputs::uniform(dim, n);
     Room room(dim);
-    const netmesh_points_vineyard_request request = room.nested_request(all, NETMESH_FILTER_BARYCENTRIC_CECH, 3);
-    measure("points_vineyard", dim, n, [&] { return netmesh_points_vineyard(room.context, &request); });
+    const netmesh::Request request = room.nested_request(all, &netmesh_filter_barycentric_cech, 3);
+    measure("vineyard of points", dim, n, [&] { return room.persist(request); });
 }
 
 // Cubes of a grid cut into simplices of a path, with all their faces, at values that have no order in space.
@@ -461,13 +456,14 @@ struct Complex {
                 entries.push_back(entry);
             }
     }
-    template <class Request> void give(Request* request) const {
-        request->vertices = vertices.data();
-        request->starts = starts.data();
-        request->entries = entries.data();
-        request->simplex_count = entries.size();
-        request->vertex_count = vertices.size();
-        request->monitor.poll = poll;
+    netmesh_simplices simplices() const {
+        auto s = netmesh::sized<netmesh_simplices>();
+        s.vertices = vertices.data();
+        s.starts = starts.data();
+        s.entries = entries.data();
+        s.simplex_count = entries.size();
+        s.vertex_count = vertices.size();
+        return s;
     }
 };
 
@@ -475,12 +471,12 @@ void homology(int dim) {
     const std::uint32_t side = dim == 2 ? some(300, 30) : dim == 3 ? some(32, 8) : some(8, 3);
     const Complex complex(dim, side);
     Room room(dim);
-    netmesh::requests::Homology request;
-    complex.give(&request);
-    measure("homology", dim, complex.entries.size(), [&] { return netmesh_homology(room.context, &request); });
-    request.representatives = 1;
-    measure("homology with cycles", dim, complex.entries.size(),
-            [&] { return netmesh_homology(room.context, &request); });
+    const netmesh_simplices all = complex.simplices();
+    netmesh::Request request(&netmesh_filter_simplices);
+    request.simplices = &all;
+    measure("homology", dim, complex.entries.size(), [&] { return room.persist(request); });
+    request.cycles = &netmesh_cycles;
+    measure("homology with cycles", dim, complex.entries.size(), [&] { return room.persist(request); });
     const Complex few(dim, dim == 2 ? some(50, 8) : dim == 3 ? some(9, 4) : 3);
     const auto vines = [&](const char* name, bool by_vertex, std::uint64_t steps) {
         std::vector<double> values;
@@ -490,12 +486,13 @@ void homology(int dim) {
                 const std::uint64_t moved = (few.vertices[few.starts[i]] * 7919 + 104729 * step * i) % 100003;
                 if (!by_vertex || size == 1) values.push_back(static_cast<double>(moved + 100003 * size));
             }
-        netmesh::requests::ValueVineyard vineyard;
-        few.give(&vineyard);
-        vineyard.entries = values.data();
-        vineyard.step_count = steps;
-        vineyard.by_vertex = by_vertex ? 1 : 0;
-        measure(name, dim, few.entries.size(), [&] { return netmesh_value_vineyard(room.context, &vineyard); });
+        netmesh_simplices simplices = few.simplices();
+        simplices.entries = values.data();
+        simplices.step_count = steps;
+        simplices.by_vertex = by_vertex ? 1 : 0;
+        netmesh::Request vineyard(&netmesh_filter_simplices);
+        vineyard.simplices = &simplices;
+        measure(name, dim, few.entries.size(), [&] { return room.vineyard(vineyard); });
     };
     vines("vineyard of values", false, 2);
     vines("vineyard by vertex", true, 2);

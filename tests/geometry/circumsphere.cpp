@@ -405,6 +405,87 @@ TEST_CASE("half distances are rounded to nearest in any number of coordinates an
     CHECK(fast == all);
 }
 
+namespace {
+
+// Coordinates behind those that are there, so that the squared length comes as near to `squared` as doubles of six more
+// coordinates do: below it, or with `over` above it.
+void complete_length(const mpq_class& squared, bool over, Point* x) {
+    mpq_class rest = squared;
+    for (const double c : *x) rest -= mpq_class(c) * mpq_class(c);
+    REQUIRE(rest > 0);
+    for (int i = 0; i < 6 && rest > 0; ++i) {
+        double c = std::sqrt(rest.get_d());
+        while (mpq_class(c) * mpq_class(c) > rest) c = std::nextafter(c, 0.0);
+        x->push_back(c);
+        rest -= mpq_class(c) * mpq_class(c);
+    }
+    if (rest > 0 && !over) return;
+    double& last = x->back();
+    rest += mpq_class(last) * mpq_class(last);
+    last = std::nextafter(last, over ? HUGE_VAL : 0.0);
+    rest -= mpq_class(last) * mpq_class(last);
+    REQUIRE(rest != 0);
+    REQUIRE((rest < 0) == over);
+}
+
+}  // namespace
+
+// Twice the middle between two doubles is the length, but for some 2^-300 of it.
+TEST_CASE("half distances of many coordinates next to the middle between two doubles") {
+    Random random;
+    for (const std::size_t dim : {0u, 1u, 5u, 500u, 5000u, 50000u})
+        for (int trial = 0; trial < (dim < 1000 ? 200 : 24); ++trial) {
+            Point b;
+            mpq_class squared = 0;
+            for (std::size_t d = 0; d < dim; ++d) {
+                b.push_back(random.unit());
+                squared += mpq_class(b[d]) * mpq_class(b[d]);
+            }
+            const double x = trial % 3 == 0 ? std::ldexp(1.0, 9) : std::sqrt(squared.get_d()) / 2 + random.unit();
+            const double next = std::nextafter(x, trial % 2 == 0 ? 0.0 : HUGE_VAL);
+            const mpq_class length = mpq_class(x) + mpq_class(next);
+            complete_length(length * length, trial / 6 % 2 == 0, &b);
+            const Point a(b.size(), 0.0);
+            const double half = half_distance(static_cast<int>(b.size()), a.data(), b.data());
+            CAPTURE(dim);
+            CAPTURE(trial);
+            CHECK(half == (trial / 6 % 2 == 0 ? std::fmax(x, next) : std::fmin(x, next)));
+        }
+}
+
+// Powers of two among them, below which doubles are twice as near to each other.
+TEST_CASE("a root that is said to be known is that of all numbers within the slack") {
+    Random random;
+    int known = 0, all = 0;
+    for (int trial = 0; trial < 20000; ++trial) {
+        const double s = trial % 2 == 0 ? std::ldexp(1.0, trial % 40 - 20) : 1 + random.unit();
+        const mpq_class aim = mpq_class(s) * (1 + mpq_class((2 * random.unit() - 1) * 0x1p-52));
+        const mpq_class squared = aim * aim;
+        double high = squared.get_d();  // towards 0
+        if (mpq_class(std::nextafter(high, HUGE_VAL)) - squared < squared - mpq_class(high))
+            high = std::nextafter(high, HUGE_VAL);
+        const double low = mpq_class(squared - mpq_class(high)).get_d();
+        if (high + low != high) continue;
+        const double slack = high * std::ldexp(1 + random.unit(), -50 - static_cast<int>(random.below(50)));
+        const NearestRoot<double> nearest = nearest_root(high, low, slack);
+        ++all;
+        if ((nearest.known & 1) == 0) continue;
+        ++known;
+        const mpq_class middle = mpq_class(high) + mpq_class(low);
+        CAPTURE(trial);
+        CHECK(is_nearest_root(nearest.root, middle - mpq_class(slack)));
+        CHECK(is_nearest_root(nearest.root, middle + mpq_class(slack)));
+    }
+    CHECK(known > all / 2);
+}
+
+TEST_CASE("half distances along an axis whose whole does not fit a double") {
+    const double a[] = {0x1.8p1023, 2}, b[] = {-0x1.4p1023, 2}, c[] = {3 * 0x1p-1074, 2}, d[] = {0, 2};
+    CHECK(half_distance(2, a, b) == 0x1.6p1023);
+    CHECK(half_distance(2, c, d) == 2 * 0x1p-1074);
+    CHECK(exact_half_distance(2, a, b) == 0x1.6p1023);
+}
+
 TEST_CASE("a comparison out of range is said to be") {
     std::vector<std::uint64_t> scratch(ExactSphere::room(6));
     Points points(static_cast<std::size_t>(dimension_most()) + 1, Point(static_cast<std::size_t>(dimension_most()), 0));

@@ -11,9 +11,9 @@
 #include "common/block.hpp"
 #include "common/dimensions.hpp"
 #include "common/inputs.hpp"
+#include "common/mesh_points.hpp"
 #include "common/mesh_requests.hpp"
 #include "mesh/check/hierarchy_quality.hpp"
-#include "mesh/mesh_points.hpp"
 
 using namespace netmesh;
 using inputs::Points;

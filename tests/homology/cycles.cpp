@@ -21,22 +21,24 @@ public:
         if (bytes > 0) init = netmesh_init(block_.data(), bytes_, &context);
     }
     netmesh_status run(const std::vector<Simplex>& simplices, const std::vector<double>& values, std::uint32_t degree,
-                       bool keep_zero, bool representatives) {
+                       bool keep_zero, bool cycles) {
         std::vector<std::uint32_t> vertices;
         std::vector<std::uint64_t> starts = {0};
         for (const Simplex& s : simplices) {
             vertices.insert(vertices.end(), s.begin(), s.end());
             starts.push_back(vertices.size());
         }
-        netmesh::requests::Homology request;
-        request.vertices = vertices.data();
-        request.starts = starts.data();
-        request.entries = values.data();
-        request.simplex_count = values.size();
+        auto list = netmesh::sized<netmesh_simplices>();
+        list.vertices = vertices.data();
+        list.starts = starts.data();
+        list.entries = values.data();
+        list.simplex_count = values.size();
+        netmesh::Request request(&netmesh_filter_simplices);
+        request.simplices = &list;
         request.max_degree = degree;
         request.keep_zero_pairs = keep_zero ? 1 : 0;
-        request.representatives = representatives ? 1 : 0;
-        return netmesh_homology(context, &request);
+        request.cycles = cycles ? &netmesh_cycles : nullptr;
+        return netmesh_persist(context, &request);
     }
     std::vector<netmesh::Pair> pairs() const {
         std::vector<netmesh::Pair> all;
@@ -235,16 +237,18 @@ TEST_CASE("every block gives the diagram or says that it is too small") {
     const auto f = random_filtration(random, 12, 3, 25, 30);
     const Shuffled list(f, random);
     const auto expected = oracle::diagram(f, 3, false);
-    netmesh::requests::Homology request;
-    request.simplex_count = f.simplices.size();
-    for (const Simplex& s : f.simplices) request.vertex_count += s.size();
-    const std::size_t planned = netmesh_plan_homology(&request);
-    for (const bool representatives : {false, true}) {
+    auto simplices = netmesh::sized<netmesh_simplices>();
+    simplices.simplex_count = f.simplices.size();
+    for (const Simplex& s : f.simplices) simplices.vertex_count += s.size();
+    netmesh::Request request(&netmesh_filter_simplices);
+    request.simplices = &simplices;
+    const std::size_t planned = netmesh_plan(&request);
+    for (const bool cycles : {false, true}) {
         bool fitted = false;
         for (std::size_t bytes = 0; bytes < planned; bytes += 208) {
             Homology h(bytes);
             if (h.init != NETMESH_OK) continue;
-            const netmesh_status status = h.run(list.simplices, list.values, 3, false, representatives);
+            const netmesh_status status = h.run(list.simplices, list.values, 3, false, cycles);
             if (status == NETMESH_OK) {
                 fitted = true;
                 REQUIRE(h.pairs().size() == expected.size());

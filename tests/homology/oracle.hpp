@@ -2,6 +2,7 @@
 // reduction.
 #pragma once
 #include <algorithm>
+#include <cmath>
 #include <cstdint>
 #include <limits>
 #include <map>
@@ -70,7 +71,7 @@ inline std::vector<netmesh::Pair> diagram(const Filtered& f, std::uint32_t max_d
     std::vector<bool> paired(f.simplices.size());
     std::vector<netmesh::Pair> pairs;
     const auto add = [&](double birth, double death, std::size_t degree) {
-        if (degree > max_degree || (birth == death && !keep_zero)) return;
+        if (degree > max_degree || (birth == death && (!keep_zero || std::isinf(birth)))) return;
         pairs.push_back({birth, death, static_cast<std::uint32_t>(degree), 0});
     };
     for (std::uint32_t j = 0; j < f.simplices.size(); ++j) {

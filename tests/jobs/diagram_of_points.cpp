@@ -57,7 +57,7 @@ TEST_CASE("equal points are merged into the first of them, which keeps its numbe
             const std::size_t i = next > 0 && random.below(2) == 0 ? random.below(next) : next++;
             repeated.insert(repeated.end(), {distinct[2 * i], distinct[2 * i + 1]});
         }
-        for (const netmesh_filter kind : {NETMESH_FILTER_RIPS, NETMESH_FILTER_CECH}) {
+        for (const netmesh_filter_id kind : {NETMESH_FILTER_RIPS, NETMESH_FILTER_CECH}) {
             const PointsFilter filter = {kind, FilterValues::certified, 0, 1};
             const Listed once = persist(2, distinct, filter, true), often = persist(2, repeated, filter, true);
             CHECK(often.distinct == 9);
@@ -78,7 +78,7 @@ TEST_CASE("barycentric Rips complexes are within the ratio that is told, for bot
         CAPTURE(dim);
         const inputs::Points corners =
             dim == 2 ? inputs::circle(3) : inputs::Points{1, 1, 1, 1, -1, -1, -1, 1, -1, -1, -1, 1};
-        const auto only = [&](netmesh_filter kind, FilterValues values) {
+        const auto only = [&](netmesh_filter_id kind, FilterValues values) {
             const Listed found = persist(dim, corners, {kind, values, dim + 1, 0}, false);
             REQUIRE(found.pairs.size() == 1);
             return std::pair<double, double>(found.pairs[0].birth, found.ratio);

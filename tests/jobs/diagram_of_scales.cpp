@@ -26,7 +26,7 @@ Joined join(const inputs::Points& around, const inputs::Points& cluster, double 
     for (const double x : cluster) points.push_back(scale * x);
     points.insert(points.end(), around.begin(), around.end());
     Session session(2);
-    REQUIRE(session.scales(session.scales_request(points)) == NETMESH_OK);
+    REQUIRE(session.persist_until_it_fits(session.scales_request(points)) == NETMESH_OK);
     const netmesh_report r = session.report();
     CHECK(r.scales.count == 2);
     CHECK(r.diagram.essential[0] == 1);
@@ -45,9 +45,9 @@ std::vector<KnownBar> known(double scale, bool of_large) {
     for (const double x : small) points.push_back(scale * x);
     points.insert(points.end(), large.begin(), large.end());
     Session session(2);
-    netmesh_scales_request request = session.scales_request(points);
-    request.bounds = 1;
-    REQUIRE(session.scales(request) == NETMESH_OK);
+    netmesh::Request request = session.scales_request(points);
+    request.bounds = &netmesh_bounds;
+    REQUIRE(session.persist_until_it_fits(request) == NETMESH_OK);
     const std::vector<netmesh_pair> pairs = session.pairs();
     const std::vector<netmesh_bar_bounds> bounds = read_all(session.context, netmesh_get_bar_bounds);
     std::vector<KnownBar> bars;
@@ -130,9 +130,10 @@ TEST_CASE("a ratio is that of the joined diagram, and leaves the meshes no more 
         double nearest = 0;  // what is certified over what was asked for
         for (double ratio = 2.5; ratio < 4; ratio += 0.25) {
             Session session(2);
-            netmesh_scales_request request = session.scales_request(points);
-            request.ratio = ratio;
-            REQUIRE(session.scales(request) == NETMESH_OK);
+            netmesh::Request request = session.scales_request(points);
+            request.goal.eps = 0;
+            request.goal.ratio = ratio;
+            REQUIRE(session.persist_until_it_fits(request) == NETMESH_OK);
             const netmesh_report r = session.report();
             CHECK(r.scales.count > 1);
             CHECK(r.diagram.certified_ratio <= ratio);

@@ -7,6 +7,7 @@
 #include <tuple>
 #include <vector>
 
+#include "api/objects.hpp"
 #include "common/dimensions.hpp"
 #include "common/filtered_mesh.hpp"
 #include "common/meshed.hpp"
@@ -20,12 +21,11 @@ using Bar = std::tuple<std::uint32_t, double, double>;  // degree, birth, death
 
 // The filter at one k, by the sweep over lower stars.
 template <int D>
-std::vector<Bar> bars_of(Meshed<D>& mesh, netmesh_filter filter, std::uint32_t k, std::uint32_t degree, double* ratio) {
+std::vector<Bar> bars_of(Meshed<D>& mesh, const FilterRequest& request, std::uint32_t degree, double* ratio) {
     std::vector<double> value(mesh.store.state.vertex_count);
     Evaluation evaluation = {value.data()};
-    REQUIRE(evaluate(FilteredMesh<D>{mesh.store, mesh.result.domain, mesh.inputs()},
-                     {filter, FilterValues::certified, k}, {mesh.block.arena, mesh.monitor},
-                     &evaluation) == Status::ok);
+    REQUIRE(evaluate(FilteredMesh<D>{mesh.store, mesh.result.domain, mesh.inputs()}, request,
+                     {mesh.block.arena, mesh.monitor}, &evaluation) == Status::ok);
     *ratio = evaluation.certificate.ratio;
     Block block(std::size_t{1} << 22);
     CountedPairs found;
@@ -44,20 +44,22 @@ template <int D> int check_vines(const inputs::Points& points, std::uint32_t k_f
     Meshed<D> mesh(points, by_quality(3, 1, true));
     REQUIRE(mesh.status == Status::ok);
     int later = 0;
-    for (const netmesh_filter filter : {NETMESH_FILTER_KNN, NETMESH_FILTER_KDISTANCE}) {
+    for (const auto& [filter, on_mesh] : {std::pair(NETMESH_FILTER_KNN, netmesh_filter_knn.on_mesh),
+                                          std::pair(NETMESH_FILTER_KDISTANCE, netmesh_filter_kdistance.on_mesh)}) {
         const std::uint32_t degree = D - 1;
         VineList out;
         const std::size_t low = mesh.block.arena.low_mark();
         REQUIRE(k_vineyard(FilteredMesh<D>{mesh.store, mesh.result.domain, mesh.inputs()},
-                           {filter, k_first, k_last, FilterValues::certified, degree}, {mesh.block.arena, mesh.monitor},
-                           &out) == Status::ok);
+                           {filter, on_mesh, k_first, k_last, FilterValues::certified, degree},
+                           {mesh.block.arena, mesh.monitor}, &out) == Status::ok);
         const std::vector<VinePoint> all(out.points, out.points + out.count);
         const std::vector<double> ratio(out.ratio, out.ratio + (k_last - k_first + 1));
         mesh.block.arena.release_low(low);
         std::vector<Bar> last;
         for (std::uint32_t k = k_first; k <= k_last; ++k) {
             double expected;
-            const std::vector<Bar> bars = bars_of<D>(mesh, filter, k, degree, &expected);
+            const std::vector<Bar> bars =
+                bars_of<D>(mesh, {filter, on_mesh, FilterValues::certified, k}, degree, &expected);
             CHECK(ratio[k - k_first] == expected);
             std::vector<Bar> seen;
             for (const VinePoint& p : all)

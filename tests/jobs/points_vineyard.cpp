@@ -73,7 +73,7 @@ Run run(int dim, const inputs::Points& points, const PointsFilter& filter, std::
 inputs::Points square() { return {0, 0, 1, 0, 1, 1, 0, 1}; }
 
 // Diagrams, ratios and errors against runs for one k; and how vines are numbered.
-void equals_separate_runs(int dim, const inputs::Points& points, netmesh_filter kind, FilterValues values,
+void equals_separate_runs(int dim, const inputs::Points& points, netmesh_filter_id kind, FilterValues values,
                           std::uint32_t k_first, std::uint32_t k_last, std::uint32_t degree) {
     CAPTURE(dim);
     CAPTURE(kind);
@@ -242,7 +242,7 @@ Compared compare_ranks(int dim, const inputs::Points& points, bool edges, std::u
         for (std::uint32_t i = 0; i < n; ++i)
             if (mask >> i & 1) radius[mask] = std::max(radius[mask], radius[mask & ~(1u << i)]);
     const std::vector<double> scales = scales_between({radius.begin() + 1, radius.end()});
-    const netmesh_filter kind = edges ? NETMESH_FILTER_BARYCENTRIC_RIPS : NETMESH_FILTER_BARYCENTRIC_CECH;
+    const netmesh_filter_id kind = edges ? NETMESH_FILTER_BARYCENTRIC_RIPS : NETMESH_FILTER_BARYCENTRIC_CECH;
     const Run all = run(dim, points, {kind, FilterValues::thesis, 1, degree}, k_last);
     REQUIRE(all.status == Status::ok);
     Compared compared;
@@ -338,7 +338,7 @@ inputs::Points polygon(int corners, bool centre) {
 }  // namespace
 
 TEST_CASE("one run for all k has the diagrams of separate runs, bit for bit") {
-    for (const netmesh_filter kind : {NETMESH_FILTER_BARYCENTRIC_CECH, NETMESH_FILTER_BARYCENTRIC_RIPS}) {
+    for (const netmesh_filter_id kind : {NETMESH_FILTER_BARYCENTRIC_CECH, NETMESH_FILTER_BARYCENTRIC_RIPS}) {
         for (const FilterValues values : {FilterValues::certified, FilterValues::thesis}) {
             for (std::uint64_t seed = 1; seed <= 4; ++seed) {
                 CAPTURE(seed);

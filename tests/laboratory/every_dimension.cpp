@@ -346,14 +346,14 @@ TEST_CASE("tolerances of their own, and meshes of which sizes say nothing") {
         analyse(0);
         CHECK(a.size.lower > 0);
         CHECK(std::isfinite(a.size.upper));
-        s.request.certificate.ratio = 3;  // its quality is not the aspect ratio
-        REQUIRE(s.mesh(points, NETMESH_PURPOSE_PERSIST) == NETMESH_OK);
+        s.request.goal.ratio = 3;  // its quality is not the aspect ratio
+        REQUIRE(s.mesh(points, &netmesh_filter_complete) == NETMESH_OK);
         analyse(40);
         CHECK(a.size.lower == 0);
         CHECK(std::isinf(a.size.upper));
         CHECK(std::isinf(a.size.feature_ratio_bound));
-        s.request.certificate.ratio = 0;
-        s.request.method = NETMESH_METHOD_HIERARCHY;
+        s.request.goal.ratio = 0;
+        s.request.mesh.method = &netmesh_method_netmesh;
         REQUIRE(s.mesh(inputs::geometric(dim, 40, 3)) == NETMESH_OK);
         REQUIRE(s.report().mesh.hierarchy.cages > 0);
         analyse(40);

@@ -84,10 +84,10 @@ TEST_CASE("planted: a mesh without Steiner points, far from quality") {
 
 TEST_CASE("planted: a mesh denser than the feature size allows") {
     Session session(2);
-    session.request.sizes.eps = 0.02;
+    session.request.mesh.sizes.eps = 0.02;
     REQUIRE(session.mesh(inputs::uniform(2, 12)) == NETMESH_OK);
     CHECK(check_bounds(session) == NETMESH_OK);
-    session.request.sizes.eps = 0;
+    session.request.mesh.sizes.eps = 0;
     CHECK(check_bounds(session) == NETMESH_CHECK_FAILED);
     CHECK(std::strstr(session.detail().message, "3.3.2") != nullptr);
 }
@@ -154,11 +154,11 @@ TEST_CASE("arguments") {
     CHECK(session.analyse(&a, 6, 0) == NETMESH_OK);
     CHECK(a.fatness.inside.cells == 0);
     CHECK(a.fatness.bounded.cells > 0);
-    CHECK(session.analyse(&a, 0, 0) == NETMESH_INVALID_ARGUMENT);
+    CHECK(session.analyse(&a, 0, 0) == NETMESH_NO_RESULT);  // all, of which the size is of a mesh
     CHECK(session.analyse(&a, 8, 0) == NETMESH_INVALID_ARGUMENT);
     CHECK(session.analyse(&a, 6, -1) == NETMESH_INVALID_ARGUMENT);
     CHECK(session.analyse(&a, 6, std::nan("")) == NETMESH_INVALID_ARGUMENT);
-    netmesh::requests::Analyse request;
+    auto request = netmesh::sized<netmesh_analyse_request>();
     request.what = 6;
     CHECK(netmesh_analyse(session.context, nullptr, &a) == NETMESH_INVALID_ARGUMENT);
     CHECK(session.detail().field == NETMESH_FIELD_REQUEST);
@@ -205,7 +205,7 @@ TEST_CASE("an analysis can be cancelled") {
     };
     netmesh_analysis a;
     CHECK(session.analyse(&a, 7, 0) == NETMESH_CANCELLED);
-    session.request.monitor.poll = nullptr;
+    session.request.monitor = {};
     CHECK(session.check() == NETMESH_OK);
 }
 
@@ -215,7 +215,7 @@ TEST_CASE("every Voronoi cell and every D-ball through the interface") {
         if (dim > 4) continue;
         for (const bool meshed : {true, false}) {
             Session session(dim);
-            session.request.method = NETMESH_METHOD_HIERARCHY;
+            session.request.mesh.method = &netmesh_method_netmesh;
             const inputs::Points points = meshed ? inputs::geometric(dim, 100, 4) : inputs::uniform(dim, 25);
             REQUIRE((meshed ? session.mesh(points) : session.delaunay(points)) == NETMESH_OK);
             const netmesh_report r = session.report();

@@ -7,11 +7,11 @@
 #include "common/block.hpp"
 #include "common/dimensions.hpp"
 #include "common/inputs.hpp"
+#include "common/mesh_points.hpp"
 #include "laboratory/weighted_cells.hpp"
 #include "mesh/check/check_weighted_cells.hpp"
 #include "mesh/check/hierarchy_quality.hpp"
 #include "mesh/check/quality.hpp"
-#include "mesh/mesh_points.hpp"
 
 using namespace netmesh;
 

@@ -59,7 +59,7 @@ struct Table {
     }
 };
 
-// Constants of the cages, in the words of engine/DESIGN.md; written down here a second time.
+// Constants of the cages, in the words of engine/decisions/cages-of-the-thesis.md; written down a second time.
 template <int D> struct Constants {
     double epsilon = 0.3;     // inputs within epsilon r, vertices beyond 2 r / epsilon
     double sphere = 0.64;     // the shell's sphere, in r
@@ -71,7 +71,7 @@ template <int D> struct Constants {
     double packing = D == 2 ? 0.39018 : D == 3 ? 0.54653 : 0.61803;
     double inner = D == 2 ? 0.50 : D == 3 ? 0.40 : 0.38;  // B' of 4.11.1, in r
 
-    // K'_C, K'_S, K'_I and K, see engine/DESIGN.md.
+    // K'_C, K'_S, K'_I and K, see engine/decisions/cages-of-the-thesis.md.
     double k_cage, k_steiner, k_input, k;
     explicit Constants(double tau) {
         const double half = 1 - epsilon / 2, packed = (packing - 2 * gamma) * sphere;

@@ -18,9 +18,9 @@ void check_ratio(Session& session, const inputs::Points& points) {
     CHECK(session.checked == NETMESH_OK);
     const netmesh_report report = session.report();
     CHECK(report.complete == 1);
-    CHECK(report.mesh.certificate.ratio == session.request.certificate.ratio);
+    CHECK(report.mesh.goal.ratio == session.request.goal.ratio);
     CHECK(report.mesh.tau == 0);
-    CHECK(report.diagram.certified_ratio <= session.request.certificate.ratio);
+    CHECK(report.diagram.certified_ratio <= session.request.goal.ratio);
     CHECK(report.diagram.certified_ratio_best <= report.diagram.certified_ratio);
 }
 
@@ -34,7 +34,7 @@ TEST_CASE("certified ratios on all kinds of input") {
             CAPTURE(dim);
             CAPTURE(ratio);
             Session session(dim);
-            session.request.certificate.ratio = ratio;
+            session.request.goal.ratio = ratio;
             check_ratio(session, inputs::uniform(dim, n));
             check_ratio(session, inputs::grid(dim, dim == 2 ? 6 : dim == 3 ? 3 : 2));
             check_ratio(session, inputs::shell(dim, n, 1, 1, 7));
@@ -51,7 +51,7 @@ TEST_CASE("ratios down to the root of 2") {
     for (const double ratio : {1.75, 1.65, 1.6306723114402859, 1.58, 1.5, 1.42}) {
         CAPTURE(ratio);
         Session session(2);
-        session.request.certificate.ratio = ratio;
+        session.request.goal.ratio = ratio;
         for (const inputs::Points& points : {five, four, inputs::uniform(2, 3)}) {
             check_ratio(session, points);
             CHECK(session.report().mesh.vertices < (ratio < 1.5 ? 10000 : 200));
@@ -59,7 +59,7 @@ TEST_CASE("ratios down to the root of 2") {
     }
     for (const double ratio : {1.7, 1.55}) {
         Session session(3);
-        session.request.certificate.ratio = ratio;
+        session.request.goal.ratio = ratio;
         check_ratio(session, inputs::uniform(3, 4));
         CHECK(session.report().mesh.vertices < 1000);
     }
@@ -67,24 +67,24 @@ TEST_CASE("ratios down to the root of 2") {
 
 TEST_CASE("distances and scales that coordinates do not resolve") {
     Session session(2);
-    session.request.certificate.ratio = 1.5;  // Steiner points come nearer by (2.25 / 2 - 1)
+    session.request.goal.ratio = 1.5;  // Steiner points come nearer by (2.25 / 2 - 1)
     const auto mesh = [&](double gap) {
         const inputs::Points points = {1, 1, 1 + gap, 1};
-        return session.mesh_in_block(points, NETMESH_PURPOSE_PERSIST);
+        return session.mesh_in_block(points, &netmesh_filter_complete);
     };
     CHECK(mesh(64 * 0x1p-52 * 7.9) == NETMESH_TOO_CLOSE);
     CHECK(mesh(64 * 0x1p-52 * 8.1) == NETMESH_OK);
-    session.request.certificate.ratio = 2;
+    session.request.goal.ratio = 2;
     CHECK(mesh(65 * 0x1p-52) == NETMESH_OK);
     CHECK(mesh(63 * 0x1p-52) == NETMESH_TOO_CLOSE);
 
-    session.request.certificate.focus_to = 1;
+    session.request.goal.focus_to = 1;
     for (const double focus : {1.25, 1.5}) {
-        session.request.certificate.focus_ratio = focus;
+        session.request.goal.focus_ratio = focus;
         const double step = focus == 1.25 ? 0.5625 / 2.5625 : 0.125;
-        session.request.certificate.focus_from = 1.5 * 64 * 0x1p-52 / step;
+        session.request.goal.focus_from = 1.5 * 64 * 0x1p-52 / step;
         CHECK(mesh(0.25) == NETMESH_OK);
-        session.request.certificate.focus_from = 0.9 * 64 * 0x1p-52 * 1.25 / step;
+        session.request.goal.focus_from = 0.9 * 64 * 0x1p-52 * 1.25 / step;
         CHECK(mesh(0.25) == NETMESH_INVALID_ARGUMENT);
         CHECK(session.detail().field == NETMESH_FIELD_FOCUS_FROM);
         CHECK(std::string(session.detail().message).find("focus_from") == 0);
@@ -94,7 +94,7 @@ TEST_CASE("distances and scales that coordinates do not resolve") {
 
 TEST_CASE("clusters of a large spread") {
     Session session(2);
-    session.request.certificate.ratio = 2.25;
+    session.request.goal.ratio = 2.25;
     inputs::Points points;
     for (int i = 0; i < 40; ++i) points.insert(points.end(), {std::ldexp(1.0, -i), 0});
     check_ratio(session, points);
@@ -104,10 +104,10 @@ TEST_CASE("fewer vertices than a mesh of the aspect ratio that proves as much") 
     for (const int dim : dimensions(2, 4)) {
         Session session(dim);
         const inputs::Points points = inputs::shell(dim, dim == 2 ? 300 : dim == 3 ? 200 : 60, 1, 1, 7);
-        session.request.tau = 3.0625;
+        session.request.mesh.tau = 3.0625;
         REQUIRE(session.mesh_and_persist(points) == NETMESH_OK);
         const std::uint64_t quality = session.report().mesh.vertices;
-        session.request.certificate.ratio = 2.25;
+        session.request.goal.ratio = 2.25;
         check_ratio(session, points);
         CHECK(session.report().mesh.vertices < quality);
     }
@@ -116,22 +116,22 @@ TEST_CASE("fewer vertices than a mesh of the aspect ratio that proves as much") 
 TEST_CASE("scales of interest") {
     const inputs::Points points = inputs::shell(3, 100, 1, 1, 7);
     Session session(3);
-    session.request.certificate.ratio = 2.25;
+    session.request.goal.ratio = 2.25;
     check_ratio(session, points);
     const std::uint64_t without = session.report().mesh.vertices;
-    session.request.certificate.focus_ratio = 1.5;
-    session.request.certificate.focus_from = 0.4;
-    session.request.certificate.focus_to = 0.9;
+    session.request.goal.focus_ratio = 1.5;
+    session.request.goal.focus_from = 0.4;
+    session.request.goal.focus_to = 0.9;
     CHECK(session.check() == NETMESH_CHECK_FAILED);
     check_ratio(session, points);
     CHECK(session.report().mesh.vertices > without);
-    CHECK(session.report().mesh.certificate.focus_ratio == 1.5);
+    CHECK(session.report().mesh.goal.focus_ratio == 1.5);
 
-    session.request.certificate.focus_ratio = 1.3;  // more than what the mesh was made for
+    session.request.goal.focus_ratio = 1.3;  // more than what the mesh was made for
     CHECK(session.check() == NETMESH_CHECK_FAILED);
     CHECK(std::string(session.detail().message).find("at its scale") != std::string::npos);
-    session.request.certificate.focus_ratio = 1.5;
-    session.request.certificate.ratio = 1.9;
+    session.request.goal.focus_ratio = 1.5;
+    session.request.goal.ratio = 1.9;
     CHECK(session.check() == NETMESH_CHECK_FAILED);
 }
 
@@ -143,7 +143,7 @@ TEST_CASE("scales of interest in every dimension: early, late, all and none") {
         const double ratio = 4, focus = dim < 4 ? 1.6 : 2.1;
         const inputs::Points points = inputs::close_pairs(dim, 2, 0.02, 2);
         Session session(dim);
-        session.request.certificate.ratio = ratio;
+        session.request.goal.ratio = ratio;
         check_ratio(session, points);
         const std::uint64_t without = session.report().mesh.vertices;
         for (const Window& w :
@@ -152,13 +152,13 @@ TEST_CASE("scales of interest in every dimension: early, late, all and none") {
             CAPTURE(dim);
             CAPTURE(w.focus);
             CAPTURE(w.from);
-            session.request.certificate.focus_ratio = w.focus;
-            session.request.certificate.focus_from = w.from;
-            session.request.certificate.focus_to = w.to;
+            session.request.goal.focus_ratio = w.focus;
+            session.request.goal.focus_from = w.from;
+            session.request.goal.focus_to = w.to;
             check_ratio(session, points);
             if (w.to == 4) CHECK(session.report().mesh.vertices > without);
         }
-        session.request.certificate.focus_ratio = 0;
+        session.request.goal.focus_ratio = 0;
     }
 }
 
@@ -195,10 +195,10 @@ TEST_CASE_TEMPLATE_APPLY(goals, Dimensions<>);
 
 TEST_CASE("a mesh that promises less fails the check") {
     Session session(2);
-    session.request.certificate.ratio = 3;
+    session.request.goal.ratio = 3;
     const inputs::Points points = inputs::uniform(2, 200);
     check_ratio(session, points);
     REQUIRE(session.report().diagram.certified_ratio > 2.5);
-    session.request.certificate.ratio = 2.5;
+    session.request.goal.ratio = 2.5;
     CHECK(session.check() == NETMESH_CHECK_FAILED);
 }

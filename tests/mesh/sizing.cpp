@@ -146,7 +146,7 @@ TEST_CASE("meshes over-refined to eps f_P") {
             Session session(dim);
             REQUIRE(session.mesh(points) == NETMESH_OK);
             const std::uint64_t before = session.report().mesh.vertices;
-            session.request.sizes.eps = eps;
+            session.request.mesh.sizes.eps = eps;
             REQUIRE(session.mesh(points) == NETMESH_OK);
             const netmesh_report r = session.report();
             CHECK(r.mesh.vertices > before);
@@ -158,7 +158,7 @@ TEST_CASE("meshes over-refined to eps f_P") {
                   }) <= 1 + 1e-9);
             CHECK(session.check() == NETMESH_OK);
             // The same mesh does not keep a smaller promise.
-            session.request.sizes.eps = eps / 2;
+            session.request.mesh.sizes.eps = eps / 2;
             CHECK(session.check(NETMESH_CHECK_QUALITY) == NETMESH_CHECK_FAILED);
         }
     }
@@ -172,17 +172,17 @@ TEST_CASE("finished meshes that had cages are over-refined as those of SVR") {
             INFO("D = " << dim);
             Session session(dim);
             session.reserve(std::size_t{1} << 27);  // the checks need room beside the mesh
-            session.request.sizes.eps = eps;
+            session.request.mesh.sizes.eps = eps;
             REQUIRE(session.mesh(points) == NETMESH_OK);
             const std::uint64_t direct = session.report().mesh.vertices;
-            session.request.sizes.eps = 0;
-            session.request.method = NETMESH_METHOD_HIERARCHY;
-            session.request.finish = 1;
+            session.request.mesh.sizes.eps = 0;
+            session.request.mesh.method = &netmesh_method_netmesh;
+            session.request.mesh.finish = 1;
             REQUIRE(session.mesh(points) == NETMESH_OK);
             const std::uint64_t before = session.report().mesh.vertices;
             const auto promised = [&](const double* x) { return eps * feature_size_by_scan(points, dim, x); };
             CHECK(worst_by_corners(session, promised) > 1);
-            session.request.sizes.eps = eps;
+            session.request.mesh.sizes.eps = eps;
             REQUIRE(session.mesh(points) == NETMESH_OK);
             const netmesh_report r = session.report();
             CHECK(r.mesh.hierarchy.cages_made > 0);
@@ -194,9 +194,9 @@ TEST_CASE("finished meshes that had cages are over-refined as those of SVR") {
             CHECK(worst_by_corners(session, promised) <= 1 + 1e-9);
             CHECK(static_cast<double>(r.mesh.vertices) < 1.5 * static_cast<double>(direct));
             CHECK(session.check() == NETMESH_OK);
-            session.request.sizes.eps = eps / 2;
+            session.request.mesh.sizes.eps = eps / 2;
             CHECK(session.check(NETMESH_CHECK_QUALITY) == NETMESH_CHECK_FAILED);
-            session.request.finish = 0;
+            session.request.mesh.finish = 0;
             CHECK(session.mesh(points) == NETMESH_INVALID_ARGUMENT);
             CHECK(session.detail().field == NETMESH_FIELD_SIZES);
         }
@@ -230,14 +230,14 @@ TEST_CASE("meshes follow a sizing function, alone and together with eps") {
         Funnel funnel{dim, dim == 4 ? 0.2 : 0.03, dim == 4 ? 0.5 : 0.3};
         const inputs::Points points = inputs::uniform(dim, 20);
         Session session(dim);
-        session.request.sizes.size = Funnel::size;
-        session.request.sizes.user = &funnel;
+        session.request.mesh.sizes.size = Funnel::size;
+        session.request.mesh.sizes.user = &funnel;
         REQUIRE(session.mesh(points) == NETMESH_OK);
         const std::uint64_t alone = session.report().mesh.vertices;
         CHECK(session.report().mesh.sizes.ratio_max <= 1);
         CHECK(worst_by_corners(session, [&](const double* x) { return Funnel::size(&funnel, x); }) <= 1 + 1e-9);
         CHECK(session.check() == NETMESH_OK);
-        session.request.sizes.eps = 0.7;
+        session.request.mesh.sizes.eps = 0.7;
         REQUIRE(session.mesh(points) == NETMESH_OK);
         CHECK(session.report().mesh.vertices > alone);
         CHECK(worst_by_corners(session, [&](const double* x) {
@@ -252,7 +252,7 @@ TEST_CASE("the number of vertices grows as eps^-D") {
     Session session(2);
     std::uint64_t count[3];
     for (int i = 0; i < 3; ++i) {
-        session.request.sizes.eps = 0.2 / (1 << i);
+        session.request.mesh.sizes.eps = 0.2 / (1 << i);
         REQUIRE(session.mesh(points) == NETMESH_OK);
         count[i] = session.report().mesh.vertices;
     }
@@ -266,10 +266,10 @@ TEST_CASE("no point of the domain is farther from its vertex than asked for, by 
             INFO("D = " << dim << ", " << n << " points");
             Funnel funnel{dim, dim == 2 ? 0.05 : dim == 3 ? 0.15 : 0.4, 0.2};
             Session session(dim);
-            session.request.method = n == 3 ? NETMESH_METHOD_HIERARCHY : NETMESH_METHOD_SVR;
-            session.request.finish = n == 3;
-            session.request.sizes.size = Funnel::size;
-            session.request.sizes.user = &funnel;
+            session.request.mesh.method = n == 3 ? &netmesh_method_netmesh : &netmesh_method_svr;
+            session.request.mesh.finish = n == 3;
+            session.request.mesh.sizes.size = Funnel::size;
+            session.request.mesh.sizes.user = &funnel;
             REQUIRE(session.mesh(n == 3 ? inputs::geometric(dim, 40, 3) : inputs::uniform(dim, n)) == NETMESH_OK);
             CHECK(session.check() == NETMESH_OK);
             CHECK(worst_by_sampling(session, [&](const double* x) { return Funnel::size(&funnel, x); }) <= 1 + 1e-9);
@@ -282,18 +282,18 @@ TEST_CASE("no sampled cell reaches farther than a size that grows with the dista
         const double size = by_dimension<double>(dim, {0.05, 0.15, 0.3}), growth = 0.25;
         const inputs::Points points = inputs::uniform(dim, n);
         Session session(dim);
-        session.request.tau = dim < 4 ? 3 : 4;
+        session.request.mesh.tau = dim < 4 ? 3 : 4;
         REQUIRE(session.mesh(points) == NETMESH_OK);
         const std::uint64_t unsized = session.report().mesh.vertices;
-        session.request.size_at_inputs = size;
-        session.request.size_growth = growth;
+        session.request.mesh.sizes.at_inputs = size;
+        session.request.mesh.sizes.growth = growth;
         REQUIRE(session.mesh(points) == NETMESH_OK);
         const netmesh_report r = session.report();
         CHECK(static_cast<double>(r.mesh.vertices) > (dim < 4 ? 2 : 1.5) * static_cast<double>(unsized));
         CHECK(r.mesh.sizes.ratio_max <= 1);
         CHECK(r.mesh.sizes.ratio_max > 0.5);
         CHECK(session.check() == NETMESH_OK);
-        session.request.size_growth = growth / 4;
+        session.request.mesh.sizes.growth = growth / 4;
         CHECK(session.check() == NETMESH_CHECK_FAILED);
         const double worst = worst_by_sampling(
             session, [&](const double* x) { return size + growth * distances_by_scan(points, dim, x).first; });
@@ -315,17 +315,17 @@ TEST_CASE("check finds the sizes of a mesh by itself") {
             const bool kept = worst_by_corners(session, size) <= 1 && worst_by_sampling(session, size) <= 1;
             (kept ? high : low) = at;
         }
-        session.request.size_growth = 0.5;
-        session.request.size_at_inputs = 0.999 * low;
+        session.request.mesh.sizes.growth = 0.5;
+        session.request.mesh.sizes.at_inputs = 0.999 * low;
         CHECK(session.check() == NETMESH_CHECK_FAILED);
-        session.request.size_at_inputs = 1.1 * high;
+        session.request.mesh.sizes.at_inputs = 1.1 * high;
         CHECK(session.check() == NETMESH_OK);
     }
 }
 
 TEST_CASE("one point: eps asks for nothing") {
     Session session(2);
-    session.request.sizes.eps = 0.1;
+    session.request.mesh.sizes.eps = 0.1;
     REQUIRE(session.mesh({3, 4}) == NETMESH_OK);
     CHECK(session.report().mesh.vertices == 5);
     CHECK(session.report().mesh.sizes.ratio_max == 0);
@@ -337,10 +337,10 @@ TEST_CASE("sizes that cannot be reached are refused") {
         const std::size_t n = dim < 4 ? 20 : 4;
         const inputs::Points points = inputs::uniform(dim, n);
         Session session(dim);
-        session.request.tau = dim < 5 ? 3 : 6;
+        session.request.mesh.tau = dim < 5 ? 3 : 6;
         double value = 0;
-        session.request.sizes.size = [](void* user, const double*) { return *static_cast<double*>(user); };
-        session.request.sizes.user = &value;
+        session.request.mesh.sizes.size = [](void* user, const double*) { return *static_cast<double*>(user); };
+        session.request.mesh.sizes.user = &value;
         for (double bad : {0.0, -1.0, 1e-17, 1e-310, std::nan("")}) {
             value = bad;
             CHECK(session.mesh(points) == NETMESH_INVALID_ARGUMENT);
@@ -349,11 +349,11 @@ TEST_CASE("sizes that cannot be reached are refused") {
         }
         value = infinity;
         CHECK(session.mesh(points) == NETMESH_OK);
-        session.request.sizes.size = nullptr;
+        session.request.mesh.sizes = {};
         for (double bad : {-1.0, infinity, std::nan("")}) {
-            session.request.sizes.eps = bad;
+            session.request.mesh.sizes.eps = bad;
             CHECK(session.mesh_in_block(points) == NETMESH_INVALID_ARGUMENT);
-            CHECK(session.detail().field == NETMESH_FIELD_SIZES);
+            CHECK(session.detail().field == NETMESH_FIELD_SIZE_EPS);
         }
     }
 }
@@ -378,9 +378,9 @@ TEST_CASE("a size refused at a Steiner point names the input nearest to it, and 
         const inputs::Points points = inputs::uniform(dim, 3);
         OnlyAtInputs only = {dim, &points, dim < 5 ? 0.3 : 0.45, -1};
         Session session(dim);
-        session.request.tau = 4;
-        session.request.sizes.size = OnlyAtInputs::at;
-        session.request.sizes.user = &only;
+        session.request.mesh.tau = 4;
+        session.request.mesh.sizes.size = OnlyAtInputs::at;
+        session.request.mesh.sizes.user = &only;
         CHECK(session.mesh(points) == NETMESH_INVALID_ARGUMENT);
         CHECK(session.report().mesh.vertices == 0);
         only.elsewhere = infinity;
@@ -396,7 +396,7 @@ TEST_CASE("a size refused at a Steiner point names the input nearest to it, and 
 TEST_CASE("any block size leaves a Delaunay mesh when over-refinement runs out of memory") {
     const inputs::Points points = inputs::uniform(2, 12);
     Session session(2);
-    session.request.sizes.eps = 0.3;
+    session.request.mesh.sizes.eps = 0.3;
     int partial = 0;
     for (std::size_t bytes = 8192; bytes < 400000; bytes += 9000) {
         session.reserve(bytes);

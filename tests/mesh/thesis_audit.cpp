@@ -11,6 +11,7 @@
 #include "mesh/cage_lemmas.hpp"
 #include "mesh/cages/any_cage.hpp"
 #include "mesh/loop/thesis_cages.hpp"
+#include "mesh/loop/thesis_shells.hpp"
 #include "numerics/random.hpp"
 
 using namespace netmesh;

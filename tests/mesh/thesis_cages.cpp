@@ -1,10 +1,14 @@
 #include "mesh/loop/thesis_cages.hpp"
+#include "mesh/loop/thesis_shells.hpp"
 
 #include <doctest/doctest.h>
+#include <gmpxx.h>
 
 #include <cinttypes>
+#include <cmath>
 #include <cstdio>
 #include <cstdlib>
+#include <vector>
 
 #include "common/block.hpp"
 #include "common/dimensions.hpp"
@@ -248,6 +252,111 @@ TEST_CASE("a mesh whose outermost shell leaves a cell above tau is made again") 
         CHECK(found.worst <= tau);
         CHECK(found.encroached.violation == nullptr);
     }
+}
+
+namespace {
+
+// In rationals, or in long doubles to see what is near enough to ask.
+template <class Number> Number exact_distance2(const double* a, const double* b) {
+    Number sum = 0;
+    for (int k = 0; k < 3; ++k) {
+        const Number along = Number(a[k]) - Number(b[k]);
+        sum += along * along;
+    }
+    return sum;
+}
+// The squared radius of the ball through four points. *flat: the determinant over the product of the edges' lengths,
+// squared.
+template <class Number> Number ball_radius2(const double* const* p, Number* flat) {
+    Number edge[3][4], lengths2 = 1;
+    for (int i = 0; i < 3; ++i) {
+        for (int k = 0; k < 3; ++k) edge[i][k] = Number(p[i + 1][k]) - Number(p[0][k]);
+        const Number length2 = exact_distance2<Number>(p[i + 1], p[0]);
+        edge[i][3] = length2 / 2;
+        lengths2 *= length2;
+    }
+    const auto det = [&](int a, int b, int c) {
+        Number sum = 0;
+        for (int i = 0; i < 3; ++i)
+            sum += edge[i][a] *
+                   (edge[(i + 1) % 3][b] * edge[(i + 2) % 3][c] - edge[(i + 2) % 3][b] * edge[(i + 1) % 3][c]);
+        return sum;
+    };
+    const Number whole = det(0, 1, 2), x = det(3, 1, 2), y = det(0, 3, 2), z = det(0, 1, 3);
+    *flat = whole * whole / lengths2;
+    return (x * x + y * y + z * z) / (whole * whole);
+}
+
+// Cells above tau, by the vertices' coordinates alone; *near: how many were near enough to be asked in rationals.
+int cells_above(const Store<3>& store, double tau, int* near) {
+    const std::uint32_t count = store.state.vertex_count;
+    std::vector<long double> nearest2(count, HUGE_VALL);
+    std::vector<std::uint32_t> nearest(count, none);
+    const auto for_each_cell = [&](auto visit) {
+        for (CellId c(0); c < store.state.cell_slots; ++c)
+            if (store.is_live(c) && !store.is_ghost(c)) visit(store.cell(c));
+    };
+    for_each_cell([&](const Cell<3>& cell) {
+        for (const VertexId v : cell.vertex)
+            for (const VertexId w : cell.vertex) {
+                const long double d2 =
+                    v == w ? HUGE_VALL : exact_distance2<long double>(store.point(v), store.point(w));
+                if (d2 < nearest2[v]) nearest2[v] = d2, nearest[v] = w;
+            }
+    });
+    int above = 0;
+    for_each_cell([&](const Cell<3>& cell) {
+        const double* p[4];
+        for (int i = 0; i < 4; ++i) p[i] = store.point(cell.vertex[i]);
+        long double flat;
+        const long double about = 4 * ball_radius2<long double>(p, &flat);
+        for (const VertexId v : cell.vertex) {
+            if (store.vertex(v).marker == Marker::exempt) continue;
+            if (flat > 1e-12L && about * 1.001L < static_cast<long double>(tau) * tau * nearest2[v]) continue;
+            ++*near;
+            mpq_class exactly_flat;
+            const mpq_class radius2 = ball_radius2<mpq_class>(p, &exactly_flat), t = tau;
+            above +=
+                4 * radius2 > t * t * exact_distance2<mpq_class>(store.point(v), store.point(VertexId(nearest[v])));
+        }
+    });
+    return above;
+}
+
+}  // namespace
+
+// Clusters a few hundred units in the last place wide: a cell of ratio 1.0007 tau passed for one below tau, as corners
+// were where doubles put them.
+TEST_CASE("whole cells are within tau in truth where coordinates hardly resolve their corners") {
+    const inputs::Points clouds[] = {
+        {1.6554512730217867, 1.2328368351554697, 1.8621838498273988, 1.2442310969345809, 1.4539041849157954,
+         1.3282559951224742, 1.444142954513743,  1.2232841452252559, 1.6534725134932753, 1.4772516875965584,
+         1.3582352528355925, 1.3518029968179337, 1.4441429545137452, 1.2232841452252372, 1.653472513493208,
+         1.444142954513719,  1.2232841452252292, 1.6534725134932307, 1.4772516875965076, 1.3582352528355328,
+         1.3518029968179215, 1.4772516875965171, 1.3582352528354869, 1.3518029968179091, 1.6651050919061716,
+         1.4642812253519111, 1.9802857428520384, 1.4772516875965667, 1.3582352528355306, 1.351802996817919,
+         1.4441429545137274, 1.2232841452252821, 1.6534725134932111, 1.4772516875965387, 1.3582352528355617,
+         1.3518029968178955},
+        {1.5332931760158268, 1.7544475632972782, 1.0099671829070178, 1.3846476089060908, 1.6401720401854385,
+         1.1101677249842052, 1.3846476089067012, 1.6401720401851809, 1.1101677249840518, 1.3846476089061295,
+         1.6401720401852857, 1.1101677249838382, 1.6487911630059848, 1.150402598437605,  1.7053909739068716,
+         1.3846476089067117, 1.6401720401849464, 1.110167724984189,  1.3846476089062101, 1.6401720401850877,
+         1.1101677249838788, 1.3846476089065705, 1.6401720401854993, 1.1101677249839772, 1.3846476089063098,
+         1.6401720401852842, 1.1101677249840696, 1.9793534232030665, 1.3446407115175738, 1.5083868413379533}};
+    int near = 0;
+    for (const inputs::Points& points : clouds)
+        for (const double tau : {3.4, 3.41, 3.42, 3.5}) {
+            MeshRequest request;
+            request.method = MeshMethod::hierarchy;
+            request.cages = CageKind::thesis;
+            request.tau = tau;
+            request.seed = 1;
+            Meshed<3> m(points, request);
+            REQUIRE(m.status == Status::ok);
+            CHECK(cells_above(m.store, tau, &near) == 0);
+            CHECK(cells_above(m.store, 0.98 * tau, &near) > 0);
+        }
+    CHECK(near > 100);
 }
 
 TEST_CASE("shells of cages of the thesis yield to inputs") {

@@ -174,14 +174,13 @@ refused(() => netmesh.vineyard(null, { simplices: [[0], [1], [0, 1]], steps: [[0
 refused(() => netmesh.vineyard(null, { simplices: [[0]], steps: [[1, 2]] }), 'invalid-argument', 'steps');
 refused(() => netmesh.vineyard(circle, { k: [2, 1] }), 'invalid-argument', 'k');
 refused(() => netmesh.vineyard(circle, { k: [1, 61] }), 'invalid-argument', 'k');
-refused(() => netmesh.vineyard(circle, { filter: 'alpha' }), 'invalid-argument', 'filter');
+refused(() => netmesh.vineyard(circle, { filter: 'alpha' }), 'invalid-argument', 'k');
 refused(() => netmesh.persist(circle, { filter: 'function' }), 'invalid-argument', 'function');
 refused(() => netmesh.persist(circle, { ...heights, cut: undefined }), 'invalid-argument', 'cut');
 refused(() => netmesh.persist(circle, { ...heights, function: () => 'x' }), 'invalid-argument', 'function');
 refused(() => netmesh.persist(circle, { ...heights, function: () => NaN }), 'not-finite', 'function');
 refused(() => netmesh.persist(circle, { filter: 'alpha', function: pits }), 'invalid-argument', 'function');
 refused(() => netmesh.persist(circle, { filter: 'complete', fit: true }), 'invalid-argument', 'fit');
-refused(() => netmesh.persist(circle, { filter: 'tight', fit: true, memory: 1 << 20 }), 'invalid-argument', 'fit');
 refused(() => netmesh.persist(circle, { filter: 'complete', fit: true, memory: 1 << 14 }), 'out-of-memory', 'memory');
 refused(() => netmesh.persist(circle, { focus: 'auto' }), 'invalid-argument', 'focus');
 refused(() => netmesh.persist(circle, { focus: [1, 2] }), 'invalid-argument', 'focus');
@@ -191,6 +190,16 @@ assert.throws(() => netmesh.persist(circle, { ...heights, function: () => { thro
 refused(() => netmesh.bottleneck(Float64Array.of(2, 1), diagram), 'invalid-argument', 'a', 0);
 refused(() => netmesh.mesh(circle, { tau: 1.5 }), 'invalid-argument', 'tau');
 refused(() => diagram.intervals(2), 'invalid-argument', 'degree');
+
+// Options that have the names of the engine's table; 0 is not "not given".
+assert.ok(Math.abs(netmesh.mesh(circle, { domain_factor: 2 }).domain.radius - 2) < 1e-9);
+assert.equal(netmesh.mesh(circle, { size_eps: 0.25 }).fingerprint, netmesh.mesh(circle, { eps: 0.25 }).fingerprint);
+refused(() => netmesh.mesh(circle, { domain_factor: 9 }), 'invalid-argument', 'domain_factor');
+refused(() => netmesh.mesh(circle, { eps: -1 }), 'invalid-argument', 'eps');
+refused(() => netmesh.mesh(circle, { bounds: true }), 'invalid-argument', 'bounds');
+refused(() => netmesh.persist(circle, { ratio: 0 }), 'invalid-argument', 'ratio');
+refused(() => netmesh.persist(circle, { filter: 'knn', k: 0 }), 'invalid-argument', 'k');
+assert.ok(netmesh.rips(circle, { threshold: 0 }).intervals(0).length === 120);
 
 // Progress, and stopping by it.
 const many = Float64Array.from({ length: 30000 }, (_, i) => Math.sin(i * i) * 1000 % 1);

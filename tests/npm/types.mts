@@ -18,6 +18,7 @@ netmesh.persist([[0, 0]], { focus: 'auto', longerThan: 2, memory: 1e6 });
 console.log(path, filled.why, mesh.vineyard({ k: [1, 2] }).count);
 const status: Status = new NetmeshError().status;
 console.log(cells, sure, distance, status);
+netmesh.mesh([[0, 0]], { method: 'thesis', domain_factor: 2, audit: ['quality'] });
 // @ts-expect-error
 netmesh.persist([[0, 0]], { filter: 'nothing' });
 // @ts-expect-error

@@ -42,18 +42,18 @@ Curve old_curve(const Session& session, const Diagram& truth) {
 
 struct Way {
     double tau = 0, ratio = 0;  // of the mesh; 0: the default, none
-    netmesh_filter filter = NETMESH_FILTER_COMPLETE;
+    const netmesh_filter* filter = &netmesh_filter_complete;
     netmesh_values values = NETMESH_VALUES_CERTIFIED;
 };
 
 void make(Session& session, const inputs::Points& points, const Way& way) {
     session.bounds = true;
-    session.request.tau = way.tau;
-    session.request.certificate.ratio = way.ratio;
-    session.request.tight_eps = way.filter == NETMESH_FILTER_TIGHT ? 0.5 : 0;
+    session.request.mesh.tau = way.tau;
+    session.request.goal.ratio = way.ratio;
+    session.request.goal.eps = way.filter == &netmesh_filter_tight ? 0.5 : 0;
     REQUIRE(session.mesh_and_persist(points, persist_by(way.filter, 0, way.values),
-                                     way.filter == NETMESH_FILTER_TIGHT ? NETMESH_PURPOSE_TIGHT
-                                                                        : NETMESH_PURPOSE_PERSIST) == NETMESH_OK);
+                                     way.filter == &netmesh_filter_tight ? &netmesh_filter_tight
+                                                                         : &netmesh_filter_complete) == NETMESH_OK);
 }
 
 // The steps' ratios are never above the diagram's, where that holds.
@@ -119,7 +119,7 @@ Way way_of(std::uint64_t seed) {
     way.tau = taus[random.below(5)];
     if (random.below(3) == 0) way.values = NETMESH_VALUES_THESIS;
     const std::uint64_t filter = random.below(8);
-    if (filter == 0) way.filter = NETMESH_FILTER_BASIC;
+    if (filter == 0) way.filter = &netmesh_filter_basic;
     if (filter == 1 && way.values == NETMESH_VALUES_CERTIFIED) {
         way.tau = 0;
         way.ratio = 2 + 1.5 * random.uniform();
@@ -139,13 +139,13 @@ const inputs::Points square = {0, 0, 1, 0, 1, 1, 0, 1};
 TEST_CASE("corners of regular polygons") {
     for (const double tau : {0.0, 4.0}) {
         for (const netmesh_values values : {NETMESH_VALUES_CERTIFIED, NETMESH_VALUES_THESIS}) {
-            moves_within_curve(2, square, {tau, 0, NETMESH_FILTER_COMPLETE, values});
+            moves_within_curve(2, square, {tau, 0, &netmesh_filter_complete, values});
             for (const std::size_t n : {3, 5, 6, 7, 8, 9, 12, 30, 100})
-                moves_within_curve(2, inputs::circle(n), {tau, 0, NETMESH_FILTER_COMPLETE, values});
+                moves_within_curve(2, inputs::circle(n), {tau, 0, &netmesh_filter_complete, values});
         }
     }
-    moves_within_curve(2, square, {0, 0, NETMESH_FILTER_TIGHT});
-    moves_within_curve(2, inputs::circle(9), {0, 0, NETMESH_FILTER_TIGHT});
+    moves_within_curve(2, square, {0, 0, &netmesh_filter_tight});
+    moves_within_curve(2, inputs::circle(9), {0, 0, &netmesh_filter_tight});
 }
 
 TEST_CASE("what 0.1.0 said is refused") {
@@ -165,8 +165,8 @@ TEST_CASE("what 0.1.0 said is refused") {
     CHECK(refused("9-gon, tau 4", inputs::circle(9), {4}));
     int circles = 0;  // on some the values of the thesis happen to be nearer to the truth
     for (const std::size_t n : {17, 30, 101, 200})
-        circles +=
-            refused("circle, thesis, tau 4", inputs::circle(n), {4, 0, NETMESH_FILTER_COMPLETE, NETMESH_VALUES_THESIS});
+        circles += refused("circle, thesis, tau 4", inputs::circle(n),
+                           {4, 0, &netmesh_filter_complete, NETMESH_VALUES_THESIS});
     CHECK(circles >= 2);
 }
 
@@ -208,12 +208,13 @@ TEST_CASE("what a fit decides is so") {
         const inputs::Points points = i % 2 == 0 ? nasty(dim, kind, seed) : inputs::shell(dim, n, 1, 1.3, seed);
         Session session(dim);
         session.reserve(std::size_t{1} << (19 + i % 4));
-        netmesh_fit_request asked = session.fit_request(points);
-        asked.longer_than = longer_thans[i % 3];
-        asked.ratio = i % 4 == 0 ? 0 : 2;
-        REQUIRE(netmesh_fit(session.context, &asked) == NETMESH_OK);
+        netmesh::Request asked = session.fit_request(points);
+        asked.goal.longer_than = longer_thans[i % 3];
+        asked.goal.ratio = i % 4 == 0 ? 4 : 2;
+        asked.bounds = &netmesh_bounds;
+        REQUIRE(session.persist(asked) == NETMESH_OK);
         const netmesh_report report = session.report();
-        focused += report.mesh.certificate.focus_ratio > 0;
+        focused += report.mesh.goal.focus_ratio > 0;
         const Diagram truth = truth_of(dim, points);
         const Curve by_scale = curve(session);
         CHECK(moves_within(by_scale, diagram(session), truth));
@@ -228,7 +229,7 @@ TEST_CASE("what a fit decides is so") {
             if (bounds[bar].certain == 1) ours[pairs[bar].degree].push_back({pairs[bar].birth, pairs[bar].death});
         for (const auto& [degree, bars] : truth)
             for (const auto& bar : bars)
-                if (bar.second > asked.longer_than * bar.first * (1 + 1e-9) &&
+                if (bar.second > asked.goal.longer_than * bar.first * (1 + 1e-9) &&
                     bar.second > report.decision.decided_from * (1 + 1e-9))
                     due[degree].push_back(bar);
         for (const auto& [degree, bars] : due) {

@@ -37,8 +37,8 @@ void claims_hold(const std::string& name, const inputs::Points& points, double t
     std::vector<Interval> interval(state.vertex_count);
     const FilteredMesh<D> mesh = {store, domain, inputs};
     Evaluation complete = {value.data(), interval.data()};
-    REQUIRE(evaluate(mesh, {NETMESH_FILTER_COMPLETE, FilterValues::certified}, {block.arena, monitor}, &complete) ==
-            Status::ok);
+    REQUIRE(evaluate(mesh, {NETMESH_FILTER_COMPLETE, &complete_on_mesh, FilterValues::certified},
+                     {block.arena, monitor}, &complete) == Status::ok);
     REQUIRE(tighten_cell_bounds(mesh, {block.arena, monitor}, interval.data()) == Status::ok);
     CountedPairs counted = {};
     REQUIRE(persist_lower_star<D>({store.view(), value.data(), inputs}, {D - 1}, {block.arena, monitor}, &counted) ==

@@ -78,15 +78,6 @@ double evaluate(void* user, const double* x) {
     return shape(x);
 }
 
-struct Sized {
-    const netmesh_function* function;
-    double error;
-};
-double size_for(void* user, const double* x) {
-    const Sized& sized = *static_cast<const Sized*>(user);
-    return netmesh_size_for_error(sized.function, sized.error, x);
-}
-
 // On cubes with `side` of them along each edge of a box around the ball, outside of which F is the cut. F is within L
 // times half a cube's diagonal of its value in the middle.
 Bars on_grid(const Shape& f, unsigned side, double* doubt) {
@@ -219,13 +210,13 @@ void judge(int dim, std::uint64_t set, Seen* seen) {
     const inputs::Points points = points_for(dim, set, random);
     Session session(dim);
     session.reserve(std::size_t{1} << 28);
-    if (dim == 4) session.request.tau = 4;
-    session.request.domain_factor = set % 3 == 0 ? 1.5 : 0;
-    const netmesh_purpose purpose = set % 4 == 0 ? NETMESH_PURPOSE_MESH : NETMESH_PURPOSE_PERSIST;
-    REQUIRE(session.mesh(points, purpose) == NETMESH_OK);
+    if (dim == 4) session.request.mesh.tau = 4;
+    session.request.mesh.domain_factor = set % 3 == 0 ? 1.5 : 0;
+    const netmesh_filter* const mesh_for = set % 4 == 0 ? nullptr : &netmesh_filter_complete;
+    REQUIRE(session.mesh(points, mesh_for) == NETMESH_OK);
     const Shape shape = shape_for(dim, set, session.report(), random);
     netmesh_function function = {sizeof function, evaluate, const_cast<Shape*>(&shape), shape.lipschitz, 0, shape.cut};
-    netmesh::requests::Persist request(NETMESH_FILTER_FUNCTION);
+    netmesh::Request request(&netmesh_filter_function);
     if (set % 2 == 0) request.values = NETMESH_VALUES_THESIS;
     double doubt;
     const Bars truth = on_grid(shape, dim == 2 ? 180 : dim == 3 ? 40 : 14, &doubt);
@@ -264,11 +255,12 @@ void judge(int dim, std::uint64_t set, Seen* seen) {
         return;
     }
     // Finer: a half or a quarter of what the mesh had.
-    Sized sized = {&function, (dim == 2 && set % 2 == 0 ? 0.25 : 0.5) * coarse};
-    session.request.sizes = {0, size_for, &sized};
+    const double error = (dim == 2 && set % 2 == 0 ? 0.25 : 0.5) * coarse;
+    session.request.goal.error = error;
+    session.request.function = &function;
     request.values = NETMESH_VALUES_THESIS;
-    REQUIRE(session.mesh(points, purpose) == NETMESH_OK);
-    CHECK(agree() <= sized.error);
+    REQUIRE(session.mesh(points, &netmesh_filter_function) == NETMESH_OK);
+    CHECK(agree() <= error);
     ++seen->sized;
 }
 

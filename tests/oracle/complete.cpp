@@ -18,9 +18,9 @@ template <int D> void within_certificate(const std::string& name, const inputs::
     const Diagram truth = diagram(exact);
     for (const netmesh_values values : {NETMESH_VALUES_CERTIFIED, NETMESH_VALUES_THESIS}) {
         Session session(D);
-        session.request.tau = tau;
+        session.request.mesh.tau = tau;
         session.bounds = true;
-        REQUIRE(session.mesh_and_persist(points, persist_by(NETMESH_FILTER_COMPLETE, 0, values)) == NETMESH_OK);
+        REQUIRE(session.mesh_and_persist(points, persist_by(&netmesh_filter_complete, 0, values)) == NETMESH_OK);
         const netmesh_report r = session.report();
         CHECK(r.diagram.certified_ratio <= r.mesh.tau);
         if (values == NETMESH_VALUES_CERTIFIED) CHECK(r.diagram.certified_ratio <= std::sqrt(2 + r.mesh.tau));
@@ -44,7 +44,7 @@ template <int D> void reaches_ratio(const std::string& name, const inputs::Point
     Session exact(D), session(D);
     REQUIRE(exact.alpha(points) == NETMESH_OK);
     const Diagram truth = diagram(exact);
-    session.request.certificate.ratio = ratio;
+    session.request.goal.ratio = ratio;
     session.bounds = true;
     REQUIRE(session.mesh_and_persist(points) == NETMESH_OK);
     const netmesh_report r = session.report();

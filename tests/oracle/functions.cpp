@@ -18,7 +18,7 @@ void within_certificate(const std::string& name, int dim, const inputs::Points& 
     CAPTURE(k);
     Session session(dim);
     for (const netmesh_values values : {NETMESH_VALUES_CERTIFIED, NETMESH_VALUES_THESIS}) {
-        const netmesh_filter filter = mean ? NETMESH_FILTER_KDISTANCE : NETMESH_FILTER_KNN;
+        const netmesh_filter* const filter = mean ? &netmesh_filter_kdistance : &netmesh_filter_knn;
         REQUIRE(session.mesh_and_persist(points, persist_by(filter, static_cast<std::uint32_t>(k), values)) ==
                 NETMESH_OK);
         const netmesh_report report = session.report();
@@ -70,8 +70,8 @@ TEST_CASE("k = 1 is the complete filter") {
     const inputs::Points points = inputs::uniform(3, 80);
     Session complete(3), nearest(3), mean(3);
     REQUIRE(complete.mesh_and_persist(points) == NETMESH_OK);
-    REQUIRE(nearest.mesh_and_persist(points, NETMESH_FILTER_KNN) == NETMESH_OK);
-    REQUIRE(mean.mesh_and_persist(points, NETMESH_FILTER_KDISTANCE) == NETMESH_OK);
+    REQUIRE(nearest.mesh_and_persist(points, &netmesh_filter_knn) == NETMESH_OK);
+    REQUIRE(mean.mesh_and_persist(points, &netmesh_filter_kdistance) == NETMESH_OK);
     CHECK(nearest.report().fingerprint == complete.report().fingerprint);
     CHECK(mean.report().fingerprint == complete.report().fingerprint);
 }

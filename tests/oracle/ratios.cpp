@@ -82,15 +82,15 @@ void offsets(const Case& c) {
     const Diagram truth = diagram(exact);
     Session session(c.dim);
     session.bounds = true;
-    session.request.tau = c.tau;
+    session.request.mesh.tau = c.tau;
     const std::uint32_t dim = static_cast<std::uint32_t>(c.dim);
     for (const netmesh_values values : {NETMESH_VALUES_CERTIFIED, NETMESH_VALUES_THESIS}) {
         const bool own = values == NETMESH_VALUES_THESIS;
-        REQUIRE(session.mesh_and_persist(c.points, persist_by(NETMESH_FILTER_COMPLETE, 0, values)) == NETMESH_OK);
+        REQUIRE(session.mesh_and_persist(c.points, persist_by(&netmesh_filter_complete, 0, values)) == NETMESH_OK);
         judge(c, session, own ? "complete, thesis" : "complete", truth, log_distance(diagram(session), truth, dim),
               theory_of(c, values));
     }
-    REQUIRE(session.mesh_and_persist(c.points, NETMESH_FILTER_BASIC) == NETMESH_OK);
+    REQUIRE(session.mesh_and_persist(c.points, &netmesh_filter_basic) == NETMESH_OK);
     const double from = session.report().diagram.certified_from;
     judge(c, session, "basic", truth,
           distance_of_positive(seen_from(diagram(session), from), seen_from(truth, from), c.dim),
@@ -104,13 +104,13 @@ void tight_and_scales(const Case& c, double eps) {
     const std::uint32_t dim = static_cast<std::uint32_t>(c.dim);
     Session session(c.dim);
     session.bounds = true;
-    session.request.tight_eps = eps;
-    REQUIRE(session.mesh_and_persist(c.points, persist_by(NETMESH_FILTER_TIGHT), NETMESH_PURPOSE_TIGHT) == NETMESH_OK);
+    session.request.goal.eps = eps;
+    REQUIRE(session.mesh_and_persist(c.points, persist_by(&netmesh_filter_tight), &netmesh_filter_tight) == NETMESH_OK);
     judge(c, session, eps == 0.5 ? "tight, eps 1/2" : "tight, eps 1/4", truth,
           log_distance(diagram(session), truth, dim), 1 + eps);
-    netmesh_scales_request scales = session.scales_request(c.points);
-    scales.eps = eps;
-    REQUIRE(session.scales(scales) == NETMESH_OK);
+    netmesh::Request scales = session.scales_request(c.points);
+    scales.goal.eps = eps;
+    REQUIRE(session.persist_until_it_fits(scales) == NETMESH_OK);
     judge(c, session, eps == 0.5 ? "scales, eps 1/2" : "scales, eps 1/4", truth,
           log_distance(diagram(session), truth, dim), (1 + 3.0 / 9) * (1 + eps));
 }
@@ -119,12 +119,13 @@ void tight_and_scales(const Case& c, double eps) {
 void nearest_k(const Case& c, std::uint32_t k) {
     Session exact(c.dim);
     const std::uint32_t top = static_cast<std::uint32_t>(c.dim) - 1;
-    REQUIRE(exact.points(exact.points_request(c.points, NETMESH_FILTER_BARYCENTRIC_CECH, k, top)) == NETMESH_OK);
+    REQUIRE(exact.persist_until_it_fits(exact.points_request(c.points, &netmesh_filter_barycentric_cech, k, top)) ==
+            NETMESH_OK);
     const Diagram truth = diagram(exact);
     Session session(c.dim);
     session.bounds = true;
-    session.request.tau = c.tau;
-    REQUIRE(session.mesh_and_persist(c.points, persist_by(NETMESH_FILTER_KNN, k)) == NETMESH_OK);
+    session.request.mesh.tau = c.tau;
+    REQUIRE(session.mesh_and_persist(c.points, persist_by(&netmesh_filter_knn, k)) == NETMESH_OK);
     judge(c, session, k == 2 ? "knn, k = 2" : "knn, k = 3", truth, distance_of_positive(diagram(session), truth, c.dim),
           std::sqrt(4 + c.tau));
 }
@@ -132,8 +133,8 @@ void nearest_k(const Case& c, std::uint32_t k) {
 void k_distance(const Case& c, std::uint32_t k, unsigned side) {
     Session session(c.dim);
     session.bounds = true;
-    session.request.tau = c.tau;
-    REQUIRE(session.mesh_and_persist(c.points, persist_by(NETMESH_FILTER_KDISTANCE, k)) == NETMESH_OK);
+    session.request.mesh.tau = c.tau;
+    REQUIRE(session.mesh_and_persist(c.points, persist_by(&netmesh_filter_kdistance, k)) == NETMESH_OK);
     const netmesh_report r = session.report();
     double least, doubt;
     const Diagram truth =

@@ -66,16 +66,17 @@ Diagram cech(int dim, const inputs::Points& points, int max_degree) {
 }
 
 // GUDHI keeps bars whose ends differ by a rounding error; the bottleneck distance is not bothered by them.
-void compare(int dim, const std::string& name, const inputs::Points& points, netmesh_filter filter, int max_degree) {
+void compare(int dim, const std::string& name, const inputs::Points& points, const netmesh_filter* filter,
+             int max_degree) {
     if (dimensions({dim}).empty()) return;
     CAPTURE(dim);
     CAPTURE(name);
     Session session(dim);
     const std::uint32_t degree = static_cast<std::uint32_t>(max_degree);
-    REQUIRE(session.points(session.points_request(points, filter, 1, degree)) == NETMESH_OK);
+    REQUIRE(session.persist_until_it_fits(session.points_request(points, filter, 1, degree)) == NETMESH_OK);
     const Diagram ours = session.pairs();
     const Diagram theirs =
-        filter == NETMESH_FILTER_RIPS ? rips(dim, points, max_degree) : cech(dim, points, max_degree);
+        filter == &netmesh_filter_rips ? rips(dim, points, max_degree) : cech(dim, points, max_degree);
     const Distance d = bottleneck(ours, theirs);
     REQUIRE(d.status == NETMESH_OK);
     CHECK(d.value <= 1e-9);
@@ -84,22 +85,22 @@ void compare(int dim, const std::string& name, const inputs::Points& points, net
 }  // namespace
 
 TEST_CASE("Rips") {
-    compare(2, "uniform", inputs::uniform(2, 60), NETMESH_FILTER_RIPS, 1);
-    compare(2, "circle", inputs::circle(40), NETMESH_FILTER_RIPS, 2);
-    compare(2, "grid", inputs::grid(2, 6), NETMESH_FILTER_RIPS, 2);
-    compare(3, "torus", inputs::torus(60, 1), NETMESH_FILTER_RIPS, 1);
-    compare(3, "sphere", inputs::shell(3, 30, 1, 1, 2), NETMESH_FILTER_RIPS, 2);
-    compare(4, "Clifford helix", inputs::clifford(40), NETMESH_FILTER_RIPS, 1);
-    compare(6, "uniform", inputs::uniform(6, 18), NETMESH_FILTER_RIPS, 3);
+    compare(2, "uniform", inputs::uniform(2, 60), &netmesh_filter_rips, 1);
+    compare(2, "circle", inputs::circle(40), &netmesh_filter_rips, 2);
+    compare(2, "grid", inputs::grid(2, 6), &netmesh_filter_rips, 2);
+    compare(3, "torus", inputs::torus(60, 1), &netmesh_filter_rips, 1);
+    compare(3, "sphere", inputs::shell(3, 30, 1, 1, 2), &netmesh_filter_rips, 2);
+    compare(4, "Clifford helix", inputs::clifford(40), &netmesh_filter_rips, 1);
+    compare(6, "uniform", inputs::uniform(6, 18), &netmesh_filter_rips, 3);
 }
 
 TEST_CASE("Cech") {
-    compare(2, "uniform", inputs::uniform(2, 30), NETMESH_FILTER_CECH, 1);
-    compare(2, "circle", inputs::circle(20), NETMESH_FILTER_CECH, 1);
-    compare(2, "grid", inputs::grid(2, 4), NETMESH_FILTER_CECH, 2);
-    compare(3, "torus", inputs::torus(24, 1), NETMESH_FILTER_CECH, 1);
-    compare(3, "sphere", inputs::shell(3, 14, 1, 1, 2), NETMESH_FILTER_CECH, 2);
-    compare(3, "grid", inputs::grid(3, 2), NETMESH_FILTER_CECH, 2);
-    compare(4, "Clifford helix", inputs::clifford(16), NETMESH_FILTER_CECH, 1);
-    compare(5, "uniform", inputs::uniform(5, 12), NETMESH_FILTER_CECH, 2);
+    compare(2, "uniform", inputs::uniform(2, 30), &netmesh_filter_cech, 1);
+    compare(2, "circle", inputs::circle(20), &netmesh_filter_cech, 1);
+    compare(2, "grid", inputs::grid(2, 4), &netmesh_filter_cech, 2);
+    compare(3, "torus", inputs::torus(24, 1), &netmesh_filter_cech, 1);
+    compare(3, "sphere", inputs::shell(3, 14, 1, 1, 2), &netmesh_filter_cech, 2);
+    compare(3, "grid", inputs::grid(3, 2), &netmesh_filter_cech, 2);
+    compare(4, "Clifford helix", inputs::clifford(16), &netmesh_filter_cech, 1);
+    compare(5, "uniform", inputs::uniform(5, 12), &netmesh_filter_cech, 2);
 }

@@ -70,17 +70,18 @@ void compare_distances(std::uint32_t n, std::uint32_t max_degree, double thresho
             input += text_of(lower.back(), j + 1 < i ? ',' : '\n');
         }
     }
-    netmesh::requests::Distances request;
-    request.layout = NETMESH_DISTANCES_LOWER;
-    request.numbers = lower.data();
-    request.point_count = n;
+    auto distances = netmesh::sized<netmesh_distances>();
+    distances.layout = NETMESH_DISTANCES_LOWER;
+    distances.numbers = lower.data();
+    distances.count = n;
+    netmesh::Request request(&netmesh_filter_rips);
+    request.distances = &distances;
     request.max_degree = max_degree;
     std::string options = "--format lower-distance --dim " + std::to_string(max_degree);
     if (threshold < HUGE_VAL) options += " --threshold " + text_of(2 * threshold, ' ');
     request.threshold = threshold;
     Session session(2);
-    REQUIRE(session.until_it_fits(netmesh_plan_distances(&request),
-                                  [&] { return netmesh_persist_distances(session.context, &request); }) == NETMESH_OK);
+    REQUIRE(session.persist_until_it_fits(request) == NETMESH_OK);
     const Diagram theirs = ripser(input, options);
     CHECK(theirs.size() >= n);
     const Distance d = bottleneck(session.pairs(), theirs);
@@ -95,7 +96,8 @@ void compare(int dim, const inputs::Points& points, int max_degree) {
     Session session(dim);
     const std::size_t n = points.size() / static_cast<std::size_t>(dim);
     const std::uint32_t degree = static_cast<std::uint32_t>(max_degree);
-    REQUIRE(session.points(session.points_request(points, NETMESH_FILTER_RIPS, 1, degree)) == NETMESH_OK);
+    REQUIRE(session.persist_until_it_fits(session.points_request(points, &netmesh_filter_rips, 1, degree)) ==
+            NETMESH_OK);
     const Diagram ours = session.pairs(), theirs = ripser(dim, points, max_degree);
     CHECK(theirs.size() >= n);
     const Distance d = bottleneck(ours, theirs);

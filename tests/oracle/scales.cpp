@@ -37,12 +37,12 @@ inputs::Points fractal(int dim, std::size_t each, double ratio, std::uint64_t se
 }
 
 // The same with bounds by scale: they hold, and say no less than the ratio does, of which the session has the bounds.
-std::size_t by_scale(Session& session, netmesh_scales_request request, const Diagram& truth, std::size_t by_ratio) {
+std::size_t by_scale(Session& session, netmesh::Request request, const Diagram& truth, std::size_t by_ratio) {
     const std::vector<netmesh_pair> pairs = session.pairs();
     const std::vector<netmesh_bar_bounds> wide = read_all(session.context, netmesh_get_bar_bounds);
     const netmesh_report before = session.report();
-    request.bounds = 1;
-    REQUIRE(session.scales(request) == NETMESH_OK);
+    request.bounds = &netmesh_bounds;
+    REQUIRE(session.persist_until_it_fits(request) == NETMESH_OK);
     const netmesh_report r = session.report();
     CHECK(r.diagram.certified_ratio == before.diagram.certified_ratio);
     REQUIRE(session.pairs().size() == pairs.size());
@@ -101,10 +101,11 @@ template <int D> std::pair<std::size_t, std::size_t> real_rings(const inputs::Po
     REQUIRE(exact.alpha(points) == NETMESH_OK);
     const Diagram truth = diagram(exact);
     Session session(D);
-    netmesh_scales_request request = session.scales_request(points);
-    request.ratio = ratio;
-    request.theta = 0.1;
-    REQUIRE(session.scales(request) == NETMESH_OK);
+    netmesh::Request request = session.scales_request(points);
+    request.goal = {};
+    request.goal.ratio = ratio;
+    request.goal.theta = 0.1;
+    REQUIRE(session.persist_until_it_fits(request) == NETMESH_OK);
     REQUIRE(session.report().scales.count > 1);
     std::size_t by_ratio = 0;
     CHECK(bounds_hold(session, truth, &by_ratio));
@@ -120,13 +121,13 @@ void join(const inputs::Points& points, double theta, double eps, double ratio, 
     REQUIRE(exact.alpha(points) == NETMESH_OK);
     const Diagram truth = diagram(exact);
     Session session(D);
-    netmesh_scales_request request = session.scales_request(points);
-    request.theta = theta;
-    request.eps = eps;
-    request.ratio = ratio;
+    netmesh::Request request = session.scales_request(points);
+    request.goal.theta = theta;
+    request.goal.eps = eps;
+    request.goal.ratio = ratio;
     for (const netmesh_values values : {NETMESH_VALUES_CERTIFIED, NETMESH_VALUES_THESIS}) {
         request.values = values;
-        REQUIRE(session.scales(request) == NETMESH_OK);
+        REQUIRE(session.persist_until_it_fits(request) == NETMESH_OK);
         const netmesh_report r = session.report();
         const double distance = log_distance(diagram(session), truth, D);
         CHECK(distance <= std::log(r.diagram.certified_ratio));
@@ -145,7 +146,7 @@ void join(const inputs::Points& points, double theta, double eps, double ratio, 
 template <int D> void within_promise(const std::string& name, const inputs::Points& points, double theta, double eps) {
     CAPTURE(name);
     join<D>(points, theta, eps, 0,
-            [&](const netmesh_scales_request&, const netmesh_report& r, double distance, std::size_t certain) {
+            [&](const netmesh::Request&, const netmesh_report& r, double distance, std::size_t certain) {
                 CHECK(r.scales.count > 1);
                 CHECK(r.scales.separation >= (1 - theta) / (2 * theta) * (1 - 1e-9));
                 CHECK(distance <= 3 * theta + eps);
@@ -157,7 +158,7 @@ template <int D> void within_promise(const std::string& name, const inputs::Poin
 template <int D> void within_ratio(const inputs::Points& points, double theta, double ratio, bool has_scales) {
     CAPTURE(D);
     join<D>(points, theta, 0, ratio,
-            [&](const netmesh_scales_request& request, const netmesh_report& r, double, std::size_t) {
+            [&](const netmesh::Request& request, const netmesh_report& r, double, std::size_t) {
                 CHECK((r.scales.count > 1) == has_scales);
                 if (request.values == NETMESH_VALUES_CERTIFIED) CHECK(r.diagram.certified_ratio <= ratio);
                 CHECK(r.diagram.certified_ratio_best <= ratio);
@@ -206,8 +207,8 @@ TEST_CASE("peak memory is that of the largest scale") {
     for (const double scale : {1e-3, 1e-6, 1e-9, 1e-12})
         for (const double x : inputs::uniform(2, 10, 42)) all.push_back(large[0] + scale * x);
     Session one(2), many(2);
-    REQUIRE(one.scales(one.scales_request(large)) == NETMESH_OK);
-    REQUIRE(many.scales(many.scales_request(all)) == NETMESH_OK);
+    REQUIRE(one.persist_until_it_fits(one.scales_request(large)) == NETMESH_OK);
+    REQUIRE(many.persist_until_it_fits(many.scales_request(all)) == NETMESH_OK);
     const netmesh_report a = one.report(), b = many.report();
     CHECK(b.scales.count > a.scales.count);
     CHECK(b.scales.vertices > a.scales.vertices);

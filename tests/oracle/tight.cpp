@@ -18,10 +18,10 @@ template <int D> void within_eps(const std::string& name, const inputs::Points& 
     REQUIRE(exact.alpha(points) == NETMESH_OK);
     const Diagram truth = diagram(exact);
     Session session(D);
-    session.request.tight_eps = eps;
+    session.request.goal.eps = eps;
     session.bounds = true;
     for (const netmesh_values values : {NETMESH_VALUES_CERTIFIED, NETMESH_VALUES_THESIS}) {
-        REQUIRE(session.mesh_and_persist(points, persist_by(NETMESH_FILTER_TIGHT, 0, values), NETMESH_PURPOSE_TIGHT) ==
+        REQUIRE(session.mesh_and_persist(points, persist_by(&netmesh_filter_tight, 0, values), &netmesh_filter_tight) ==
                 NETMESH_OK);
         const netmesh_report r = session.report();
         const double distance = log_distance(diagram(session), truth, D);
@@ -47,11 +47,11 @@ template <int D> void within_ratio(const inputs::Points& points, double ratio) {
     const Diagram truth = diagram(exact);
     Session session(D);
     session.bounds = true;
-    session.request.certificate.ratio = ratio;
-    session.request.whole_cells = 1;
+    session.request.goal.ratio = ratio;
+    session.request.mesh.whole_cells = 1;
     for (const netmesh_values values : {NETMESH_VALUES_CERTIFIED, NETMESH_VALUES_THESIS}) {
-        REQUIRE(session.mesh_and_persist(points, persist_by(NETMESH_FILTER_TIGHT, 0, values),
-                                         NETMESH_PURPOSE_PERSIST) == NETMESH_OK);
+        REQUIRE(session.mesh_and_persist(points, persist_by(&netmesh_filter_tight, 0, values),
+                                         &netmesh_filter_complete) == NETMESH_OK);
         const netmesh_report r = session.report();
         const double distance = log_distance(diagram(session), truth, D);
         if (values == NETMESH_VALUES_CERTIFIED) CHECK(r.diagram.certified_ratio <= 1.1 * ratio);

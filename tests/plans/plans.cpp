@@ -35,114 +35,110 @@ struct Job {
     Run run;
 };
 
-netmesh_status mesh_by(Calls& calls, const inputs::Points& points, std::size_t* planned,
-                       const std::function<void(netmesh_mesh_request&)>& change, const netmesh_filter* filter) {
-    netmesh_mesh_request request = calls.mesh_request(points);
-    change(request);
-    *planned = netmesh_plan_mesh(&request);
-    netmesh_status status = netmesh_mesh(calls.context, &request);
-    if (status == NETMESH_OK && filter != nullptr) status = calls.persist(*filter);
-    return status;
-}
+using Change = std::function<void(netmesh::Request&)>;
 
-Run mesh(const std::function<void(netmesh_mesh_request&)>& change) {
-    return [change](Calls& c, const inputs::Points& p, std::size_t* planned) {
-        return mesh_by(c, p, planned, change, nullptr);
+Run mesh(const Change& change) {
+    return [change](Calls& calls, const inputs::Points& points, std::size_t* planned) {
+        netmesh::Request request = calls.mesh_request(points);
+        change(request);
+        *planned = netmesh_plan_mesh(&request);
+        return netmesh_mesh(calls.context, &request);
     };
 }
-Run persist(const std::function<void(netmesh_mesh_request&)>& change,
-            netmesh_purpose purpose = NETMESH_PURPOSE_PERSIST) {
-    return [change, purpose](Calls& c, const inputs::Points& p, std::size_t* planned) {
-        const netmesh_filter filter = purpose == NETMESH_PURPOSE_TIGHT ? NETMESH_FILTER_TIGHT : NETMESH_FILTER_COMPLETE;
-        return mesh_by(
-            c, p, planned,
-            [&](netmesh_mesh_request& request) {
-                request.purpose = purpose;
-                change(request);
-            },
-            &filter);
+// The mesh for a filter, and its diagram.
+Run persist(const Change& change, const netmesh_filter* filter = &netmesh_filter_complete) {
+    return [change, filter](Calls& calls, const inputs::Points& points, std::size_t* planned) {
+        netmesh::Request request = calls.mesh_request(points, filter);
+        change(request);
+        if (request.goal.ratio > 0) request.mesh.method = nullptr;
+        *planned = netmesh_plan(&request);
+        return netmesh_persist(calls.context, &request);
     };
 }
-Run triangulation(netmesh_purpose purpose) {
-    return [purpose](Calls& calls, const inputs::Points& points, std::size_t* planned) {
-        const netmesh_delaunay_request request = calls.delaunay_request(points, purpose);
-        *planned = netmesh_plan_delaunay(&request);
-        const netmesh_status status = netmesh_delaunay(calls.context, &request);
-        if (status != NETMESH_OK || purpose == NETMESH_PURPOSE_MESH) return status;
-        return calls.persist(NETMESH_FILTER_ALPHA);
-    };
-}
-Run alpha() {
+Run triangulation() {
     return [](Calls& calls, const inputs::Points& points, std::size_t* planned) {
-        const netmesh_alpha_request request = calls.alpha_request(points);
-        *planned = netmesh_plan_alpha(&request);
-        return netmesh_persist_alpha(calls.context, &request);
+        const netmesh::Request request = calls.delaunay_request(points);
+        *planned = netmesh_plan_mesh(&request);
+        return netmesh_mesh(calls.context, &request);
     };
+}
+// Of points alone.
+Run diagram(const std::function<netmesh::Request(const Calls&, const inputs::Points&)>& request_of) {
+    return [request_of](Calls& calls, const inputs::Points& points, std::size_t* planned) {
+        const netmesh::Request request = request_of(calls, points);
+        *planned = netmesh_plan(&request);
+        return netmesh_persist(calls.context, &request);
+    };
+}
+Run alpha(bool keep_mesh) {
+    return diagram([keep_mesh](const Calls& calls, const inputs::Points& points) {
+        netmesh::Request request = calls.alpha_request(points);
+        request.keep_mesh = keep_mesh ? 1 : 0;
+        return request;
+    });
 }
 Run either() {
-    return [](Calls& calls, const inputs::Points& points, std::size_t* planned) {
-        const netmesh_auto_request request = calls.auto_request(points);
-        *planned = netmesh_plan_auto(&request);
-        return netmesh_persist_auto(calls.context, &request);
-    };
+    return diagram([](const Calls& calls, const inputs::Points& points) { return calls.auto_request(points); });
 }
-Run scales(const std::function<void(netmesh_scales_request&)>& change) {
-    return [change](Calls& calls, const inputs::Points& points, std::size_t* planned) {
-        netmesh_scales_request request = calls.scales_request(points);
+Run scales(const Change& change) {
+    return diagram([change](const Calls& calls, const inputs::Points& points) {
+        netmesh::Request request = calls.scales_request(points);
         change(request);
-        *planned = netmesh_plan_scales(&request);
-        return netmesh_persist_scales(calls.context, &request);
-    };
+        return request;
+    });
+}
+void ask_ratio(netmesh::Request& request, double ratio) {
+    request.goal = {};
+    request.goal.ratio = ratio;
 }
 constexpr std::size_t never = SIZE_MAX;
 const std::vector<std::size_t> meshes = {1000, 3000, 3000};
-const Run by_ratio = persist([](auto& r) { r.certificate.ratio = 2.25; });
+const Run by_ratio = persist([](auto& r) { r.goal.ratio = 2.25; });
 
 const std::vector<Job> jobs = {
-    {"delaunay", {0, 0, 0, 0, 0}, 0, {100000, 100000, 3000, 1000, 100}, triangulation(NETMESH_PURPOSE_MESH)},
-    {"delaunay-alpha", {0, 0, 0, 0, 0}, 0, {100000, 100000, 3000, 300, 100}, triangulation(NETMESH_PURPOSE_PERSIST)},
-    {"alpha", {0, 0, 0, 0, 0}, 0, {100000, 100000, 3000, 300, 100}, alpha()},
+    {"delaunay", {0, 0, 0, 0, 0}, 0, {100000, 100000, 3000, 1000, 100}, triangulation()},
+    {"delaunay-alpha", {0, 0, 0, 0, 0}, 0, {100000, 100000, 3000, 300, 100}, alpha(true)},
+    {"alpha", {0, 0, 0, 0, 0}, 0, {100000, 100000, 3000, 300, 100}, alpha(false)},
     {"auto", {0, 0, 0, 0, 0}, 0, {100000, 100000, 3000, 300, 100}, either()},
     {"mesh", meshes, 1.7, {100000, 100000, 3000}, mesh([](auto&) {})},
-    {"mesh-tau3.5", meshes, 1.7, {100000, 100000, 3000}, mesh([](auto& r) { r.tau = 3.5; })},
-    {"mesh-tau6", meshes, 1.7, {100000, 100000, 3000}, mesh([](auto& r) { r.tau = 6; })},
+    {"mesh-tau3.5", meshes, 1.7, {100000, 100000, 3000}, mesh([](auto& r) { r.mesh.tau = 3.5; })},
+    {"mesh-tau6", meshes, 1.7, {100000, 100000, 3000}, mesh([](auto& r) { r.mesh.tau = 6; })},
     {"persist", meshes, 1.7, {100000, 30000, 1000}, persist([](auto&) {})},
-    {"persist-tau3.5", meshes, 1.7, {100000, 30000, 1000}, persist([](auto& r) { r.tau = 3.5; })},
-    {"persist-tau6", meshes, 1.7, {100000, 30000, 1000}, persist([](auto& r) { r.tau = 6; })},
-    {"ratio1.6", {never, never}, 3.5, {3000, 300}, persist([](auto& r) { r.certificate.ratio = 1.6; })},
-    {"ratio1.8", {10000, never, never}, 3, {10000, 3000, 100}, persist([](auto& r) { r.certificate.ratio = 1.8; })},
+    {"persist-tau3.5", meshes, 1.7, {100000, 30000, 1000}, persist([](auto& r) { r.mesh.tau = 3.5; })},
+    {"persist-tau6", meshes, 1.7, {100000, 30000, 1000}, persist([](auto& r) { r.mesh.tau = 6; })},
+    {"ratio1.6", {never, never}, 3.5, {3000, 300}, persist([](auto& r) { r.goal.ratio = 1.6; })},
+    {"ratio1.8", {10000, never, never}, 3, {10000, 3000, 100}, persist([](auto& r) { r.goal.ratio = 1.8; })},
     {"ratio1.9-whole", {3000, never, never}, 2.4, {10000, 1000, 173}, persist([](auto& r) {
-         r.certificate.ratio = 1.9;
-         r.whole_cells = 1;
+         r.goal.ratio = 1.9;
+         r.mesh.whole_cells = 1;
      })},
-    {"ratio2", meshes, 1.9, {30000, 10000, 300}, persist([](auto& r) { r.certificate.ratio = 2; })},
+    {"ratio2", meshes, 1.9, {30000, 10000, 300}, persist([](auto& r) { r.goal.ratio = 2; })},
     {"ratio2.25", meshes, 1.7, {100000, 30000, 1000}, by_ratio},
-    {"ratio3", meshes, 1.7, {100000, 30000, 1000}, persist([](auto& r) { r.certificate.ratio = 3; })},
+    {"ratio3", meshes, 1.7, {100000, 30000, 1000}, persist([](auto& r) { r.goal.ratio = 3; })},
     {"ratio2.25-whole", meshes, 1.7, {100000, 30000, 1000}, persist([](auto& r) {
-         r.certificate.ratio = 2.25;
-         r.whole_cells = 1;
+         r.goal.ratio = 2.25;
+         r.mesh.whole_cells = 1;
      })},
     {"hierarchy", {1730, 10000, 3000}, 2, {100000, 30000, 1000}, mesh([](auto& r) {
-         r.method = NETMESH_METHOD_HIERARCHY;
+         r.mesh.method = &netmesh_method_netmesh;
      })},
     {"hierarchy-finished", {never, never, never}, 2, {30000, 10000, 1000}, mesh([](auto& r) {
-         r.method = NETMESH_METHOD_HIERARCHY;
-         r.finish = 1;
+         r.mesh.method = &netmesh_method_netmesh;
+         r.mesh.finish = 1;
      })},
     {"hierarchy-thesis", {1000, 3000}, 1.5, {10000, 1000}, mesh([](auto& r) {
-         r.method = NETMESH_METHOD_HIERARCHY;
-         r.cage_kind = NETMESH_CAGES_THESIS;
-         r.tau = 6;
+         r.mesh.method = &netmesh_method_thesis;
+         r.mesh.tau = 6;
      })},
-    {"refine", {1730, 3000}, 1.6, {100000, 10000, 300}, mesh([](auto& r) { r.method = NETMESH_METHOD_REFINE; })},
-    {"quality-audit", meshes, 2, {10000, 3000}, mesh([](auto& r) { r.audit = NETMESH_AUDIT_QUALITY; })},
-    {"location-audit", {never, never}, 4, {3000, 1000}, mesh([](auto& r) { r.audit = NETMESH_AUDIT_LOCATION; })},
-    {"sizes-eps0.4", {1000, 1730}, 1.4, {30000, 3000}, mesh([](auto& r) { r.sizes.eps = 0.4; })},
-    {"tight", {300, never}, 1.4, {3000, 100}, persist([](auto&) {}, NETMESH_PURPOSE_TIGHT)},
-    {"scales-ratio3", {3000, never}, 2.6, {10000, 3000}, scales([](auto& r) { r.ratio = 3; })},
+    {"refine", {1730, 3000}, 1.6, {100000, 10000, 300}, mesh([](auto& r) { r.mesh.method = &netmesh_method_refine; })},
+    {"quality-audit", meshes, 2, {10000, 3000}, mesh([](auto& r) { r.mesh.audit = NETMESH_AUDIT_QUALITY; })},
+    {"location-audit", {never, never}, 4, {3000, 1000}, mesh([](auto& r) { r.mesh.audit = NETMESH_AUDIT_LOCATION; })},
+    {"sizes-eps0.4", {1000, 1730}, 1.4, {30000, 3000}, mesh([](auto& r) { r.mesh.sizes.eps = 0.4; })},
+    {"tight", {300, never}, 1.4, {3000, 100}, persist([](auto&) {}, &netmesh_filter_tight)},
+    {"scales-ratio3", {3000, never}, 2.6, {10000, 3000}, scales([](auto& r) { ask_ratio(r, 3); })},
     {"scales-ratio3-bounds", {3000, never}, 2.6, {3000, 1000}, scales([](auto& r) {
-         r.ratio = 3;
-         r.bounds = 1;
+         ask_ratio(r, 3);
+         r.bounds = &netmesh_bounds;
      })},
     {"scales", {1000, never}, 1.4, {1000, 100}, scales([](auto&) {})},
 };

@@ -44,15 +44,16 @@ static void give_back(const struct job* job, void* block) {
 
 static uint64_t alpha(const struct job* job) {
     netmesh_context* context;
-    netmesh_alpha_request request;
+    netmesh_request request = netmesh_default_request();
     netmesh_pair pair = {sizeof pair, 0, 0, 0};
     void* const block = block_of(job);
     uint64_t result;
-    netmesh_alpha_request_init(&request, sizeof request, job->dim);
-    request.points = job->points;
-    request.point_count = job->count;
+    request.points.coordinates = job->points;
+    request.points.count = job->count;
+    request.points.dim = job->dim;
+    request.filter = &netmesh_filter_alpha;
     if (netmesh_init(block, job->block_bytes, &context) != NETMESH_OK) exit(2);
-    if (netmesh_persist_alpha(context, &request) != NETMESH_OK) exit(2);
+    if (netmesh_persist(context, &request) != NETMESH_OK) exit(2);
     for (uint64_t i = 0; netmesh_get_pair(context, i, &pair) == NETMESH_OK; ++i) {
         job->read[2 * i] = pair.birth;
         job->read[2 * i + 1] = pair.death;
@@ -64,17 +65,18 @@ static uint64_t alpha(const struct job* job) {
 
 static uint64_t delaunay(const struct job* job) {
     netmesh_context* context;
-    netmesh_delaunay_request request;
+    netmesh_request request = netmesh_default_request();
     netmesh_vertex vertex;
     netmesh_cell cell;
     void* const block = block_of(job);
     uint32_t* const cells = (uint32_t*)(job->read + job->count * job->dim);
     uint64_t result;
-    netmesh_delaunay_request_init(&request, sizeof request, job->dim);
-    request.points = job->points;
-    request.point_count = job->count;
+    request.points.coordinates = job->points;
+    request.points.count = job->count;
+    request.points.dim = job->dim;
+    request.mesh.method = &netmesh_method_delaunay;
     if (netmesh_init(block, job->block_bytes, &context) != NETMESH_OK) exit(2);
-    if (netmesh_delaunay(context, &request) != NETMESH_OK) exit(2);
+    if (netmesh_mesh(context, &request) != NETMESH_OK) exit(2);
     vertex.struct_bytes = sizeof vertex;
     cell.struct_bytes = sizeof cell;
     for (uint64_t i = 0; netmesh_get_vertex(context, i, &vertex) == NETMESH_OK; ++i)

@@ -33,6 +33,20 @@ def test_not_finite(filter, value):
     assert isinstance(error, ValueError)
 
 
+def test_what_few_jobs_read():
+    """Refused by the others, which say who reads it."""
+    for filter in ("rips", "cech", "barycentric-cech", "barycentric-rips"):
+        error = raised(errors.InvalidArgument, netmesh.persist, POINTS[:9], filter, seed=3)
+        assert error.argument == "seed" and "triangulations and meshes" in str(error)
+    for filter in ("alpha", "auto", "complete", "knn", "scales", "tight"):
+        assert netmesh.persist(POINTS[:9], filter, seed=3).filter
+    for filter in ("alpha", "complete", "cech"):
+        error = raised(errors.InvalidArgument, netmesh.persist, POINTS, filter, threshold=0.5)
+        assert error.argument == "threshold" and "rips alone" in str(error)
+    error = raised(errors.InvalidArgument, netmesh.mesh, POINTS, eps=0)
+    assert error.argument == "eps" and str(error).endswith("above 0")
+
+
 def test_not_finite_elsewhere():
     assert raised(errors.NotFinite, netmesh.delaunay, bad(np.nan, 3)).row == 3
     assert raised(errors.NotFinite, netmesh.mesh, bad(np.nan, 0)).row == 0
@@ -68,6 +82,10 @@ def test_flat():
     (dict(filter="complete", tau=1.5), "tau"), (dict(filter="complete", method="none"), "method"),
     (dict(filter="complete", method="svr", ratio=2), "ratio"), (dict(filter="complete", focus=2), "focus"),
     (dict(filter="complete", focus=(1.5, 2, 1)), "focus"), (dict(filter="complete", focus="auto"), "focus"),
+    (dict(filter="alpha", focus="auto", memory="1M"), "focus"), (dict(filter="alpha", lipschitz=1), "lipschitz"),
+    (dict(filter="complete", ratio=2, tau=3), "tau"), (dict(filter="complete", finish=True), "finish"),
+    (dict(filter="complete", method="netmesh"), "finish"), (dict(filter="complete", tau=0), "tau"),
+    (dict(filter="complete", domain_factor=9, method="svr"), "domain_factor"), (dict(threshold=-1), "threshold"),
     (dict(filter="complete", longer_than=2), "longer_than"), (dict(filter="complete", fit=True), "fit"),
     (dict(filter="complete", values="best"), "values"), (dict(filter="complete", seed=-1), "seed"),
     (dict(filter="tight", eps=0.7), "eps"), (dict(filter="tight", eps=0.5, ratio=2), "eps"),
@@ -136,7 +154,7 @@ def test_distances_refuse_options():
 
 def test_vineyard_refuses():
     for options, argument in ((dict(k=3), "k"), (dict(k=(2, 1)), "k"), (dict(k=(1, 51)), "k"),
-                              (dict(filter="alpha"), "filter"), (dict(values="x"), "values")):
+                              (dict(filter="alpha"), "k"), (dict(values="x"), "values")):
         assert raised(errors.InvalidArgument, netmesh.vineyard, POINTS, **options).argument == argument
     assert raised(errors.InvalidArgument, netmesh.vineyard).argument == "points"
     assert raised(errors.InvalidArgument, netmesh.vineyard, simplices=[[0]], steps=[[1, 2]]).argument == "steps"

@@ -6,7 +6,7 @@ import pytest
 
 import netmesh
 from netmesh import errors
-from netmesh._options import number_text
+from netmesh._files import number_text
 
 from conftest import circle, uniform
 

@@ -22,13 +22,7 @@ alignas(16) std::uint32_t area[(guard_bytes + stack_most + NETMESH_STACK_BYTES_J
 double points[points_max * DIM];
 std::size_t count;
 netmesh_context* context;
-union Request {
-    netmesh_delaunay_request delaunay;
-    netmesh_alpha_request alpha;
-    netmesh_points_request rips;
-    netmesh_mesh_request mesh;
-} request;
-netmesh_persist_request persist;
+netmesh_request request, persist;
 netmesh_report report;
 netmesh_pair pair;
 netmesh_cell cell;
@@ -170,43 +164,33 @@ void prepare(Job job, Kind kind, Random& random, const netmesh_monitor& monitor)
     report.struct_bytes = sizeof report;
     pair.struct_bytes = sizeof pair;
     cell.struct_bytes = sizeof cell;
-    netmesh_persist_request_init(&persist, sizeof persist);
+    persist = netmesh_default_request();  // of the mesh that the context holds
+    persist.filter = &netmesh_filter_complete;
     persist.monitor = monitor;
+    request = netmesh_default_request();
+    request.monitor = monitor;
     switch (job) {
-    case delaunay:
-        netmesh_delaunay_request_init(&request.delaunay, sizeof request.delaunay, DIM);
-        request.delaunay.points = points;
-        request.delaunay.point_count = count;
-        request.delaunay.monitor = monitor;
-        break;
-    case alpha:
-        netmesh_alpha_request_init(&request.alpha, sizeof request.alpha, DIM);
-        request.alpha.points = points;
-        request.alpha.point_count = count;
-        request.alpha.monitor = monitor;
-        break;
+    case delaunay: request.mesh.method = &netmesh_method_delaunay; break;
+    case alpha: request.filter = &netmesh_filter_alpha; break;
     case rips:
-        netmesh_points_request_init(&request.rips, sizeof request.rips, DIM,
-                                    random.below(4) == 0 ? NETMESH_FILTER_CECH : NETMESH_FILTER_RIPS);
-        request.rips.points = points;
-        request.rips.point_count = count = count < 24 ? count : 24;
-        request.rips.monitor = monitor;
+        request.filter = random.below(4) == 0 ? &netmesh_filter_cech : &netmesh_filter_rips;
+        if (count > 24) count = 24;
         break;
     default:
-        netmesh_mesh_request_init(&request.mesh, sizeof request.mesh, DIM);
-        request.mesh.points = points;
-        request.mesh.point_count = count = count < meshed_max ? count : meshed_max;
-        request.mesh.purpose = NETMESH_PURPOSE_PERSIST;
+        if (count > meshed_max) count = meshed_max;
         if (random.below(4) == 0) {
-            request.mesh.purpose = NETMESH_PURPOSE_MESH;
-            request.mesh.method = NETMESH_METHOD_HIERARCHY;
+            request.mesh.method = &netmesh_method_netmesh;
             request.mesh.finish = 1;
-        } else if (random.below(2) != 0) {
-            request.mesh.certificate.ratio = 2.25;
+        } else {
+            request.filter = &netmesh_filter_complete;
+            if (random.below(2) != 0)
+                request.goal.ratio = 2.25;
+            else
+                request.mesh.method = &netmesh_method_svr;
         }
-        request.mesh.monitor = monitor;
         break;
     }
+    request.points = {points, count, DIM, NETMESH_POINTS_FLOAT64, 0};
 }
 
 // The calls of a job one after the other; `make` makes each of them.
@@ -214,8 +198,8 @@ template <class Make> netmesh_status run_job(Job job, Make&& make) {
     static const std::size_t bytes = sizeof block;
     const netmesh_status begun = make(Call{address(init), block, &bytes});
     if (begun != NETMESH_OK) return begun;
-    const void* const first[] = {address(netmesh_delaunay), address(netmesh_persist_alpha), address(netmesh_mesh),
-                                 address(netmesh_persist_points)};
+    const void* const first[] = {address(netmesh_mesh), address(netmesh_persist), address(netmesh_mesh),
+                                 address(netmesh_persist)};
     netmesh_status done = make(Call{first[job], context, &request});
     if (done == NETMESH_OK && job == certified) done = make(Call{address(netmesh_persist), context, &persist});
     make(Call{job == delaunay ? address(read_cells) : address(read_pairs), nullptr, nullptr});

@@ -8,15 +8,15 @@
 
 namespace {
 
-netmesh_status mesh(Run& run) { return run.mesh_in_block(run.points(), NETMESH_PURPOSE_PERSIST); }
+netmesh_status mesh(Run& run) { return run.mesh_in_block(run.points(), &netmesh_filter_complete); }
 
-netmesh_status persist(Run& run, const netmesh_persist_request& request) {
+netmesh_status persist(Run& run, const netmesh::Request& request) {
     const netmesh_status status = mesh(run);
     return status == NETMESH_OK ? run.persist(request) : status;
 }
-netmesh_status knn(Run& run) { return persist(run, persist_by(NETMESH_FILTER_KNN, 2)); }
-netmesh_status kdistance(Run& run) { return persist(run, persist_by(NETMESH_FILTER_KDISTANCE, 2)); }
-netmesh_status tight(Run& run) { return persist(run, persist_by(NETMESH_FILTER_TIGHT)); }
+netmesh_status knn(Run& run) { return persist(run, persist_by(&netmesh_filter_knn, 2)); }
+netmesh_status kdistance(Run& run) { return persist(run, persist_by(&netmesh_filter_kdistance, 2)); }
+netmesh_status tight(Run& run) { return persist(run, persist_by(&netmesh_filter_tight)); }
 
 netmesh_status bounds(Run& run) {
     const netmesh_status status = knn(run);
@@ -28,27 +28,27 @@ netmesh_status chain(Run& run) {
     inputs::Points points(3 * static_cast<std::size_t>(run.job.dim), 0.0);
     points[static_cast<std::size_t>(run.job.dim)] = 1;
     points[2 * static_cast<std::size_t>(run.job.dim)] = -1.3;
-    netmesh_persist_request components = persist_by(NETMESH_FILTER_KNN, 2);
+    netmesh::Request components = persist_by(&netmesh_filter_knn, 2);
     components.max_degree = 0;
-    netmesh_status status = run.mesh_in_block(points, NETMESH_PURPOSE_PERSIST);
+    netmesh_status status = run.mesh_in_block(points, &netmesh_filter_complete);
     if (status == NETMESH_OK) status = run.persist(components);
     return status == NETMESH_OK ? run.bound_bars() : status;
 }
 
 // A cycle for each bar.
 netmesh_status represent(Run& run) {
-    const netmesh_status status = persist(run, persist_by(NETMESH_FILTER_COMPLETE));
+    const netmesh_status status = persist(run, persist_by(&netmesh_filter_complete));
     return status == NETMESH_OK ? run.represent() : status;
 }
 // With pairs of no length the complex is listed simplex by simplex.
 netmesh_status represent_all(Run& run) {
-    netmesh_persist_request all = persist_by(NETMESH_FILTER_COMPLETE);
+    netmesh::Request all = persist_by(&netmesh_filter_complete);
     all.max_degree = all.keep_zero_pairs = 1;
     const netmesh_status status = persist(run, all);
     return status == NETMESH_OK ? run.represent() : status;
 }
 netmesh_status represent_alpha(Run& run) {
-    netmesh_persist_request all = persist_by(NETMESH_FILTER_ALPHA);
+    netmesh::Request all = persist_by(&netmesh_filter_alpha);
     all.keep_zero_pairs = 1;
     netmesh_status status = run.delaunay_in_block(run.points());
     if (status == NETMESH_OK) status = run.persist(all);
@@ -77,64 +77,65 @@ struct Sublevels {
     double lipschitz, cut;
 };
 netmesh_function function_of(Run& run, const Sublevels& of) {
-    netmesh::requests::Function function;
+    auto function = netmesh::sized<netmesh_function>();
     function.evaluate = of.evaluate;
     function.user = &run;
     function.lipschitz = of.lipschitz;
     function.cut = of.cut;
     return function;
 }
-netmesh_status persist_function(Run& run, const Sublevels& of, netmesh_persist_request request) {
+netmesh_status persist_function(Run& run, const Sublevels& of, netmesh::Request request) {
     const netmesh_function function = function_of(run, of);
     request.function = &function;
     return persist(run, request);
 }
 netmesh_status function(Run& run) {
-    return persist_function(run, {distance_to_origin, 1.5, 1}, persist_by(NETMESH_FILTER_FUNCTION));
+    return persist_function(run, {distance_to_origin, 1.5, 1}, persist_by(&netmesh_filter_function));
 }
 netmesh_status function_bounds(Run& run) {
     const netmesh_status status = function(run);
     return status == NETMESH_OK ? run.bound_bars(function_of(run, {distance_to_origin, 1.5, 1})) : status;
 }
 netmesh_status irregular(Run& run) {
-    netmesh_persist_request all = persist_by(NETMESH_FILTER_FUNCTION, 0, NETMESH_VALUES_THESIS);
+    netmesh::Request all = persist_by(&netmesh_filter_function, 0, NETMESH_VALUES_THESIS);
     all.keep_zero_pairs = 1;
     return persist_function(run, {rough, 1e6, 2}, all);
 }
 netmesh_status irregular_cycles(Run& run) {
     const netmesh_status status = persist_function(run, {rough_with_peaks, 1e6, 2},
-                                                   persist_by(NETMESH_FILTER_FUNCTION, 0, NETMESH_VALUES_THESIS));
+                                                   persist_by(&netmesh_filter_function, 0, NETMESH_VALUES_THESIS));
     return status == NETMESH_OK ? run.represent() : status;
 }
 
 netmesh_status vineyard(Run& run) {
     const netmesh_status status = mesh(run);
-    return status == NETMESH_OK ? run.vineyard(NETMESH_FILTER_KNN, 1, 2) : status;
+    return status == NETMESH_OK ? run.vineyard(&netmesh_filter_knn, 1, 2) : status;
 }
 
 // Two scales far from each other.
 netmesh_status scales(Run& run) {
     inputs::Points points = run.points();
     for (std::size_t i = 0; i < points.size() / 2; ++i) points[i] *= 0x1p-30;
-    const netmesh_scales_request request = run.scales_request(points);
-    return netmesh_persist_scales(run.context, &request);
+    return run.persist(run.scales_request(points));
 }
 
 // With all that is known of bars.
 netmesh_status known_scales(Run& run) {
     inputs::Points points = run.points();
     for (std::size_t i = 0; i < points.size() / 2; ++i) points[i] *= 0x1p-30;
-    netmesh_scales_request request = run.scales_request(points);
-    request.ratio = 3;
-    request.bounds = request.representatives = 1;
-    return netmesh_persist_scales(run.context, &request);
+    netmesh::Request request = run.plain(&netmesh_filter_scales);
+    request.set_points(run.dim(), points);
+    request.goal.ratio = 3;
+    request.bounds = &netmesh_bounds;
+    request.cycles = &netmesh_cycles;
+    return run.persist(request);
 }
 
-std::function<netmesh_status(Run&)> of_points(netmesh_filter filter, bool representatives, std::uint32_t degree = 1) {
+std::function<netmesh_status(Run&)> of_points(const netmesh_filter* filter, bool cycles, std::uint32_t degree = 1) {
     return [=](Run& run) {
-        netmesh_points_request request = run.points_request(run.points(), filter, 2, degree);
-        request.representatives = representatives ? 1 : 0;
-        return netmesh_persist_points(run.context, &request);
+        netmesh::Request request = run.points_request(run.points(), filter, 2, degree);
+        request.cycles = cycles ? &netmesh_cycles : nullptr;
+        return run.persist(request);
     };
 }
 
@@ -150,32 +151,47 @@ std::function<netmesh_status(Run&)> of_distances(netmesh_distance_layout layout,
                 if ((i + j) % 5 != 0) entries.push_back({i, j, lower.back()});
             }
         }
-        netmesh_distances_request request = netmesh::requests::Distances();
-        request.monitor = run.request.monitor;
-        request.layout = layout;
-        request.numbers = lower.data();
-        request.entries = entries.data();
-        request.entry_count = entries.size();
-        request.point_count = n;
+        auto distances = netmesh::sized<netmesh_distances>();
+        distances.layout = layout;
+        distances.numbers = lower.data();
+        distances.entries = entries.data();
+        distances.entry_count = entries.size();
+        distances.count = n;
+        netmesh::Request request(&netmesh_filter_rips);
+        request.distances = &distances;
         request.max_degree = degree;
-        request.representatives = cycles ? 1 : 0;
-        return netmesh_persist_distances(run.context, &request);
+        request.cycles = cycles ? &netmesh_cycles : nullptr;
+        return run.persist(request);
     };
 }
 
 // Without a triangulation.
 netmesh_status alpha_of_points(Run& run) {
-    netmesh_alpha_request request = run.alpha_request(run.points());
+    netmesh::Request request = run.alpha_request(run.points());
     request.keep_zero_pairs = run.job.dim == 3 ? 1 : 0;
-    return netmesh_persist_alpha(run.context, &request);
+    return run.persist(request);
+}
+
+// From points to all that is wanted of their diagram, in one call: with a triangulation that is kept, with a mesh.
+netmesh_status alpha_at_once(Run& run) {
+    netmesh::Request request = run.alpha_request(run.points());
+    request.keep_mesh = 1;
+    request.bounds = &netmesh_bounds;
+    request.cycles = &netmesh_cycles;
+    return run.persist(request);
+}
+netmesh_status complete_at_once(Run& run) {
+    netmesh::Request request = run.plain(&netmesh_filter_complete);
+    request.set_points(run.dim(), run.points());
+    request.goal.ratio = 3;
+    request.bounds = &netmesh_bounds;
+    request.cycles = &netmesh_cycles;
+    return run.persist(request);
 }
 
 // Three k of nested sets.
-std::function<netmesh_status(Run&)> nested_sets(netmesh_filter filter) {
-    return [=](Run& run) {
-        netmesh_points_vineyard_request request = run.nested_request(run.points(), filter, 3);
-        return netmesh_points_vineyard(run.context, &request);
-    };
+std::function<netmesh_status(Run&)> nested_sets(const netmesh_filter* filter) {
+    return [=](Run& run) { return run.persist(run.nested_request(run.points(), filter, 3)); };
 }
 
 // All faces of the simplices i, i + 1, i + 2, i + 5 modulo `points`, every one at the number of its vertices.
@@ -203,17 +219,23 @@ Complex complex_of(const Job& job) {
     return c;
 }
 
-netmesh_status homology_of_complex(Run& run, bool representatives) {
+netmesh_simplices simplices_of(const Complex& complex) {
+    auto simplices = netmesh::sized<netmesh_simplices>();
+    simplices.vertices = complex.vertices.data();
+    simplices.starts = complex.starts.data();
+    simplices.entries = complex.entries.data();
+    simplices.simplex_count = complex.entries.size();
+    return simplices;
+}
+
+netmesh_status homology_of_complex(Run& run, bool cycles) {
     static const Complex complex = complex_of(run.job);
-    netmesh::requests::Homology request;
-    request.monitor = run.request.monitor;
-    request.vertices = complex.vertices.data();
-    request.starts = complex.starts.data();
-    request.entries = complex.entries.data();
-    request.simplex_count = complex.entries.size();
+    const netmesh_simplices simplices = simplices_of(complex);
+    netmesh::Request request(&netmesh_filter_simplices);
+    request.simplices = &simplices;
     request.max_degree = 3;
-    request.representatives = representatives ? 1 : 0;
-    return netmesh_homology(run.context, &request);
+    request.cycles = cycles ? &netmesh_cycles : nullptr;
+    return run.persist(request);
 }
 netmesh_status homology(Run& run) { return homology_of_complex(run, false); }
 netmesh_status homology_cycles(Run& run) { return homology_of_complex(run, true); }
@@ -228,16 +250,14 @@ netmesh_status value_vineyard(Run& run, bool by_vertex) {
             const double moved = static_cast<double>((complex.vertices[complex.starts[i]] + i * 7) * (step + 1) % 11);
             if (!by_vertex || size == 1) values.push_back(moved + static_cast<double>(16 * size));
         }
-    netmesh::requests::ValueVineyard request;
-    request.monitor = run.request.monitor;
-    request.vertices = complex.vertices.data();
-    request.starts = complex.starts.data();
-    request.entries = values.data();
-    request.simplex_count = complex.entries.size();
-    request.step_count = 3;
-    request.by_vertex = by_vertex ? 1 : 0;
+    netmesh_simplices simplices = simplices_of(complex);
+    simplices.entries = values.data();
+    simplices.step_count = 3;
+    simplices.by_vertex = by_vertex ? 1 : 0;
+    netmesh::Request request(&netmesh_filter_simplices);
+    request.simplices = &simplices;
     request.max_degree = 2;
-    return netmesh_value_vineyard(run.context, &request);
+    return run.vineyard(request);
 }
 netmesh_status vines_of_simplices(Run& run) { return value_vineyard(run, false); }
 netmesh_status vines_of_vertices(Run& run) { return value_vineyard(run, true); }
@@ -252,7 +272,7 @@ netmesh_status analyse(Run& run) {
 }
 
 netmesh_status measure(Run& run) {
-    run.request.method = NETMESH_METHOD_HIERARCHY;
+    run.request.mesh.method = &netmesh_method_netmesh;
     netmesh_status status = run.mesh_in_block(run.points());
     if (status != NETMESH_OK) return status;
     const std::size_t vertices = run.report().mesh.vertices, inputs = run.job.points;
@@ -321,12 +341,14 @@ void add_diagram_jobs(std::vector<Job>* jobs) {
         jobs->push_back(Job{"analyse", dim, few, analyse}.large(large).tries(100));
         jobs->push_back(Job{"measure", dim, few, measure}.large(large).tries(100));
         jobs->push_back({"alpha-of-points", dim, dim < 4 ? 16u : 8u, alpha_of_points});
-        jobs->push_back({"rips", dim, 9, of_points(NETMESH_FILTER_RIPS, true)});
-        jobs->push_back(Job{"rips-edges", dim, 9, of_points(NETMESH_FILTER_RIPS, false)}.large(dim > 3).tries(40));
-        jobs->push_back({"cech", dim, 7, of_points(NETMESH_FILTER_CECH, true)});
-        jobs->push_back({"bary-cech", dim, 5, of_points(NETMESH_FILTER_BARYCENTRIC_CECH, false)});
-        jobs->push_back({"bary-rips", dim, 5, of_points(NETMESH_FILTER_BARYCENTRIC_RIPS, false)});
-        jobs->push_back(Job{"vines-of-sets", dim, 5, nested_sets(NETMESH_FILTER_BARYCENTRIC_CECH)}.large(dim > 3));
+        jobs->push_back(Job{"alpha-at-once", dim, alpha, alpha_at_once}.keeping_diagram().large(large));
+        jobs->push_back(Job{"complete-at-once", dim, few, complete_at_once}.keeping_diagram().large(large).tries(100));
+        jobs->push_back({"rips", dim, 9, of_points(&netmesh_filter_rips, true)});
+        jobs->push_back(Job{"rips-edges", dim, 9, of_points(&netmesh_filter_rips, false)}.large(dim > 3).tries(40));
+        jobs->push_back({"cech", dim, 7, of_points(&netmesh_filter_cech, true)});
+        jobs->push_back({"bary-cech", dim, 5, of_points(&netmesh_filter_barycentric_cech, false)});
+        jobs->push_back({"bary-rips", dim, 5, of_points(&netmesh_filter_barycentric_rips, false)});
+        jobs->push_back(Job{"vines-of-sets", dim, 5, nested_sets(&netmesh_filter_barycentric_cech)}.large(dim > 3));
     }
     jobs->push_back({"distances", 2, 9, of_distances(NETMESH_DISTANCES_LOWER, 1, false)});
     jobs->push_back({"distances-tree", 2, 9, of_distances(NETMESH_DISTANCES_LOWER, 0, false)});
@@ -336,8 +358,8 @@ void add_diagram_jobs(std::vector<Job>* jobs) {
     jobs->push_back({"homology-cycles", 2, 12, homology_cycles});
     jobs->push_back({"vines-of-simplices", 2, 8, vines_of_simplices});
     jobs->push_back({"vines-of-vertices", 2, 8, vines_of_vertices});
-    jobs->push_back(Job{"rips-large", 2, 18, of_points(NETMESH_FILTER_RIPS, false, 2)}.large().tries(60));
-    jobs->push_back(Job{"rips-large", 3, 18, of_points(NETMESH_FILTER_RIPS, true, 2)}.large().tries(60));
+    jobs->push_back(Job{"rips-large", 2, 18, of_points(&netmesh_filter_rips, false, 2)}.large().tries(60));
+    jobs->push_back(Job{"rips-large", 3, 18, of_points(&netmesh_filter_rips, true, 2)}.large().tries(60));
     jobs->push_back(Job{"scales", 2, 3, scales}.large().tries(30));
     jobs->push_back(Job{"scales", 3, 2, scales}.large().tries(10));
 }

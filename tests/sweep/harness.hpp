@@ -6,6 +6,7 @@
 #include <functional>
 
 #include "netmesh.h"
+#include "netmesh/job.h"
 
 // Requests for memory refuse_from .. refuse_to - 1 are refused, poll cancel_at is answered with a stop; all are counted
 // from 0. With a job each poll pauses it before it answers.

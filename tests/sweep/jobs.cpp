@@ -50,98 +50,99 @@ netmesh_status delaunay(Run& run) { return run.delaunay_in_block(run.points()); 
 netmesh_status repeated(Run& run) { return run.delaunay_in_block(made<repeated_points>(run.job)); }
 
 // Points as floats, each the first numbers of a record.
-template <class Request> std::vector<float> read_floats(const Run& run, Request* request) {
+std::vector<float> read_floats(const Run& run, netmesh::Request* request) {
     const std::size_t dim = static_cast<std::size_t>(run.job.dim), stride = dim + 2;
     const inputs::Points& points = run.points();
     std::vector<float> rows(points.size() / dim * stride, -1e30f);
     for (std::size_t i = 0; i < points.size(); ++i) rows[i / dim * stride + i % dim] = static_cast<float>(points[i]);
-    request->points = rows.data();
-    request->point_format = NETMESH_POINTS_FLOAT32;
-    request->point_stride_bytes = sizeof(float) * stride;
+    request->points.coordinates = rows.data();
+    request->points.format = NETMESH_POINTS_FLOAT32;
+    request->points.stride_bytes = sizeof(float) * stride;
     return rows;
 }
 netmesh_status cells_of_floats(Run& run) {
-    netmesh_delaunay_request request = run.delaunay_request(run.points());
+    netmesh::Request request = run.delaunay_request(run.points());
     const std::vector<float> rows = read_floats(run, &request);
-    return netmesh_delaunay(run.context, &request);
+    return netmesh_mesh(run.context, &request);
 }
 netmesh_status mesh_of_floats(Run& run) {
-    netmesh_mesh_request request = run.mesh_request(run.points());
+    netmesh::Request request = run.mesh_request(run.points());
     const std::vector<float> rows = read_floats(run, &request);
     return netmesh_mesh(run.context, &request);
 }
 
 netmesh_status alpha(Run& run) {
     const netmesh_status status = delaunay(run);
-    return status == NETMESH_OK ? run.persist(NETMESH_FILTER_ALPHA) : status;
+    return status == NETMESH_OK ? run.persist(&netmesh_filter_alpha) : status;
 }
 netmesh_status alpha_of_moved(Run& run) {
     const netmesh_status status = run.delaunay_in_block(made<moved_sphere>(run.job));
-    return status == NETMESH_OK ? run.persist(NETMESH_FILTER_ALPHA) : status;
+    return status == NETMESH_OK ? run.persist(&netmesh_filter_alpha) : status;
 }
 netmesh_status alpha_low(Run& run) {
     const netmesh_status status = delaunay(run);
-    netmesh::requests::Persist low(NETMESH_FILTER_ALPHA);
+    netmesh::Request low(&netmesh_filter_alpha);
     low.max_degree = 0;
     return status == NETMESH_OK ? run.persist(low) : status;
 }
 
-netmesh_status mesh(Run& run) { return run.mesh_in_block(run.points(), NETMESH_PURPOSE_PERSIST); }
+netmesh_status mesh(Run& run) { return run.mesh_in_block(run.points(), &netmesh_filter_complete); }
 
-netmesh_status persist_all(Run& run, netmesh_filter filter, netmesh_values values) {
-    netmesh_persist_request all = persist_by(filter, 0, values);
+netmesh_status persist_all(Run& run, const netmesh_filter* filter, netmesh_values values) {
+    netmesh::Request all = persist_by(filter, 0, values);
     all.keep_zero_pairs = 1;
     const netmesh_status status = mesh(run);
     return status == NETMESH_OK ? run.persist(all) : status;
 }
-netmesh_status complete(Run& run) { return persist_all(run, NETMESH_FILTER_COMPLETE, NETMESH_VALUES_CERTIFIED); }
-netmesh_status basic(Run& run) { return persist_all(run, NETMESH_FILTER_BASIC, NETMESH_VALUES_THESIS); }
+netmesh_status complete(Run& run) { return persist_all(run, &netmesh_filter_complete, NETMESH_VALUES_CERTIFIED); }
+netmesh_status basic(Run& run) { return persist_all(run, &netmesh_filter_basic, NETMESH_VALUES_THESIS); }
 netmesh_status basic_bounds(Run& run) {
-    const netmesh_status status = persist_all(run, NETMESH_FILTER_BASIC, NETMESH_VALUES_CERTIFIED);
+    const netmesh_status status = persist_all(run, &netmesh_filter_basic, NETMESH_VALUES_CERTIFIED);
     return status == NETMESH_OK ? run.bound_bars() : status;
 }
 // Refined by the certificate.
 netmesh_status by_ratio(Run& run) {
-    run.request.certificate.ratio = 3;
+    run.request.goal.ratio = 3;
     return complete(run);
 }
 // The same, more at some scales.
 netmesh_status focused(Run& run) {
-    run.request.certificate = {4, run.job.dim < 5 ? 2.6 : 3.5, 0.05, 4};
-    return run.mesh_in_block(made<close_pairs>(run.job), NETMESH_PURPOSE_PERSIST);
+    netmesh_goal& goal = run.request.goal;
+    goal.ratio = 4;
+    goal.focus_ratio = run.job.dim < 5 ? 2.6 : 3.5;
+    goal.focus_from = 0.05;
+    goal.focus_to = 4;
+    return run.mesh_in_block(made<close_pairs>(run.job), &netmesh_filter_complete);
 }
 // As fine as the block allows: a request refused gives another diagram, and a whole one.
 netmesh_status fit(Run& run) { return run.fit(run.points(), true); }
 
 // The same, at some scales.
 netmesh_status fit_focused(Run& run) {
-    netmesh_fit_request request = run.fit_request(run.points());
-    request.focus_from = 0.5;
-    request.focus_to = 2;
-    return netmesh_fit(run.context, &request);
+    netmesh::Request request = run.fit_request(run.points());
+    request.goal.focus_from = 0.5;
+    request.goal.focus_to = 2;
+    return run.persist(request);
 }
 // The same, for bars to be decided.
 netmesh_status decide(Run& run) {
-    netmesh_fit_request request = run.fit_request(run.points());
-    request.longer_than = 1.05;
-    return netmesh_fit(run.context, &request);
+    netmesh::Request request = run.fit_request(run.points());
+    request.goal.longer_than = 1.05;
+    request.goal.ratio = 4;
+    request.bounds = &netmesh_bounds;
+    return run.persist(request);
 }
 
 // Alpha, or a mesh where a request is refused; a mesh of points in a line; one after a triangulation is given up.
-netmesh_status persist_auto(Run& run) {
-    const netmesh_auto_request request = run.auto_request(run.points());
-    return netmesh_persist_auto(run.context, &request);
-}
+netmesh_status persist_auto(Run& run) { return run.persist(run.auto_request(run.points())); }
 netmesh_status auto_of_flat(Run& run) {
     inputs::Points points = run.points();
     for (std::size_t i = 0; i < points.size(); i += static_cast<std::size_t>(run.job.dim)) points[i] = 0.5;
-    const netmesh_auto_request request = run.auto_request(points);
-    return netmesh_persist_auto(run.context, &request);
+    return run.persist(run.auto_request(points));
 }
 netmesh_status auto_given_up(Run& run) {
     const inputs::Points points = kinds::moment_curve(run.job.dim, run.job.points);
-    const netmesh_auto_request request = run.auto_request(points);
-    return netmesh_persist_auto(run.context, &request);
+    return run.persist(run.auto_request(points));
 }
 
 netmesh_status check(Run& run) {
@@ -155,49 +156,49 @@ netmesh_status check_bounds(Run& run) {
 }
 
 netmesh_status hierarchy(Run& run) {
-    run.request.method = NETMESH_METHOD_HIERARCHY;
+    run.request.mesh.method = &netmesh_method_netmesh;
     return run.mesh_in_block(made<spread_points>(run.job));
 }
 netmesh_status finished(Run& run) {
-    run.request.finish = 1;
+    run.request.mesh.finish = 1;
     return hierarchy(run);
 }
 netmesh_status thesis_cages(Run& run) {
-    run.request.cage_kind = NETMESH_CAGES_THESIS;
-    run.request.tau = 7;
-    run.request.method = NETMESH_METHOD_HIERARCHY;
+    run.request.mesh.method = &netmesh_method_thesis;
+    run.request.mesh.tau = 7;
     return run.mesh_in_block(made<far_pairs>(run.job));
 }
 netmesh_status thesis_finished(Run& run) {
-    run.request.finish = 1;
+    run.request.mesh.finish = 1;
     return thesis_cages(run);
 }
 netmesh_status audited(Run& run) {
-    run.request.method = NETMESH_METHOD_HIERARCHY;
-    run.request.audit = NETMESH_AUDIT_LOCATION | NETMESH_AUDIT_QUALITY;
+    run.request.mesh.method = &netmesh_method_netmesh;
+    run.request.mesh.audit = NETMESH_AUDIT_LOCATION | NETMESH_AUDIT_QUALITY;
     return run.mesh_in_block(run.points());
 }
 netmesh_status released(Run& run) {
-    run.request.method = NETMESH_METHOD_HIERARCHY;
-    run.request.tau = run.job.dim < 4 ? 2.2 : run.job.dim < 6 ? 6 : 8;
+    run.request.mesh.method = &netmesh_method_netmesh;
+    run.request.mesh.tau = run.job.dim < 4 ? 2.2 : run.job.dim < 6 ? 6 : 8;
     return run.mesh_in_block(made<narrow_pairs>(run.job));
 }
 netmesh_status released_audited(Run& run) {
-    run.request.audit = NETMESH_AUDIT_LOCATION | NETMESH_AUDIT_QUALITY;
+    run.request.mesh.audit = NETMESH_AUDIT_LOCATION | NETMESH_AUDIT_QUALITY;
     return released(run);
 }
 
 netmesh_status reference(Run& run) {
-    run.request.method = NETMESH_METHOD_REFINE;
+    run.request.mesh.method = &netmesh_method_refine;
     return run.mesh_in_block(run.points());
 }
 netmesh_status fine(Run& run) {
-    run.request.sizes.eps = 0.5;
+    run.request.mesh.sizes.eps = 0.5;
     return run.mesh_in_block(run.points());
 }
 double small_nearby(void*, const double* x) { return 0.3 + 0.5 * (x[0] < 0 ? -x[0] : x[0]); }
 netmesh_status sized(Run& run) {
-    run.request.sizes = {0.8, small_nearby, nullptr};
+    run.request.mesh.sizes.eps = 0.8;
+    run.request.mesh.sizes.size = small_nearby;
     return run.mesh_in_block(run.points());
 }
 
@@ -217,11 +218,11 @@ netmesh_status load(Run& run) { return mesh_to_load<mesh>(run).load(run); }
 
 // Sizes and a ratio that any mesh keeps, asked of one that is loaded.
 netmesh_status check_loaded(Run& run) {
-    run.request.sizes.eps = 1e6;
+    run.request.mesh.sizes.eps = 1e6;
     netmesh_status status = load(run);
     if (status == NETMESH_OK) status = run.check(NETMESH_CHECK_QUALITY);
-    run.request.sizes.eps = 0;
-    run.request.certificate.ratio = 1e6;
+    run.request.mesh.sizes.eps = 0;
+    run.request.goal.ratio = 1e6;
     return status == NETMESH_OK ? run.check(NETMESH_CHECK_QUALITY) : status;
 }
 

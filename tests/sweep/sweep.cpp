@@ -126,7 +126,7 @@ Outcome run(const Job& job, netmesh_context* context, Slices* slices = nullptr, 
 
     const Disturbance before = disturbance;
     disturbance.refuse_from = disturbance.refuse_to;
-    calls.request.monitor.poll = nullptr;
+    calls.request.monitor = {};
     const netmesh_report report = whole_report(context);
     outcome.fingerprint = report.fingerprint;
     outcome.used_bytes = report.memory.used_bytes;

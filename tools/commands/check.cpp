@@ -1,8 +1,10 @@
 // check: every certificate recomputed from the files alone.
 #include "platform/clock.hpp"
+#include "tools/asked_function.hpp"
 #include "tools/commands/check_parts.hpp"
 #include "tools/commands/commands.hpp"
 #include "tools/commands/output.hpp"
+#include "tools/requests.hpp"
 
 namespace netmesh::tool {
 
@@ -10,8 +12,8 @@ namespace {
 
 // Of several k none is tried by itself.
 bool is_tried(const Options& options, const netmesh_filter_info& filter) {
-    if (options.filter) return *options.filter == filter.filter;
-    return filter.needs_function == 0 && (filter.needs_k == 0 || options.k);
+    if (options.request.filter != nullptr) return options.request.filter == filter.filter;
+    return filter.needs_function == 0 && (filter.needs_k == 0 || options.request.k != 0);
 }
 
 }  // namespace
@@ -19,17 +21,34 @@ bool is_tried(const Options& options, const netmesh_filter_info& filter) {
 std::vector<FilterChoice> candidates(const Options& options) {
     std::vector<FilterChoice> list;
     for (const netmesh_filter_info& filter : filters()) {
-        if (filter.source != NETMESH_SOURCE_MESH || !is_tried(options, filter)) continue;
+        if (filter.is_on_mesh == 0 || !is_tried(options, filter)) continue;
         const bool both = filter.has_values != 0;
-        if (!both || options.values.value_or(NETMESH_VALUES_CERTIFIED) == NETMESH_VALUES_CERTIFIED)
-            list.push_back({filter.filter, NETMESH_VALUES_CERTIFIED});
-        if (both && options.values.value_or(NETMESH_VALUES_THESIS) == NETMESH_VALUES_THESIS)
-            list.push_back({filter.filter, NETMESH_VALUES_THESIS});
+        const netmesh_values asked = options.request.values;
+        if (!both || asked != NETMESH_VALUES_THESIS) list.push_back({filter.id, NETMESH_VALUES_CERTIFIED});
+        if (both && asked != NETMESH_VALUES_CERTIFIED) list.push_back({filter.id, NETMESH_VALUES_THESIS});
     }
     return list;
 }
 
 Outcome mismatch(const std::string& what) { return {Exit::check, "netmesh: check failed: " + what}; }
+
+namespace {
+
+// The numbers that a mesh is said to keep, each by itself and among themselves.
+Outcome check_rules(const Options& given) {
+    Options options = given;
+    netmesh_request& r = options.request;
+    options.command = Command::mesh;
+    const bool by_ratio = r.goal.ratio > 0 || r.goal.focus_ratio > 0 || r.mesh.whole_cells != 0;
+    r.mesh.method = by_ratio                 ? &netmesh_method_certificate
+                    : r.mesh.net_spacing > 0 ? &netmesh_method_refine
+                                             : &netmesh_method_svr;
+    if (about(r.filter).is_on_mesh == 0) r.filter = nullptr;
+    netmesh_request settled;
+    return settle(options, NETMESH_DIM_MIN, &settled);
+}
+
+}  // namespace
 
 Outcome run_check(const Options& given) {
     Options options = given;
@@ -52,9 +71,11 @@ Outcome run_check(const Options& given) {
     run.options = &options;
     run.checked.emplace();
     Outcome outcome;
-    if (ending != ".pers") outcome = check_accuracy(options);
-    if (ending != ".pers" && outcome.good()) outcome = check_ratio(options);
-    if (ending != ".pers" && outcome.good()) outcome = check_function(options);
+    if (ending == ".pers" || is_of_eps(options)) take_eps_as_goal(&options);
+    if (ending != ".pers") {
+        outcome = check_function(options);
+        if (outcome.good()) outcome = check_rules(options);
+    }
     if (!outcome.good()) return outcome;
     if (ending == ".node") {
         MeshFiles files;

@@ -1,5 +1,6 @@
 #include <algorithm>
 
+#include "tools/asked_function.hpp"
 #include "tools/commands/check_parts.hpp"
 #include "tools/commands/cycles.hpp"
 #include "tools/commands/diagram_checks.hpp"
@@ -20,16 +21,11 @@ namespace {
 // Where a ratio decides, tau is what that ratio follows from, or the one that is taken where none is given.
 Outcome check_tau(const Provenance& head, const DiagramFile& file) {
     const HeadLine* const line = head.find("tau");
-    if (line == nullptr || !head.options.ratio) return {};
+    if (line == nullptr || head.options.request.mesh.tau > 0) return {};
     std::uint64_t dim = 0;
     parse_unsigned(head.find("dim")->value, &dim);
-    Options open = head.options;
-    open.ratio.reset();
-    if (settled(open, static_cast<std::uint32_t>(dim)).ratio == head.options.ratio) return {};
-    open = head.options;
-    open.tau.reset();
-    const double due = *settled(open, static_cast<std::uint32_t>(dim)).tau;
-    if (due == *head.options.tau) return {};
+    const double due = default_tau(static_cast<std::uint32_t>(dim));
+    if (due == head.tau) return {};
     return file.wrong(line->number, quoted("# " + head_text(*line)) + " where " + quoted("# tau " + number_text(due)) +
                                         " is due, as # ratio does not follow from it");
 }
@@ -37,19 +33,20 @@ Outcome check_tau(const Provenance& head, const DiagramFile& file) {
 // What the head says of bars that anyone can see.
 Outcome check_with_head(const DiagramFile& file) {
     const Options& made = file.head->options;
-    const std::uint32_t top = *made.max_degree;
+    const std::uint32_t top = made.request.max_degree;
     for (std::size_t i = 0; i < file.bars.size(); i++) {
         const Bar& bar = file.bars[i];
         if (bar.degree > top)
             return file.wrong(file.line_of(i), "a bar of degree " + std::to_string(bar.degree) +
                                                    " where max-degree is " + std::to_string(top));
-        if (!made.all && bar.birth == bar.death)
+        if (made.request.keep_zero_pairs == 0 && bar.birth == bar.death)
             return file.wrong(file.line_of(i), "a bar of length zero, which are kept with `# all` alone");
     }
     const Outcome outcome = check_tau(*file.head, file);
-    if (!outcome.good() || made.bounds == !file.bounds.empty()) return outcome;
-    const std::uint64_t line = made.bounds ? file.head->find("bounds")->number : file.bounds[0].number;
-    return file.wrong(line, made.bounds ? "there are no bounds of bars" : "bounds of bars, but no line `# bounds`");
+    const bool has_bounds = made.request.bounds != nullptr;
+    if (!outcome.good() || has_bounds == !file.bounds.empty()) return outcome;
+    const std::uint64_t line = has_bounds ? file.head->find("bounds")->number : file.bounds[0].number;
+    return file.wrong(line, has_bounds ? "there are no bounds of bars" : "bounds of bars, but no line `# bounds`");
 }
 
 Outcome read_diagram(const std::string& path, const Options& options, DiagramFile* file) {
@@ -209,9 +206,9 @@ Outcome check_with_distances(const Options& open, const DiagramFile& file, const
         outcome = compare_count(file, "dim", input.cloud.dim, input.name(), {"dimension", "dimensions"});
     if (outcome.good()) outcome = compare_count(file, "points", input.rows, input.name(), {"point", "points"});
     if (!outcome.good()) return outcome;
-    Session session(made, dim_min);
+    Session session(made, input.of_points() ? std::max(input.cloud.dim, dim_min) : dim_min);
     netmesh_report report;
-    outcome = persist_rips(made, input, false, session, &report);
+    outcome = persist_rips(input, session, &report);
     if (!outcome.good()) return explain_refusal(file, outcome);
     PointCloud named;
     named.name = input.name();
@@ -226,7 +223,7 @@ Outcome check_with_distances(const Options& open, const DiagramFile& file, const
     add_report(session, run);
     run->engine->input = report.input;
     run->checked->push_back(again.said());
-    return second_opinion_on_complex({file, made, cycles}, complex_of(input, made, *made.max_degree + 1), run);
+    return second_opinion_on_complex({file, made, cycles}, complex_of(input, made, made.request.max_degree + 1), run);
 }
 
 Outcome check_with_points(const Options& open, const DiagramFile& file, const std::string& cycles, RunReport* run) {
@@ -235,7 +232,7 @@ Outcome check_with_points(const Options& open, const DiagramFile& file, const st
     Outcome outcome = read_cloud(open, open.points_path, &points);
     if (!outcome.good()) return outcome;
     Options made = settled(open, points.dim);
-    const bool by_scales = about(filter_of(made)).source == NETMESH_SOURCE_SCALES;
+    const bool by_scales = about(filter_of(made)).is_by_scales != 0;
     if (by_scales) made.representatives = cycles;  // so that they are made again
     outcome = compare_count(file, "dim", points.dim, points.name, {"dimension", "dimensions"});
     if (outcome.good()) outcome = compare_count(file, "points", points.rows(), points.name, {"point", "points"});
@@ -243,8 +240,8 @@ Outcome check_with_points(const Options& open, const DiagramFile& file, const st
     outcome = check_coordinates(made, points.dim);
     if (!outcome.good()) return explain_refusal(file, outcome);
     Session session(made, points.dim);
-    outcome = session.run(plan_diagram(made, filter_of(made), points.dim, points.rows()), points,
-                          [&](Session& s) { return persist_as_asked(s, made, points); });
+    outcome = session.run(plan_of(made, points.dim, points.rows()), points,
+                          [&](Session& s) { return persist_as_asked(s, points); });
     if (outcome.good()) outcome = check_claims(made, session.engine());
     if (!outcome.good()) return explain_refusal(file, outcome);
     if (file.head) {  // other points have other bars, so this comes first
@@ -281,9 +278,11 @@ Outcome compare_inputs_with(const DiagramFile& file, const NodeFile& node) {
 // A mesh promises what it was made for, as the head says. What a fit reached is in the mesh's file alone.
 Outcome compare_promise(const DiagramFile& file, const NodeFile& node) {
     const Options& made = file.head->options;
-    const char* const name = made.ratio ? "ratio" : "tau";
-    const double due = made.ratio ? *made.ratio : made.tau.value_or(0), have = made.ratio ? node.ratio : node.tau;
-    if (made.fit || node.domain.empty() || due == 0 || have == due) return {};
+    const bool by_ratio = made.request.goal.ratio > 0;
+    const char* const name = by_ratio ? "ratio" : "tau";
+    const double due = by_ratio ? made.request.goal.ratio : made.request.mesh.tau,
+                 have = by_ratio ? node.ratio : node.tau;
+    if (made.request.fit != nullptr || node.domain.empty() || due == 0 || have == due) return {};
     return file.wrong(file.head->find(name)->number,
                       node.cloud.name + (have > 0 ? " promises " + std::string(name) + " " + number_text(have)
                                                   : " promises no " + std::string(name)));
@@ -315,21 +314,21 @@ Outcome check_with_mesh(const Options& open, const DiagramFile& file, const std:
     if (outcome.good()) outcome = check_coordinates(made, cloud.dim);
     if (!outcome.good()) return outcome;
     Options promised = open;  // of the mesh; what a fit reached is in the mesh's own file
-    if (made.fit) {
-        promised.ratio.reset();
-        promised.focus = promised.from = promised.to = 0;
-        if (fits_error(made) && file.head) parse_finite(file.head->find("fitted-error")->value, &promised.error);
+    if (made.request.fit != nullptr) {
+        promised.request.fit = nullptr;
+        promised.request.goal = {};
+        const HeadLine* const error = file.head ? file.head->find("fitted-error") : nullptr;
+        if (error != nullptr) parse_finite(error->value, &promised.request.goal.error);
         promised.memory_bytes = 0;  // what the mesh was fitted in need not hold its check too
     }
     promised.vertex_function = made.vertex_function;
     Session session(promised, cloud.dim);
     outcome = check_mesh(promised, files, run, session);
     if (!outcome.good()) return outcome;
-    outcome = session.run(plan_diagram(made, filter_of(made), cloud.dim, cloud.rows()), cloud, [&](Session& s) {
-        netmesh_status status = load_mesh(s, files);
-        const DiagramRequest diagram{choice_of(made), made.all, false};
-        if (status == NETMESH_OK) status = make_diagram(s, made, diagram, cloud);
-        return status == NETMESH_OK && !file.bounds.empty() ? bound_bars(s) : status;
+    outcome = session.run(plan_of(made, cloud.dim, cloud.rows()), cloud, [&](Session& s) {
+        const netmesh_status status = load_mesh(s, files);
+        s.function().set_domain(s.engine().report());
+        return status == NETMESH_OK ? persist(s, on_what_is_there(made.request)) : status;
     });
     if (outcome.good()) outcome = check_claims(made, session.engine());
     if (!outcome.good()) return explain_refusal(file, outcome);
@@ -357,8 +356,9 @@ Options making_of(const Options& options, const DiagramFile& file) {
     made.json = options.json;
     made.quiet = options.quiet;
     made.representatives.clear();
-    if (!made.fit) made.memory_bytes = options.memory_bytes;
-    if (!file.head) made.bounds = !file.bounds.empty();
+    if (made.request.fit == nullptr) made.memory_bytes = options.memory_bytes;
+    if (made.request.filter == nullptr) made.request.filter = &netmesh_filter_complete;
+    if (!file.head) made.request.bounds = file.bounds.empty() ? nullptr : &netmesh_bounds;
     return made;
 }
 
@@ -397,14 +397,13 @@ Outcome check_diagram(const Options& options, RunReport* run) {
     }
     if (!made.values_at.empty() && made.mesh_path.empty())
         return usage_error("--values-at goes with --mesh, at whose vertices the values are");
-    for (Outcome (*check)(const Options&) :
-         {check_together, check_accuracy, check_ratio, check_max_degree, check_function}) {
-        outcome = check(made);
-        if (!outcome.good()) return outcome;
-    }
-    const netmesh_source source = about(filter_of(made)).source;
-    const bool on_mesh = source == NETMESH_SOURCE_MESH || source == NETMESH_SOURCE_DELAUNAY;
-    if (!on_mesh && !made.mesh_path.empty())
+    netmesh_request asked;
+    outcome = check_together(made);
+    if (outcome.good()) outcome = check_function(made);
+    if (outcome.good()) outcome = settle(made, dim_min, &asked);
+    if (!outcome.good()) return outcome;
+    const netmesh_filter_info& filter = about(filter_of(made));
+    if (filter.is_on_mesh == 0 && filter.is_on_triangulation == 0 && !made.mesh_path.empty())
         return usage_error("--mesh: filter " + std::string(filter_name(filter_of(made))) + " has no mesh");
     if (!made.mesh_path.empty()) return check_with_mesh(made, file, options.representatives, run);
     if (!made.points_path.empty()) return check_with_points(made, file, options.representatives, run);

@@ -14,15 +14,17 @@ namespace netmesh::tool {
 
 netmesh_status load_mesh(Session& session, const MeshFiles& files) {
     const NodeFile& node = files.node;
-    requests::Load load(node.cloud.dim);
+    netmesh_load_request load = sized<netmesh_load_request>();
+    load.dim = node.cloud.dim;
     load.vertices = node.cloud.coordinates.data();
     load.markers = node.markers.data();
     load.vertex_count = node.cloud.rows();
     load.cells = files.cells.entries.data();
     load.cell_count = files.cells.lines.size();
     load.domain = node.domain.empty() ? nullptr : node.domain.data();
-    load.mesh = &session.mesh();
-    requests::Cages cages;
+    const netmesh_request promise = session.promise();
+    load.promised = &promise;
+    netmesh_cages_request cages = sized<netmesh_cages_request>();
     cages.cages = node.cages.data();
     cages.cage_count = node.cages.size();
     return session.call(NETMESH_STAGE_DELAUNAY, [&] {
@@ -95,22 +97,36 @@ Outcome compare_inputs(const MeshFiles& files, const PointCloud& points) {
     return {};
 }
 
-// What the mesh is checked against: the options, and the file where they say nothing.
-void set_promises(const Options& options, const NodeFile& node, requests::Mesh* mesh) {
-    if (!options.tau && node.tau > 0) mesh->tau = node.tau;
-    mesh->cage_kind = node.cage_kind;
-    if (options.eps == 0 || promises_accuracy(options)) mesh->sizes.eps = node.eps;
-    mesh->size_at_inputs = options.size_at_inputs > 0 ? options.size_at_inputs : node.size_at_inputs;
-    mesh->size_growth = options.size_at_inputs > 0 ? options.size_growth : node.size_growth;
-    mesh->net_spacing = options.net_spacing > 0 ? options.net_spacing : node.net_spacing;
-    mesh->certificate = goal_of(options, options.ratio.value_or(node.ratio));
-    mesh->whole_cells = options.whole_cells || !node.clipped ? 1 : 0;
+// What the mesh is checked against: the options, and the file where they say nothing. What its filter is matters to
+// sizes alone, and how it was made to cages of the thesis and boundary nets.
+netmesh_request promise_of(const Options& options, const NodeFile& node) {
+    netmesh_request promise = promised(options.request);
+    const auto take = [](double* asked, double said) {
+        if (*asked == 0) *asked = said;
+    };
+    netmesh_sizes& sizes = promise.mesh.sizes;
+    if (sizes.at_inputs == 0) sizes.growth = node.size_growth;
+    take(&sizes.at_inputs, node.size_at_inputs);
+    take(&sizes.eps, node.eps);
+    take(&promise.mesh.tau, node.tau);
+    // A file that says no tau is held to that of its dimension, however it was made.
+    if (node.has_thesis_cages) take(&promise.mesh.tau, default_tau(node.cloud.dim));
+    take(&promise.mesh.net_spacing, node.net_spacing);
+    take(&promise.goal.ratio, node.ratio);
+    if (promise.goal.ratio > 0 && !node.clipped) promise.mesh.whole_cells = 1;
+    promise.mesh.finish = 0;
+    if (promise.goal.eps == 0 && promise.goal.error == 0) promise.filter = nullptr;
+    promise.mesh.method = node.has_thesis_cages                                       ? &netmesh_method_thesis
+                          : promise.filter != nullptr && promise.mesh.net_spacing > 0 ? &netmesh_method_refine
+                                                                                      : nullptr;
+    return promise;
 }
 
-// What the engine's checkers have found to hold; `error`: asked of a function's diagram, or 0.
-void add_findings(const MeshFiles& files, const requests::Mesh& mesh, double error, const netmesh_mesh_report& report,
+// What the engine's checkers have found to hold.
+void add_findings(const MeshFiles& files, const netmesh_request& promise, const netmesh_mesh_report& report,
                   std::vector<std::string>* checked) {
-    const double ratio = mesh.certificate.ratio;
+    const netmesh_mesh_rules& mesh = promise.mesh;
+    const double ratio = promise.goal.ratio, error = promise.goal.error;
     const bool is_mesh = !files.node.domain.empty();
     checked->push_back("facets shared by two, cells positively oriented, spheres empty, hull convex");
     checked->push_back(files.neighbours.name + " names the cells behind the facets");
@@ -119,12 +135,12 @@ void add_findings(const MeshFiles& files, const requests::Mesh& mesh, double err
                            (mesh.whole_cells == 0 ? ", clipped" : ""));
     } else if (is_mesh) {
         checked->push_back("aspect ratio at most " + rounded_text(report.aspect_ratio_max, 6) + " (tau " +
-                           rounded_text(tau(mesh), 6) + ")");
+                           rounded_text(mesh.tau > 0 ? mesh.tau : default_tau(files.node.cloud.dim), 6) + ")");
     }
     if (!files.node.cages.empty()) {
         checked->push_back(counted(files.node.cages.size(), "cage", "cages") +
                            " nested about inputs, none encroached; their cells and all others " +
-                           (mesh.cage_kind == NETMESH_CAGES_THESIS ? "whole" : "in their domains") +
+                           (files.node.has_thesis_cages ? "whole" : "in their domains") +
                            "; in-radii and feature sizes as in 4.6");
     }
     if (mesh.net_spacing > 0)
@@ -133,9 +149,9 @@ void add_findings(const MeshFiles& files, const requests::Mesh& mesh, double err
     if (report.sizes.ratio_max > 0) {
         std::string asked;
         if (mesh.sizes.eps > 0) asked = "eps " + rounded_text(mesh.sizes.eps, 6);
-        if (mesh.size_at_inputs > 0)
-            asked += (asked.empty() ? "cell-size " : ", cell-size ") + number_text(mesh.size_at_inputs) + ',' +
-                     number_text(mesh.size_growth);
+        if (mesh.sizes.at_inputs > 0)
+            asked += (asked.empty() ? "cell-size " : ", cell-size ") + number_text(mesh.sizes.at_inputs) + ',' +
+                     number_text(mesh.sizes.growth);
         if (error > 0) asked += (asked.empty() ? "error " : ", error ") + number_text(error);
         checked->push_back("cells reach " + rounded_text(report.sizes.ratio_max, 6) + " of the size asked for (" +
                            asked + ")");
@@ -157,11 +173,11 @@ Outcome settle_mesh(const Options& options, MeshFiles* files, Session* session) 
     const NodeFile& node = files->node;
     const Outcome outcome = settle_markers(files);
     if (!outcome.good()) return outcome;
-    if (node.cage_kind == NETMESH_CAGES_THESIS && node.cloud.dim > 4)
+    if (node.has_thesis_cages && node.cloud.dim > 4)
         return file_error(node.cloud.name, "there are cages of the thesis in dimensions 2, 3 and 4 only");
-    set_promises(options, node, &session->mesh());
-    const bool by_ratio = session->mesh().certificate.ratio > 0;
-    if (options.command == Command::check && options.whole_cells && (!node.clipped || !by_ratio))
+    session->set_promise(promise_of(options, node));
+    const bool by_ratio = session->promise().goal.ratio > 0;
+    if (options.command == Command::check && options.request.mesh.whole_cells != 0 && (!node.clipped || !by_ratio))
         return usage_error("--whole-cells does nothing here: " + node.cloud.name +
                            (by_ratio ? " is certified for whole cells" : " is of no certified ratio"));
     return {};
@@ -184,8 +200,7 @@ Outcome check_mesh(const Options& options, MeshFiles& files, RunReport* run, Ses
         if (outcome.good()) outcome = compare_inputs(files, points);
     }
     if (!outcome.good()) return outcome;
-    const std::size_t plan = plan_diagram(options, NETMESH_FILTER_COMPLETE, node.cloud.dim, node.cloud.rows());
-    outcome = session.run(plan, node.cloud, [&](Session& s) {
+    outcome = session.run(plan_to_read(node.cloud.dim, node.cloud.rows()), node.cloud, [&](Session& s) {
         const netmesh_status status = load_mesh(s, files);
         return status == NETMESH_OK ? check_everything(s) : status;
     });
@@ -193,7 +208,7 @@ Outcome check_mesh(const Options& options, MeshFiles& files, RunReport* run, Ses
     if (!outcome.good()) return outcome;
     run->engine = session.engine().report();
     run->clock = session.clock();
-    add_findings(files, session.mesh(), options.error, run->engine->mesh, &*run->checked);
+    add_findings(files, session.promise(), run->engine->mesh, &*run->checked);
     if (!options.points_path.empty()) {
         run->checked->push_back("inputs equal " + points.name + " bit for bit, duplicates merged");
     }
@@ -204,12 +219,12 @@ Outcome check_vertex_values(const Options& options, const MeshFiles& files, RunR
     const NodeFile& node = files.node;
     if (node.attribute_count != 1 || node.domain.empty()) return refuse_value_options(options, node.cloud.name);
     for (const FilterChoice& choice : candidates(options)) {
-        requests::Persist persist = persist_request(options, {choice}, node.cloud.dim);
-        persist.max_degree = 0;
+        Request request(about(choice.filter).filter);
+        request.values = choice.values;
+        if (about(choice.filter).needs_k != 0) request.k = std::max(options.request.k, 1u);
+        request.max_degree = 0;
         session.function().set_domain(session.engine().report());
-        persist.function = session.function().get();
-        const netmesh_status status =
-            session.call(NETMESH_STAGE_CERTIFY, [&] { return session.engine().persist(session.watched(persist)); });
+        const netmesh_status status = persist(session, request);
         if (status == NETMESH_CANCELLED) return {Exit::cancelled, "netmesh: cancelled"};
         if (status != NETMESH_OK) continue;
         const EngineMesh mesh(session.engine());
@@ -220,9 +235,10 @@ Outcome check_vertex_values(const Options& options, const MeshFiles& files, RunR
         return {};
     }
     return mismatch("the values in " + node.cloud.name + " are those of no filter " +
-                    (options.filter ? "that was asked for"
-                                    : "that needs no more than the mesh; for knn, kdistance and function --filter and "
-                                      "the options that made them are needed"));
+                    (options.request.filter != nullptr
+                         ? "that was asked for"
+                         : "that needs no more than the mesh; for knn, kdistance and function --filter and "
+                           "the options that made them are needed"));
 }
 
 }  // namespace netmesh::tool

@@ -24,8 +24,8 @@ Outcome mismatch(const std::string& what);  // Exit::check
 // The mesh of the files, with its cages, taken over by the engine.
 netmesh_status load_mesh(Session& session, const MeshFiles& files);
 
-// Before a mesh of files is loaded: markers, inputs first, and to session.mesh() what it promises, by the options and,
-// where they say nothing, the file.
+// Before a mesh of files is loaded: markers, inputs first, and as the promise of the session what it promises, by the
+// options and, where they say nothing, the file.
 Outcome settle_mesh(const Options& options, MeshFiles* files, Session* session);
 
 // The values of --values-at, of the vertices of this mesh, into options->vertex_function; nothing without the option.

@@ -77,22 +77,25 @@ struct VineSource {
     const PointCloud& cloud;
 };
 
-// Degrees above those in the file may have been left out, or be empty.
-Outcome recompute(const Options& options, const VineSource& source, const Session::Work& prepare, Session& session,
+// Degrees above those in the file may have been left out, or be empty. `mesh`: to be loaded; null: of the points.
+Outcome recompute(const Options& options, const VineSource& source, const MeshFiles* mesh, Session& session,
                   RunReport* run) {
     const VineFile& file = source.file;
-    const std::uint32_t dim = source.cloud.dim;
-    Options of_filter = options;
-    of_filter.filter = file.choice.filter;
-    const std::uint32_t k_first = file.vines.k_first;
-    const VineyardRequest request = {file.choice, k_first,
-                                     k_first + static_cast<std::uint32_t>(file.vines.ratios.size() - 1),
-                                     max_degree_of(of_filter, dim)};
+    Options of_file = options;
+    of_file.command = Command::vineyard;
+    of_file.request.filter = about(file.choice.filter).filter;
+    of_file.request.values = file.choice.values;
+    of_file.request.k = file.vines.k_first;
+    of_file.request.k_last = file.vines.k_first + static_cast<std::uint32_t>(file.vines.ratios.size() - 1);
+    const netmesh_request request = settled(of_file, source.cloud.dim).request;
     Vines due;
-    const std::size_t plan = plan_vineyard(options, request, dim, source.cloud.rows());
+    const std::size_t plan = plan_of(of_file, source.cloud.dim, source.cloud.rows());
     const Outcome outcome = session.run(plan, source.cloud, [&](Session& s) {
-        const netmesh_status status = prepare(s);
-        return status == NETMESH_OK ? make_vineyard(s, request, source.cloud, &due) : status;
+        netmesh_status status = mesh != nullptr ? load_mesh(s, *mesh) : NETMESH_OK;
+        if (status == NETMESH_OK)
+            status = persist(s, mesh != nullptr ? on_what_is_there(request) : on_points(request, source.cloud));
+        if (status == NETMESH_OK) due = vines_of(s.engine());
+        return status;
     });
     if (!outcome.good()) return outcome;
     const std::string complaint = difference(file, due);
@@ -137,8 +140,7 @@ Outcome check_with_mesh(const Options& options, const VineFile& file, const std:
     outcome = check_mesh(options, files, run, session);
     if (outcome.good()) outcome = check_vertex_values(options, files, run, session);
     if (!outcome.good()) return outcome;
-    const Session::Work load = [&](Session& s) { return load_mesh(s, files); };
-    return recompute(options, {file, name, files.node.cloud}, load, session, run);
+    return recompute(options, {file, name, files.node.cloud}, &files, session, run);
 }
 
 Outcome check_with_points(const Options& options, const VineFile& file, const std::string& name, RunReport* run) {
@@ -146,9 +148,7 @@ Outcome check_with_points(const Options& options, const VineFile& file, const st
     const Outcome outcome = read_cloud(options, options.points_path, &points);
     if (!outcome.good()) return outcome;
     Session session(options, points.dim);
-    session.mesh().purpose = NETMESH_PURPOSE_PERSIST;
-    const Session::Work make = [&](Session& s) { return prepare_for(s, options, file.choice.filter, points); };
-    return recompute(options, {file, name, points}, make, session, run);
+    return recompute(options, {file, name, points}, nullptr, session, run);
 }
 
 }  // namespace

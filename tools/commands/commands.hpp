@@ -7,6 +7,7 @@ namespace netmesh::tool {
 
 Outcome run_engine_command(const Options& options);  // mesh, delaunay, persist
 Outcome run_distances(const Options& options);       // persist --distances
+Outcome run_pieces(const Options& options);
 Outcome run_vineyard(const Options& options);
 Outcome run_size(const Options& options);
 Outcome run_homology(const Options& options);

@@ -30,26 +30,26 @@ Outcome read_pairs(const std::string& path, std::vector<netmesh_pair>* pairs, st
 int poll(void*, const netmesh_progress*) { return platform::interrupted() ? 1 : 0; }
 
 // One call, with its result in *found.
-DegreeDistance call(const requests::Bottleneck& request, netmesh_status* status) {
+DegreeDistance call(const Bottleneck& request, netmesh_status* status) {
     netmesh_distance found = {};
     *status = bottleneck(request, &found);
     const bool logarithm = request.scale == NETMESH_SCALE_LOG && found.value < HUGE_VAL;
     const double value = logarithm ? natural_logarithm(found.value, found.exponent) : found.value;
     return {request.degree, value, value};
 }
-DegreeDistance call(const requests::Wasserstein& request, netmesh_status* status) {
+DegreeDistance call(const Wasserstein& request, netmesh_status* status) {
     netmesh_wasserstein_distance found = {};
     *status = wasserstein(request, &found);
     return {request.degree, found.value, found.lower};
 }
-std::size_t scratch_bytes(const requests::Bottleneck& request) { return bottleneck_bytes(request); }
-std::size_t scratch_bytes(const requests::Wasserstein& request) { return wasserstein_bytes(request); }
+std::size_t scratch_bytes(const Bottleneck& request) { return bottleneck_bytes(request); }
+std::size_t scratch_bytes(const Wasserstein& request) { return wasserstein_bytes(request); }
 
 // No distance is printed that is not as near as it was asked for.
-Outcome broken(const requests::Bottleneck&, netmesh_status status) {
+Outcome broken(const Bottleneck&, netmesh_status status) {
     return {Exit::internal, std::string("netmesh: internal error: ") + netmesh_status_text(status)};
 }
-Outcome broken(const requests::Wasserstein& request, netmesh_status status) {
+Outcome broken(const Wasserstein& request, netmesh_status status) {
     return {Exit::internal, "netmesh: internal error: the distance in degree " + std::to_string(request.degree) +
                                 " is not known within --error " + number_text(request.relative_error) + ": " +
                                 netmesh_status_text(status)};
@@ -84,13 +84,13 @@ Outcome measure(Request request, const std::vector<netmesh_pair> (&pairs)[2], co
 Outcome measure(const Options& options, const std::vector<netmesh_pair> (&pairs)[2],
                 const std::set<std::uint32_t>& degrees, std::vector<DegreeDistance>* distances) {
     if (options.order == 0) {
-        requests::Bottleneck request;
+        Bottleneck request;
         request.scale = options.log ? NETMESH_SCALE_LOG : NETMESH_SCALE_PLAIN;
         return measure(request, pairs, degrees, distances);
     }
-    requests::Wasserstein request;
+    Wasserstein request;
     request.order = options.order;
-    if (options.error > 0) request.relative_error = options.error;
+    if (options.relative_error > 0) request.relative_error = options.relative_error;
     return measure(request, pairs, degrees, distances);
 }
 

@@ -1,6 +1,7 @@
 // persist of distances, and of points that are joined up to a threshold: Rips complexes, which need nothing else.
+#include <algorithm>
+
 #include "platform/clock.hpp"
-#include "tools/asked_function.hpp"
 #include "tools/commands/commands.hpp"
 #include "tools/commands/cycles.hpp"
 #include "tools/commands/output.hpp"
@@ -12,16 +13,9 @@ namespace netmesh::tool {
 namespace {
 
 Outcome check_given(const Options& options) {
-    if (options.distances && options.filter.value_or(NETMESH_FILTER_RIPS) != NETMESH_FILTER_RIPS)
-        return usage_error("--distances are for --filter rips: others need points");
     if (options.distances && options.positionals.size() > 1) return usage_error("--distances takes one FILE");
-    for (const bool given : {options.bounds, !options.mesh_out.empty()})
-        if (given)
-            return usage_error(std::string(options.bounds ? "--bounds" : "--mesh") + " does not apply to filter rips");
-    Outcome outcome = check_accuracy(options);
-    if (outcome.good()) outcome = check_ratio(options);
-    if (outcome.good()) outcome = check_function(options);
-    return outcome.good() ? check_max_degree(options) : outcome;
+    if (options.request.bounds != nullptr) return usage_error("--bounds does not apply to filter rips");
+    return {};
 }
 
 // With dim 0 before the input is read.
@@ -37,7 +31,6 @@ Outcome check_outputs(const Options& options, std::uint32_t dim) {
 Outcome run_distances(const Options& given) {
     const double start = platform::seconds_now();
     Options options = given;
-    options.filter = NETMESH_FILTER_RIPS;
     RipsInput input;
     Outcome outcome = check_given(given);
     if (outcome.good()) outcome = check_outputs(options, 0);
@@ -48,32 +41,32 @@ Outcome run_distances(const Options& given) {
     run.options = &options;
     run.read_seconds = platform::seconds_now() - start;
 
-    Session session(options, NETMESH_DIM_MIN);
+    Session session(options, std::max(input.cloud.dim, dim_min));
     netmesh_report report;
-    const bool cycles = options.check || !options.representatives.empty();
-    input.read_once = !cycles;
-    outcome = persist_rips(options, input, cycles, session, &report);
+    input.read_once = true;
+    outcome = persist_rips(input, session, &report);
     if (!outcome.good()) return outcome;
     const Engine& engine = session.engine();
     run.engine = report;
     run.clock = session.clock();
 
-    std::vector<Bar> bars = bars_of(engine);
+    const BarSource all = bars_in(engine);
     if (options.check) {
         const SimplexList complex = complex_of(input, options, report.diagram.max_degree + 1);
         const std::string complaint = cycles_complaint(engine, complex, radius_tolerance);
         if (!complaint.empty()) return {Exit::check, "netmesh: check failed: " + complaint};
         run.checked = std::vector<std::string>{cycles_checked(complex)};
     }
-    const std::vector<bool> chosen = chosen_bars(options, bars);
-    Bounds bounds;
-    keep_chosen(chosen, &bars, &bounds);
-    if (options.json && options.out.empty()) run.bars = &bars;
+    const std::vector<bool> chosen = chosen_bars(options, all);
+    const BarSource bars = chosen_of(all, chosen);
+    const Bounds bounds;
+    const std::vector<Bar> list = needs_list(options) ? bars_of(bars) : std::vector<Bar>();
+    if (options.json && options.out.empty()) run.bars = &list;
     const CyclePlaces places = input.of_points() ? places_of(input.cloud) : CyclePlaces{};
     std::vector<FileJob> jobs;
     if (!options.svg.empty())
         jobs.push_back({picture_path(options.svg),
-                        [&](TextWriter& out) { out << diagram_picture(bars, *run.engine, {}, options.axis); }});
+                        [&](TextWriter& out) { out << diagram_picture(list, *run.engine, {}, options.axis); }});
     if (!options.representatives.empty())
         jobs.push_back({options.representatives,
                         [&](TextWriter& out) { write_cycles(engine, options.representatives, chosen, places, out); }});

@@ -2,15 +2,22 @@
 #include <set>
 
 #include "platform/clock.hpp"
+#include "platform/files.hpp"
+#include "platform/folders.hpp"
+#include "platform/workers.hpp"
+#include "tools/asked_function.hpp"
 #include "tools/commands/check_parts.hpp"
 #include "tools/commands/commands.hpp"
 #include "tools/commands/cycles.hpp"
 #include "tools/commands/diagram_checks.hpp"
 #include "tools/commands/output.hpp"
+#include "tools/commands/rips_input.hpp"
+#include "tools/commands/several.hpp"
 #include "tools/commands/steps.hpp"
 #include "tools/io/numbers.hpp"
 #include "tools/io/provenance.hpp"
 #include "tools/opinion/cell_values.hpp"
+#include "tools/pieces/schedule.hpp"
 #include "tools/plot/plots.hpp"
 
 namespace netmesh::tool {
@@ -24,32 +31,22 @@ constexpr std::string Options::*outputs[] = {&Options::out,       &Options::svg,
 
 bool persists(const Options& options) { return options.command == Command::persist; }
 
-netmesh_source source_of(const Options& options) {
-    if (persists(options)) return about(filter_of(options)).source;
-    return options.command == Command::delaunay ? NETMESH_SOURCE_DELAUNAY : NETMESH_SOURCE_MESH;
+// What the diagram is of; of other commands like that of a filter that needs what they make.
+netmesh_filter_info kind_of(const Options& options) {
+    if (persists(options)) return about(filter_of(options));
+    return about(options.command == Command::delaunay ? NETMESH_FILTER_ALPHA : NETMESH_FILTER_COMPLETE);
 }
-
-// Not every filter has bounds, cycles and a mesh to be written.
-Outcome check_filter(const Options& options) {
-    if (!persists(options)) return {};
-    const netmesh_filter_info& filter = about(filter_of(options));
-    const std::string name = filter.name;
-    if (!options.representatives.empty() && filter.has_representatives == 0)
-        return usage_error("--representatives does not apply to filter " + name);
-    if (!is_on_points(filter.filter)) return {};
-    if (options.bounds) return usage_error("--bounds does not apply to filter " + name);
-    if (!options.mesh_out.empty()) return usage_error("--mesh: filter " + name + " has no mesh");
-    return check_max_degree(options);
-}
+bool has_cells(const netmesh_filter_info& filter) { return filter.is_on_mesh != 0 || filter.is_on_triangulation != 0; }
 
 // Of the filter function: are its figures possible, and is the error what was asked for?
 Outcome check_error(const Options& options, const Engine& engine) {
     const Outcome outcome = check_claims(options, engine);
-    if (!outcome.good() || options.error == 0) return outcome;
+    const double asked = options.request.goal.error;
+    if (!outcome.good() || asked == 0) return outcome;
     const double error = engine.report().diagram.certified_error;
-    if (error <= options.error) return outcome;
-    return usage_error("--error " + number_text(options.error) + ": the mesh made for it certifies " +
-                       rounded_text(error, 6) + " only");
+    if (error <= asked) return outcome;
+    return usage_error("--error " + number_text(asked) + ": the mesh made for it certifies " + rounded_text(error, 6) +
+                       " only");
 }
 
 // Once before the points are read, with dim 0, and once behind.
@@ -59,9 +56,6 @@ Outcome check_outputs(const Options& options, std::uint32_t dim) {
         outcome = check_diagram_ending(options.out);
         if (outcome.good()) outcome = check_cycles_ending(options.representatives, true, dim);
         if (!outcome.good()) return outcome;
-        if (source_of(options) == NETMESH_SOURCE_SCALES && !options.mesh_out.empty()) {
-            return usage_error("--mesh " + options.mesh_out + ": scales has one mesh after the other and keeps none");
-        }
         outcome = check_mesh_ending(options.mesh_out, dim);
     } else if (outcome.good()) {
         outcome = check_mesh_ending(options.out, dim);
@@ -81,6 +75,7 @@ Outcome check_outputs(const Options& options, std::uint32_t dim) {
 struct Input {
     PointCloud cloud;  // the points, or the vertices of the mesh
     MeshFiles mesh;    // with --values-at
+    std::optional<Collection> pieces;
 };
 
 Outcome read_mesh(Options* options, Input* input) {
@@ -101,29 +96,15 @@ Outcome read_mesh(Options* options, Input* input) {
 Outcome read_input(Options* asked, Input* input) {
     const Options& options = *asked;
     PointCloud* const cloud = &input->cloud;
-    Outcome outcome = check_accuracy(options);
-    if (outcome.good()) outcome = check_ratio(options);
-    if (outcome.good()) outcome = check_filter(options);
-    if (outcome.good() && persists(options)) outcome = check_function(options);
-    if (outcome.good()) outcome = check_outputs(options, 0);
+    if (options.request.bounds != nullptr && kind_of(options).is_on_points != 0)
+        return usage_error(std::string("--bounds does not apply to filter ") + kind_of(options).name);
+    Outcome outcome = check_outputs(options, 0);
     const bool has_values = persists(options) && !options.values_at.empty();
-    if (outcome.good())
-        outcome = has_values ? read_mesh(asked, input) : read_cloud(options, options.positionals[0], cloud);
+    if (!outcome.good() || goes_by_pieces(options)) return outcome;  // these read points themselves
+    outcome = has_values ? read_mesh(asked, input) : read_cloud(options, options.positionals[0], cloud);
     if (outcome.good()) outcome = check_outputs(options, cloud->dim);
     if (outcome.good()) outcome = check_coordinates(options, cloud->dim);
     return outcome;
-}
-
-std::size_t plan_of(const Options& options, const PointCloud& cloud) {
-    if (persists(options)) return plan_diagram(options, filter_of(options), cloud.dim, cloud.rows());
-    if (options.command == Command::mesh) {
-        requests::Mesh mesh = mesh_request(options, cloud.dim);
-        mesh.point_count = cloud.rows();
-        return plan(mesh);
-    }
-    requests::Delaunay delaunay = delaunay_request(options, cloud.dim);
-    delaunay.point_count = cloud.rows();
-    return plan(delaunay);
 }
 
 // What is looked at besides the mesh and the diagram, as far as the options ask for it.
@@ -151,28 +132,29 @@ netmesh_status measure(Session& session, const Options& options, Measured* measu
     return session.call(NETMESH_STAGE_ANALYSE, [&] { return session.engine().weighted_cells(measured->cells.data()); });
 }
 
-netmesh_status analyse(Session& session, netmesh_source source, netmesh_analysis* analysis) {
-    requests::Analyse request;
-    request.mesh = &session.mesh();
-    if (source == NETMESH_SOURCE_DELAUNAY) request.what &= ~static_cast<std::uint32_t>(NETMESH_ANALYSE_SIZE);
+netmesh_status analyse(Session& session, bool is_mesh, netmesh_analysis* analysis) {
+    netmesh_analyse_request request = sized<netmesh_analyse_request>();
+    const netmesh_request promise = session.promise();
+    request.promised = &promise;
+    if (!is_mesh) request.what = NETMESH_ANALYSE_STRUCTURE | NETMESH_ANALYSE_FATNESS;
     return session.call(NETMESH_STAGE_ANALYSE,
                         [&] { return session.engine().analyse(analysis, session.watched(request)); });
 }
 
-netmesh_status work(Session& session, const Options& options, const Input& input, Measured* measured) {
+netmesh_status work(Session& session, const Options& options, Input& input, Measured* measured) {
     const PointCloud& cloud = input.cloud;
-    const netmesh_source source = source_of(options);
     netmesh_status status;
-    if (persists(options)) {
-        status = persist_as_asked(session, options, cloud, options.vertex_function ? &input.mesh : nullptr);
+    if (input.pieces) {
+        status = input.pieces->collect(session);
+    } else if (persists(options)) {
+        status = persist_as_asked(session, cloud, options.vertex_function ? &input.mesh : nullptr);
     } else {
-        status =
-            source == NETMESH_SOURCE_MESH ? make_mesh(session, cloud) : make_triangulation(session, options, cloud);
-        if (status == NETMESH_OK && options.analyse) status = analyse(session, source, &measured->analysis);
+        const bool is_mesh = options.command == Command::mesh;
+        status = make_mesh(session, cloud);
+        if (status == NETMESH_OK && options.analyse) status = analyse(session, is_mesh, &measured->analysis);
         if (status == NETMESH_OK) status = measure(session, options, measured);
     }
-    const bool has_cells = source == NETMESH_SOURCE_MESH || source == NETMESH_SOURCE_DELAUNAY;
-    if (status == NETMESH_OK && options.check && has_cells) status = check_everything(session);
+    if (status == NETMESH_OK && options.check && has_cells(kind_of(options))) status = check_everything(session);
     return status;
 }
 
@@ -182,28 +164,25 @@ SimplexList complex_of(const Options& options, const Engine& engine, const Point
     const netmesh_diagram_report diagram = engine.report().diagram;
     if (diagram.representatives == 0) return {};
     const std::uint32_t top = diagram.max_degree + 1;
-    if (source_of(options) == NETMESH_SOURCE_SCALES) return complex_of_points(cloud, false, top, joined_simplices_max);
-    if (source_of(options) == NETMESH_SOURCE_POINTS)
-        return complex_of_points(cloud, diagram.filter == NETMESH_FILTER_RIPS, top);
+    const netmesh_filter_info kind = kind_of(options);
+    if (kind.is_by_scales != 0) return complex_of_points(cloud, false, top, joined_simplices_max);
+    if (kind.is_on_points != 0) return complex_of_points(cloud, diagram.filter == NETMESH_FILTER_RIPS, top);
     const MeshFiles files = files_of(EngineMesh(engine));
-    if (source_of(options) == NETMESH_SOURCE_DELAUNAY) return alpha_complex(files, top);
+    if (kind.is_on_triangulation != 0) return alpha_complex(files, top);
     const NodeFile& node = files.node;
     std::uint64_t unknown = 0;
     return mesh_complex(files, node.attributes, zero_born(node, diagram.filter, diagram.k), top, &unknown);
 }
 
 std::string checked_text(const Options& options, const SimplexList& complex) {
-    switch (source_of(options)) {
-    case NETMESH_SOURCE_SCALES:
+    const netmesh_filter_info kind = kind_of(options);
+    if (kind.is_by_scales != 0)
         return std::string("bars sorted, with one essential class; every bar has a closed cycle of points that is born "
                            "with it within the ratio") +
                (complex ? " and dies with it so" : "; too many simplices, so nobody looked when it dies");
-    case NETMESH_SOURCE_POINTS:
-        return about(filter_of(options)).has_representatives != 0 ? cycles_checked(complex) : "the diagram's form";
-    default:
-        return std::string("combinatorics, orientation, Delaunay property, quality, bounds on size and degrees") +
-               (options.representatives.empty() ? "" : "; " + cycles_checked(complex));
-    }
+    if (kind.is_on_points != 0) return kind.has_representatives != 0 ? cycles_checked(complex) : "the diagram's form";
+    return std::string("combinatorics, orientation, Delaunay property, quality, bounds on size and degrees") +
+           (options.representatives.empty() ? "" : "; " + cycles_checked(complex));
 }
 
 std::string point_cycles_complaint(const Engine& engine, const SimplexList& simplices, const PointCloud& cloud) {
@@ -226,7 +205,7 @@ Outcome check_result(const Engine& engine, const std::vector<Bar>& bars, const S
     std::string complaint =
         diagram_complaint(bars, nullptr, diagram.filter == NETMESH_FILTER_FUNCTION, may_end_beyond(diagram.filter));
     const bool cycles = diagram.representatives != 0;
-    const bool by_scales = about(diagram.filter).source == NETMESH_SOURCE_SCALES;
+    const bool by_scales = about(diagram.filter).is_by_scales != 0;
     if (complaint.empty() && cycles && by_scales) complaint = point_cycles_complaint(engine, complex, cloud);
     if (complaint.empty() && cycles && !by_scales) complaint = cycles_complaint(engine, complex, 0);
     if (complaint.empty()) return {};
@@ -236,7 +215,8 @@ Outcome check_result(const Engine& engine, const std::vector<Bar>& bars, const S
 // What goes out of an engine, read one item at a time.
 struct Result {
     EngineMesh mesh;
-    std::vector<Bar> bars;
+    BarSource bars;         // those chosen
+    std::vector<Bar> list;  // the same, where somebody looks at all at once
     Bounds bounds;
     std::vector<bool> chosen;  // bars of the engine's diagram that these are; empty: all
     Head head;
@@ -245,8 +225,7 @@ struct Result {
 
 // Cycles go by vertices of a mesh, or by points.
 CyclePlaces places_of(const Options& options, const EngineMesh& mesh, const PointCloud& cloud) {
-    const netmesh_source source = source_of(options);
-    if (source != NETMESH_SOURCE_MESH && source != NETMESH_SOURCE_DELAUNAY) return places_of(cloud);
+    if (!has_cells(kind_of(options))) return places_of(cloud);
     CyclePlaces places;
     places.dim = mesh.dim;
     for (std::uint64_t i = 0; i < mesh.vertex_count; i++) {
@@ -268,7 +247,7 @@ std::vector<FileJob> diagram_jobs(const Options& options, const Engine& engine, 
     if (!options.mesh_out.empty()) add_mesh_files(result.mesh, options.mesh_out, &jobs);
     if (!options.svg.empty()) {
         const auto draw = [&](TextWriter& out) {
-            out << diagram_picture(result.bars, report, result.bounds, options.axis);
+            out << diagram_picture(result.list, report, result.bounds, options.axis);
         };
         jobs.push_back({picture_path(options.svg), draw});
     }
@@ -307,52 +286,85 @@ std::vector<FileJob> mesh_jobs(const Options& options, const Measured& measured,
 }
 
 // What --focus auto has chosen, as if it had been asked for: so the file says, and so `check` makes it again.
-void take_focus(const netmesh_certificate_goal& goal, Options* options) {
+void take_focus(const netmesh_goal& made, Options* options) {
     options->focus_auto = false;
-    options->longer_than = 0;
-    options->ratio = goal.ratio;
-    options->focus = goal.focus_ratio;
-    options->from = goal.focus_from;
-    options->to = goal.focus_to;
+    options->request.fit = nullptr;
+    options->request.goal = made;
 }
 
 // The filter that the engine has taken, as if it had been asked for; and one line about it where none was asked for.
 void take_filter(const netmesh_diagram_report& diagram, Options* options) {
-    if (options->filter || !persists(*options)) return;
+    const bool is_auto = options->request.filter == &netmesh_filter_auto;
+    if (!persists(*options) || !(is_auto || !options->implies_mesh.empty())) return;
     if (!options->quiet) {
-        const std::string reason =
-            options->auto_filter ? netmesh_why_text(diagram.why) : options->implies_mesh + " asks for a mesh";
+        const std::string reason = is_auto ? netmesh_why_text(diagram.why) : options->implies_mesh + " asks for a mesh";
         const std::string text = std::string("filter ") + filter_name(diagram.filter) + ": " + reason + "\n";
         std::fputs(text.c_str(), stderr);
     }
-    options->filter = diagram.filter;
-    options->auto_filter = false;
+    options->request.filter = about(diagram.filter).filter;
 }
 
 // One line where the points have no classes of the degrees that were asked for.
 void tell_highest_degree(const Options& options, const std::string& name, const netmesh_diagram_report& diagram) {
-    if (!persists(options) || options.max_degree.value_or(0) <= diagram.max_degree) return;
+    const std::uint32_t asked = options.request.max_degree;
+    if (!persists(options) || asked == NETMESH_OPEN || asked <= diagram.max_degree) return;
     tell_note(options, name,
-              "--max-degree " + std::to_string(*options.max_degree) + " is taken as " +
-                  std::to_string(diagram.max_degree) + ": there is nothing of higher degree");
+              "--max-degree " + std::to_string(asked) + " is taken as " + std::to_string(diagram.max_degree) +
+                  ": there is nothing of higher degree");
 }
 
 // One line where tau is so near 2 that spread points take long, before the work begins. The figures are those of
 // netmesh_mesh in netmesh/mesh.h.
 void tell_cost(const Options& options, const PointCloud& cloud) {
     constexpr double near = 0.25;
-    const double above = options.tau.value_or(0) - 2;
+    const double above = options.request.mesh.tau - 2;
     if (!(above > 0 && above < near) || cloud.dim > 4) return;
     double each = 8;
     for (std::uint32_t d = 1; d < cloud.dim; ++d) each *= 5 / above;
     tell_note(options, cloud.name,
-              "--tau " + number_text(*options.tau) +
+              "--tau " + number_text(options.request.mesh.tau) +
                   " is near 2: for every factor of ten between distances a mesh takes " + "some " +
                   grouped_text(static_cast<std::uint64_t>(each)) + " vertices around each cluster");
 }
 
+// A folder that stays where it was named, and is gone with this object where it was not.
+class ScratchFolder {
+public:
+    explicit ScratchFolder(const std::string& named) : name_(named), stays_(!named.empty()) {
+        if (!stays_) name_ = platform::temporary_folder(&why_);
+    }
+    ~ScratchFolder() {
+        if (!stays_ && !name_.empty()) platform::remove_folder(name_);
+    }
+    ScratchFolder(const ScratchFolder&) = delete;
+    ScratchFolder& operator=(const ScratchFolder&) = delete;
+    const std::string& name() const { return name_; }
+    const std::string& why() const { return why_; }
+
+private:
+    std::string name_, why_;
+    bool stays_;
+};
+
+// Makes all pieces of the points. Their memory is each process's; that of the diagram is another.
+Outcome make_pieces(Options* options, const ScratchFolder& scratch, Input* input, double* read_seconds) {
+    if (scratch.name().empty()) return data_error("netmesh: " + scratch.why() + "; --scratch names a folder");
+    const PiecesFolder folder(scratch.name());
+    PointsFile points;
+    Outcome outcome = split_task(*options, folder, options->positionals[0], read_seconds, &points);
+    if (outcome.good()) input->cloud = nothing_of(points.job());
+    const unsigned jobs = options->jobs > 0 ? options->jobs : platform::processors();
+    if (outcome.good()) outcome = run_tasks(*options, folder, points.job(), jobs);
+    input->pieces.emplace();
+    if (outcome.good()) outcome = input->pieces->open(folder, points.job());
+    options->memory_bytes = 0;
+    return outcome;
+}
+
+Outcome make_and_finish(Options& options, Input& input, double start, double read_seconds);
+
 Outcome run_one(const Options& from) {
-    if (from.threshold) return run_distances(from);
+    if (goes_by_distances(from)) return run_distances(from);
     const Outcome apart = check_apart(from);
     if (!apart.good()) return apart;
     const double start = platform::seconds_now();
@@ -360,12 +372,20 @@ Outcome run_one(const Options& from) {
     Input input;
     Outcome outcome = read_input(&given, &input);
     if (!outcome.good()) return outcome;
+    double read_seconds = platform::seconds_now() - start;
+    if (!goes_by_pieces(given)) return make_and_finish(given, input, start, read_seconds);
+    const ScratchFolder scratch(given.scratch);
+    outcome = make_pieces(&given, scratch, &input, &read_seconds);
+    return outcome.good() ? make_and_finish(given, input, start, read_seconds) : outcome;
+}
+
+// What is asked for of an input that has been read, and what goes out.
+Outcome make_and_finish(Options& options, Input& input, double start, double read_seconds) {
     const PointCloud& cloud = input.cloud;
-    Options options = suited(given, cloud.dim);
-    options.bounds = options.bounds || options.focus_auto;
     RunReport run;
     run.options = &options;
-    run.read_seconds = platform::seconds_now() - start;
+    run.read_seconds = read_seconds;
+    Outcome outcome;
 
     Session session(options, cloud.dim);
     Measured measured;
@@ -373,11 +393,14 @@ Outcome run_one(const Options& from) {
     if (!outcome.good()) return outcome;
     tell_cost(options, cloud);
     const auto all_work = [&](Session& s) { return work(s, options, input, &measured); };
-    outcome = session.run(plan_of(options, cloud), cloud, all_work);
+    outcome =
+        session.run(input.pieces ? input.pieces->plan() : plan_of(options, cloud.dim, cloud.rows()), cloud, all_work);
+    if (input.pieces && !input.pieces->explain(session.engine().detail()).good())
+        return input.pieces->explain(session.engine().detail());
     if (outcome.good() && persists(options)) outcome = check_error(options, session.engine());
     if (!outcome.good()) return outcome;
     run.engine = session.engine().report();
-    if (options.focus_auto) take_focus(run.engine->mesh.certificate, &options);
+    if (options.focus_auto) take_focus(run.engine->mesh.goal, &options);
     take_filter(run.engine->diagram, &options);
     tell_highest_degree(options, cloud.name, run.engine->diagram);
     run.clock = session.clock();
@@ -385,26 +408,28 @@ Outcome run_one(const Options& from) {
     const SimplexList complex = complex_of(options, session.engine(), cloud);
     if (options.check) run.checked = std::vector<std::string>{checked_text(options, complex)};
 
-    Result result{EngineMesh(session.engine(), *run.engine), {}, {}, {}, {}, {}};
-    result.mesh.cage_kind = session.mesh().cage_kind;
+    const BarSource bars = bars_in(session.engine());
+    Result result{EngineMesh(session.engine(), *run.engine), bars, {}, {}, {}, {}, {}};
     const std::string& mesh_path = persists(options) ? options.mesh_out : options.out;
-    result.mesh.size_at_inputs = session.mesh().size_at_inputs;
-    result.mesh.size_growth = session.mesh().size_growth;
-    result.mesh.net_spacing = session.mesh().net_spacing;
+    const netmesh_mesh_rules rules = session.promise().mesh;
+    result.mesh.size_at_inputs = rules.sizes.at_inputs;
+    result.mesh.size_growth = rules.sizes.growth;
+    result.mesh.net_spacing = rules.net_spacing;
     if (run.engine->mesh.is_mesh != 0 && ending_of(mesh_path) == ".vtu") result.mesh.measure();
     if (!persists(options)) return finish_run(mesh_jobs(options, measured, result.mesh), start, &run);
 
-    result.bars = bars_of(session.engine());
     result.bounds = bounds_of(session.engine(), *run.engine);
-    if (options.check) outcome = check_result(session.engine(), result.bars, complex, cloud);
+    if (options.check) outcome = check_result(session.engine(), bars_of(bars), complex, cloud);
     if (!outcome.good()) return outcome;
-    result.chosen = chosen_bars(options, result.bars);
-    keep_chosen(result.chosen, &result.bars, &result.bounds);
+    result.chosen = chosen_bars(options, bars);
+    result.bars = chosen_of(bars, result.chosen);
+    keep_chosen(result.chosen, &result.bounds);
+    if (needs_list(options)) result.list = bars_of(result.bars);
     result.head = head_of(options, *run.engine);
     const std::string cycles_ending = ending_of(options.representatives);
     if (needs_places(cycles_ending)) result.places = places_of(options, result.mesh, cloud);
-    if (options.bounds) run.bounds = &result.bounds;
-    if (options.json && options.out.empty()) run.bars = &result.bars;
+    if (options.request.bounds != nullptr) run.bounds = &result.bounds;
+    if (options.json && options.out.empty()) run.bars = &result.list;
     return finish_run(diagram_jobs(options, session.engine(), result, *run.engine), start, &run);
 }
 
@@ -426,6 +451,7 @@ Options for_input(const Options& options, const std::string& path) {
 // Several inputs need an output each.
 Outcome check_several(const Options& options) {
     if (!options.values_at.empty()) return usage_error("--values-at goes with one mesh");
+    if (!options.scratch.empty()) return usage_error("--scratch is for one input: a folder belongs to one job");
     if (options.out.empty() && !options.json)
         return usage_error(
             "several inputs need -o with {} in it, which stands for the name of each: -o 'out/{}.ENDING'");
@@ -441,20 +467,85 @@ Outcome check_several(const Options& options) {
     return {};
 }
 
+// The options and what there is of the input, from the folder.
+Outcome collect(const Options& from) {
+    const double start = platform::seconds_now();
+    const PiecesFolder folder(from.positionals[1]);
+    PointsFile points;
+    Outcome outcome = points.open(folder.points());
+    if (!outcome.good()) return outcome;
+    const PiecesJob& job = points.job();
+    for (const char* const name : {"--max-degree", "--all", "--pieces", "--columns", "--delimiter", "--skip"})
+        if (was_given(from, name))
+            return usage_error(std::string(name) + " does nothing here: split has said it of all pieces");
+    Options options = persist_options(from, job);
+    Input input;
+    input.cloud = nothing_of(job);
+    outcome = check_outputs(options, job.dim);
+    input.pieces.emplace();
+    if (outcome.good()) outcome = input.pieces->open(folder, job);
+    return outcome.good() ? make_and_finish(options, input, start, platform::seconds_now() - start) : outcome;
+}
+
+Outcome split(const Options& options) {
+    for (const char* const name : {"-o", "--least", "--min-persistence", "--top", "--svg", "--axis", "--json"})
+        if (was_given(options, name)) return usage_error(std::string(name) + " does nothing here: it is of collect");
+    const PiecesFolder folder(options.positionals[2]);
+    const std::string makefile = folder.path() + "/Makefile";
+    std::string there, why;
+    if (platform::read_file(makefile, &there, &why) && there.compare(0, makefile_mark.size(), makefile_mark) != 0)
+        return file_error(makefile, "a file of that name is there, which netmesh has not written; name another folder");
+    double ignored;
+    PointsFile points;
+    Outcome outcome = split_task(options, folder, options.positionals[1], &ignored, &points);
+    if (!outcome.good()) return outcome;
+    outcome = write_files({{makefile, [&](TextWriter& out) { out << makefile_of(points.job()); }}});
+    if (outcome.good() && !options.quiet)
+        std::fprintf(stderr, "%s: %s in %u pieces; `make -C %s` makes the diagram\n", folder.path().c_str(),
+                     counted(points.job().count, "point", "points").c_str(), points.job().pieces,
+                     folder.path().c_str());
+    return outcome;
+}
+
 }  // namespace
 
-// Of several inputs each is tried; the first that fails says how it ends.
+Outcome run_pieces(const Options& options) {
+    const std::vector<std::string>& words = options.positionals;
+    const std::string& task = words[0];
+    const std::size_t due = task == "collect" ? 2 : 3;
+    if (task != "split" && task != "leaf" && task != "join" && task != "collect")
+        return usage_error("pieces " + task + ": there are split, leaf, join and collect");
+    if (words.size() != due)
+        return usage_error("pieces " + task + " takes " +
+                           (task == "split"     ? "POINTS DIR"
+                            : task == "collect" ? "DIR"
+                                                : "DIR NODE"));
+    if (task == "collect") return collect(options);
+    if (task == "split") return split(options);
+    for (const auto& given : options.given)
+        if (given.first != "--memory" && given.first != "--quiet")
+            return usage_error(given.first + " does nothing here: split has said it of all pieces");
+    const PiecesFolder folder(words[1]);
+    std::uint64_t node = 0;
+    PointsFile points;
+    const Outcome outcome = points.open(folder.points());
+    if (!outcome.good()) return outcome;
+    const bool is_leaf = task == "leaf";
+    const std::uint64_t first = is_leaf ? points.job().pieces : 1;
+    const std::uint64_t last = is_leaf ? 2 * std::uint64_t{first} - 1 : points.job().pieces - 1;
+    if (!parse_unsigned(words[2], &node) || node < first || node > last)
+        return usage_error("pieces " + task + " " + words[2] + ": nodes of this job are " + std::to_string(first) +
+                           " to " + std::to_string(last));
+    return piece_task(options, folder, points.job(), static_cast<std::uint32_t>(node));
+}
+
 Outcome run_engine_command(const Options& options) {
-    if (options.positionals.size() == 1) return run_one(for_input(options, options.positionals[0]));
-    Outcome ended = check_several(options);
-    if (!ended.good()) return ended;
-    for (const std::string& path : options.positionals) {
-        const Outcome outcome = run_one(for_input(options, path));
-        if (outcome.exit == Exit::usage || outcome.exit == Exit::cancelled) return outcome;
-        tell_error(outcome, options.command, options.json);
-        if (ended.good()) ended.exit = outcome.exit;
-    }
-    return ended;
+    const auto run = [&](const std::string& path) { return run_one(for_input(options, path)); };
+    if (options.positionals.size() == 1) return run(options.positionals[0]);
+    const Outcome outcome = check_several(options);
+    if (!outcome.good()) return outcome;
+    const bool side_by_side = options.jobs > 1 && !goes_by_pieces(options) && platform::has_processes();
+    return side_by_side ? run_side_by_side(options, run) : run_one_by_one(options, run);
 }
 
 }  // namespace netmesh::tool

@@ -5,6 +5,7 @@
 #include "tools/commands/commands.hpp"
 #include "tools/commands/cycles.hpp"
 #include "tools/commands/output.hpp"
+#include "tools/commands/steps.hpp"
 #include "tools/commands/value_vineyard.hpp"
 #include "tools/io/complex_file.hpp"
 #include "tools/plot/plots.hpp"
@@ -25,17 +26,14 @@ Outcome read_input(const Options& options, SimplexFile* file) {
     return outcome.good() ? parse_simplices(content, file) : outcome;
 }
 
-requests::Homology homology_request(const Options& options, const SimplexFile& file) {
-    requests::Homology homology;
-    homology.vertices = file.vertices.data();
-    homology.starts = file.starts.data();
-    homology.entries = file.values.data();
-    homology.simplex_count = file.count();
-    homology.vertex_count = file.vertices.size();
-    if (options.max_degree) homology.max_degree = *options.max_degree;
-    homology.keep_zero_pairs = options.all ? 1 : 0;
-    homology.representatives = options.check || !options.representatives.empty() ? 1 : 0;
-    return homology;
+netmesh_simplices complex_of(const SimplexFile& file) {
+    netmesh_simplices simplices = sized<netmesh_simplices>();
+    simplices.vertices = file.vertices.data();
+    simplices.starts = file.starts.data();
+    simplices.entries = file.values.data();
+    simplices.simplex_count = file.count();
+    simplices.vertex_count = file.vertices.size();
+    return simplices;
 }
 
 // None when they are too many for a second opinion.
@@ -63,31 +61,34 @@ Outcome run_homology(const Options& options) {
     run.read_seconds = platform::seconds_now() - start;
 
     Session session(options, NETMESH_DIM_MIN);
-    const requests::Homology request = homology_request(options, file);
-    outcome = session.run(plan(request), file.lines, [&](Session& s) {
-        return s.call(NETMESH_STAGE_REDUCE, [&] { return s.engine().homology(s.watched(request)); });
-    });
+    const netmesh_simplices simplices = complex_of(file);
+    netmesh_request request = options.request;
+    request.simplices = &simplices;
+    request.filter = &netmesh_filter_simplices;
+    if (options.check || !options.representatives.empty()) request.cycles = &netmesh_cycles;
+    outcome = session.run(plan(request), file.lines, [&](Session& s) { return persist(s, request); });
     const Engine& engine = session.engine();
     if (engine.status() == NETMESH_NOT_A_COMPLEX) return explain_fault(file, file.values.data(), engine.detail());
     if (!outcome.good()) return outcome;
     run.engine = engine.report();
     run.clock = session.clock();
 
-    std::vector<Bar> bars = bars_of(engine);
+    const BarSource all = bars_in(engine);
     if (options.check) {
         const SimplexList complex = simplices_of(file);
         const std::string complaint = cycles_complaint(engine, complex, 0);
         if (!complaint.empty()) return {Exit::check, "netmesh: check failed: " + complaint};
         run.checked = std::vector<std::string>{cycles_checked(complex)};
     }
-    const std::vector<bool> chosen = chosen_bars(options, bars);
-    Bounds bounds;
-    keep_chosen(chosen, &bars, &bounds);
-    if (options.json && options.out.empty()) run.bars = &bars;
+    const std::vector<bool> chosen = chosen_bars(options, all);
+    const BarSource bars = chosen_of(all, chosen);
+    const Bounds bounds;
+    const std::vector<Bar> list = needs_list(options) ? bars_of(bars) : std::vector<Bar>();
+    if (options.json && options.out.empty()) run.bars = &list;
     std::vector<FileJob> jobs;
     if (!options.svg.empty())
         jobs.push_back({picture_path(options.svg),
-                        [&](TextWriter& out) { out << diagram_picture(bars, *run.engine, {}, options.axis); }});
+                        [&](TextWriter& out) { out << diagram_picture(list, *run.engine, {}, options.axis); }});
     if (!options.representatives.empty())
         jobs.push_back({options.representatives,
                         [&](TextWriter& out) { write_cycles(engine, options.representatives, chosen, {}, out); }});

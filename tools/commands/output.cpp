@@ -2,7 +2,9 @@
 
 #include <algorithm>
 #include <cstdio>
+#include <exception>
 #include <memory>
+#include <new>
 
 #include "platform/clock.hpp"
 #include "platform/files.hpp"
@@ -43,6 +45,17 @@ void tell_error(const Outcome& outcome, Command command, bool json) {
     if (outcome.exit == Exit::cancelled) platform::take_interrupt();
     if (json) write_files({{"", [&](TextWriter& out) { out << json_error(command, outcome); }}});
     print_message(outcome.message + "\n", "31");
+}
+
+Outcome without_exceptions(const std::function<Outcome()>& run) {
+    try {
+        return run();
+    } catch (const std::bad_alloc&) {
+        // Not the engine, which has its own block: the tool's copy of the input or of the diagram.
+        return {Exit::memory, "netmesh: no memory left to hold the input"};
+    } catch (const std::exception& thrown) {
+        return {Exit::internal, std::string("netmesh: internal error: ") + thrown.what()};
+    }
 }
 
 Outcome write_files(const std::vector<FileJob>& jobs) {
@@ -137,10 +150,11 @@ EngineMesh::EngineMesh(const Engine& engine, const netmesh_report& report) : eng
     vertex_count = report.mesh.vertices;
     cell_count = report.mesh.cells;
     tau = report.mesh.tau;
-    ratio = report.mesh.certificate.ratio;
+    ratio = report.mesh.goal.ratio;
     clipped = report.mesh.clipped != 0;
     eps = report.mesh.sizes.eps;
     for (std::uint32_t k = 0; k <= dim; k++) domain[k] = report.mesh.domain[k];
+    has_thesis_cages = report.mesh.method == NETMESH_METHOD_THESIS;
     if (vertex_count > 0) has_values = vertex(0).has_value != 0;
     engine_.for_each_cage([&](std::uint64_t, const netmesh_cage& cage) { cages.push_back(cage); });
 }
@@ -186,15 +200,21 @@ MeshFiles files_of(const EngineMesh& mesh) {
     return files;
 }
 
-std::vector<Bar> bars_of(const Engine& engine) {
-    std::size_t count = 0;
+BarSource bars_in(const Engine& engine) {
+    std::uint64_t count = 0;
     engine.for_each_pair([&](std::uint64_t, const netmesh_pair&) { count++; });
-    std::vector<Bar> bars;
-    bars.reserve(count);  // as it grows a vector holds all twice
-    engine.for_each_pair([&](std::uint64_t, const netmesh_pair& pair) {
-        bars.push_back({pair.degree, pair.birth, pair.death});
-    });
-    return bars;
+    return {count, [&engine](const BarSource::Visit& visit) {
+                engine.for_each_pair([&](std::uint64_t, const netmesh_pair& pair) {
+                    visit({pair.degree, pair.birth, pair.death});
+                });
+            }};
+}
+
+std::vector<Bar> bars_of(const BarSource& bars) {
+    std::vector<Bar> list;
+    list.reserve(static_cast<std::size_t>(bars.size()));  // as it grows a vector holds all twice
+    bars.for_each([&](const Bar& bar) { list.push_back(bar); });
+    return list;
 }
 
 Bounds bounds_of(const Engine& engine, const netmesh_report& report) {
@@ -245,40 +265,60 @@ Outcome check_cycles_ending(const std::string& path, bool has_places, std::uint3
                        "; .txt holds any");
 }
 
-std::vector<bool> chosen_bars(const Options& options, const std::vector<Bar>& bars) {
-    if (options.top == 0 && options.min_persistence == 0) return {};
-    std::vector<std::size_t> order(bars.size());
-    for (std::size_t i = 0; i < bars.size(); i++) order[i] = i;
-    const auto length = [&](std::size_t i) { return bars[i].death - bars[i].birth; };
-    std::stable_sort(order.begin(), order.end(), [&](std::size_t a, std::size_t b) {
-        return bars[a].degree != bars[b].degree ? bars[a].degree < bars[b].degree : length(a) > length(b);
+std::vector<bool> chosen_bars(const Options& options, const BarSource& bars) {
+    if (options.top == 0 && options.least == 0) return {};
+    std::vector<bool> chosen(static_cast<std::size_t>(bars.size()));
+    struct Long {
+        double length;
+        std::size_t bar;
+        // Of two that are as long the first in the diagram.
+        bool operator<(const Long& other) const {
+            return length != other.length ? length > other.length : bar < other.bar;
+        }
+    };
+    std::vector<std::vector<Long>> longest;  // of each degree a heap, the shortest at its top
+    std::size_t i = 0;
+    bars.for_each([&](const Bar& bar) {
+        const Long found = {bar.death - bar.birth, i++};
+        if (found.length < options.least) return;
+        if (options.top == 0) {
+            chosen[found.bar] = true;
+            return;
+        }
+        if (longest.size() <= bar.degree) longest.resize(bar.degree + 1);
+        std::vector<Long>& heap = longest[bar.degree];
+        heap.push_back(found);
+        std::push_heap(heap.begin(), heap.end());
+        if (heap.size() <= options.top) return;
+        std::pop_heap(heap.begin(), heap.end());
+        heap.pop_back();
     });
-    std::vector<bool> chosen(bars.size());
-    std::uint64_t of_degree = 0;
-    for (std::size_t k = 0; k < order.size(); k++) {
-        const std::size_t i = order[k];
-        if (k > 0 && bars[order[k - 1]].degree != bars[i].degree) of_degree = 0;
-        chosen[i] = length(i) >= options.min_persistence && (options.top == 0 || of_degree < options.top);
-        of_degree++;
-    }
+    for (const std::vector<Long>& heap : longest)
+        for (const Long& kept : heap) chosen[kept.bar] = true;
     return chosen;
 }
 
-void keep_chosen(const std::vector<bool>& chosen, std::vector<Bar>* bars, Bounds* bounds) {
-    if (chosen.empty()) return;
-    std::size_t kept = 0;
-    const bool bounded = bounds->bars.size() == bars->size();
-    for (std::size_t i = 0; i < bars->size(); i++) {
-        if (!chosen[i]) continue;
-        if (bounded) bounds->bars[kept] = bounds->bars[i];
-        (*bars)[kept++] = (*bars)[i];
-    }
-    bars->resize(kept);
-    if (bounded) bounds->bars.resize(kept);
+BarSource chosen_of(const BarSource& bars, const std::vector<bool>& chosen) {
+    if (chosen.empty()) return bars;
+    const auto count = static_cast<std::uint64_t>(std::count(chosen.begin(), chosen.end(), true));
+    return {count, [bars, &chosen](const BarSource::Visit& visit) {
+                std::size_t i = 0;
+                bars.for_each([&](const Bar& bar) {
+                    if (chosen[i++]) visit(bar);
+                });
+            }};
 }
 
-FileJob diagram_job(const Options& options, const Head& head, const std::vector<bool>& chosen,
-                    const std::vector<Bar>& bars, const Bounds& bounds) {
+void keep_chosen(const std::vector<bool>& chosen, Bounds* bounds) {
+    if (chosen.empty() || bounds->bars.size() != chosen.size()) return;
+    std::size_t kept = 0;
+    for (std::size_t i = 0; i < chosen.size(); i++)
+        if (chosen[i]) bounds->bars[kept++] = bounds->bars[i];
+    bounds->bars.resize(kept);
+}
+
+FileJob diagram_job(const Options& options, const Head& head, const std::vector<bool>& chosen, const BarSource& bars,
+                    const Bounds& bounds) {
     const std::string ending = ending_of(options.out);
     if (ending == ".csv") return {options.out, [&](TextWriter& out) { write_diagram_csv(bars, bounds, out); }};
     if (ending == ".json") return {options.out, [&](TextWriter& out) { write_diagram_json(bars, out); }};
@@ -287,9 +327,9 @@ FileJob diagram_job(const Options& options, const Head& head, const std::vector<
                 if (chosen.empty()) {
                     write_head(head, out);
                 } else {  // what a head says is true of whole diagrams only
-                    out << "# a choice of " << std::uint64_t{bars.size()} << " of " << std::uint64_t{chosen.size()}
-                        << " bars";
-                    if (options.min_persistence > 0) out << ", --min-persistence " << options.min_persistence;
+                    out << "# a choice of " << bars.size() << " of " << std::uint64_t{chosen.size()} << " bars";
+                    if (options.least > 0)
+                        out << (was_given(options, "--least") ? ", --least " : ", --min-persistence ") << options.least;
                     if (options.top > 0) out << ", --top " << options.top;
                     out << '\n';
                 }

@@ -23,6 +23,9 @@ struct FileJob {
 // said.
 void tell_error(const Outcome& outcome, Command command, bool json);
 
+// What `run` says, or what it throws as an outcome: where the tool has no memory for its copy of the input.
+Outcome without_exceptions(const std::function<Outcome()>& run);
+
 // All of them or, on the first fault or signal, none: the files get their names only when each is complete.
 Outcome write_files(const std::vector<FileJob>& jobs);
 
@@ -51,8 +54,10 @@ private:
 // The vertices and cells of a mesh as its files have them.
 MeshFiles files_of(const EngineMesh& mesh);
 
-// The diagram that an engine holds, and its bounds: empty unless there are some.
-std::vector<Bar> bars_of(const Engine& engine);
+// The diagram that an engine holds, read where it stands, and as a list; its bounds, empty unless there are some.
+BarSource bars_in(const Engine& engine);
+std::vector<Bar> bars_of(const BarSource& bars);
+inline std::vector<Bar> bars_of(const Engine& engine) { return bars_of(bars_in(engine)); }
 Bounds bounds_of(const Engine& engine, const netmesh_report& report);
 inline Bounds bounds_of(const Engine& engine) { return bounds_of(engine, engine.report()); }
 
@@ -71,12 +76,18 @@ Outcome check_diagram_ending(const std::string& path);
 Outcome check_picture_ending(const Options& options);
 Outcome check_cycles_ending(const std::string& path, bool has_places, std::uint32_t dim);
 
-// Which bars --min-persistence and --top leave, in their order; empty when they leave all.
-std::vector<bool> chosen_bars(const Options& options, const std::vector<Bar>& bars);
-void keep_chosen(const std::vector<bool>& chosen, std::vector<Bar>* bars, Bounds* bounds);
-// The diagram by the ending of options.out; `head` goes in front of a whole one in .pers. All must outlive the job.
-FileJob diagram_job(const Options& options, const Head& head, const std::vector<bool>& chosen,
-                    const std::vector<Bar>& bars, const Bounds& bounds);
+// Which bars --least and --top leave, in their order; empty when they leave all. Of each degree no more than --top are
+// held at a time.
+std::vector<bool> chosen_bars(const Options& options, const BarSource& bars);
+// Those alone; `chosen` must outlive the source.
+BarSource chosen_of(const BarSource& bars, const std::vector<bool>& chosen);
+void keep_chosen(const std::vector<bool>& chosen, Bounds* bounds);
+// The diagram by the ending of options.out; `head` goes in front of a whole one in .pers. `bars` are those chosen, and
+// read when the job is done. All must outlive the job.
+FileJob diagram_job(const Options& options, const Head& head, const std::vector<bool>& chosen, const BarSource& bars,
+                    const Bounds& bounds);
+// Whether somebody has to look at all bars at once: a picture, or JSON that holds them.
+inline bool needs_list(const Options& options) { return !options.svg.empty() || (options.json && options.out.empty()); }
 // A picture: its file, stdout for "-".
 inline std::string picture_path(const std::string& svg) { return svg == "-" ? "" : svg; }
 // Whether the data go out: not where only a picture does, or only JSON.

@@ -47,13 +47,13 @@ struct ComparedBars {
 // Every bar, and cycles if there are some. `how` the complex was made.
 Outcome judge_exact(const DiagramClaim& claim, const FilteredComplex& complex, const std::string& how,
                     std::vector<std::string>* checked) {
-    const ComparedBars have(claim.file, claim.made.all);
+    const ComparedBars have(claim.file, (claim.made.request.keep_zero_pairs != 0));
     std::size_t at = 0;
-    const std::string complaint = complex.bars_complaint(have.bars, *claim.made.max_degree, false, &at);
+    const std::string complaint = complex.bars_complaint(have.bars, claim.made.request.max_degree, false, &at);
     if (!complaint.empty()) return have.wrong(claim.file, at, complaint + " in exact arithmetic");
     checked->push_back("second opinion: " + counted(complex.count(), "simplex", "simplices") + " " + how +
                        ", in exact arithmetic: the same bars, to the last bit" +
-                       (claim.made.all ? "; bars of length zero were not looked at" : ""));
+                       (claim.made.request.keep_zero_pairs != 0 ? "; bars of length zero were not looked at" : ""));
     return judge_cycles(claim, complex, checked);
 }
 
@@ -62,7 +62,7 @@ Outcome judge_degree_zero(const DiagramClaim& claim, const PointCloud& points, c
                           std::vector<std::string>* checked) {
     const PointCloud different = different_points(points);
     const std::size_t n = different.rows();
-    const ComparedBars have(claim.file, claim.made.all);
+    const ComparedBars have(claim.file, (claim.made.request.keep_zero_pairs != 0));
     std::vector<double> deaths;
     for (std::size_t i = 0; i < have.bars.size() && have.bars[i].degree == 0; i++) {
         if (have.bars[i].birth != 0) return have.wrong(claim.file, i, "points are born at 0");
@@ -99,14 +99,15 @@ Outcome judge_degree_zero(const DiagramClaim& claim, const PointCloud& points, c
         text += "and of it a sample: " + grouped_text(sample) + " of " + grouped_text(n) +
                 " points have bars that die half-way to their nearest neighbours, to the last bit";
     }
-    checked->push_back(text + (*claim.made.max_degree > 0 ? "; degrees above were not looked at, as " : "; as ") + why);
+    checked->push_back(text +
+                       (claim.made.request.max_degree > 0 ? "; degrees above were not looked at, as " : "; as ") + why);
     return {};
 }
 
 Outcome judge_sets(const DiagramClaim& claim, const PointCloud& points, std::vector<std::string>* checked) {
-    const netmesh_filter filter = filter_of(claim.made);
+    const netmesh_filter_id filter = filter_of(claim.made);
     const bool rips = filter == NETMESH_FILTER_RIPS || filter == NETMESH_FILTER_BARYCENTRIC_RIPS;
-    const std::uint32_t top = *claim.made.max_degree + 1;
+    const std::uint32_t top = claim.made.request.max_degree + 1;
     if (!is_barycentric(filter)) {
         const SimplexList sets = complex_of_points(points, rips, top);
         if (sets)
@@ -116,7 +117,7 @@ Outcome judge_sets(const DiagramClaim& claim, const PointCloud& points, std::vec
         if (claim.cycles_path.empty()) return judge_degree_zero(claim, points, many, checked);
         return usage_error("--representatives: " + many + ", which are too many to check cycles");
     }
-    const std::uint32_t k = *claim.made.k;
+    const std::uint32_t k = claim.made.request.k;
     const bool scaled = rips && choice_of(claim.made).values == NETMESH_VALUES_CERTIFIED;
     const SimplexList sets = nerve_of_sets(points, k, rips, scaled ? fourth_root_of_two : 1, top, nerve_simplices_max);
     if (sets)
@@ -134,8 +135,8 @@ Outcome judge_sets(const DiagramClaim& claim, const PointCloud& points, std::vec
 // Nothing where the engine has no memory for the triangulation.
 std::optional<MeshFiles> triangulation_of(const Options& made, const PointCloud& points) {
     Session session(made, points.dim);
-    const Outcome outcome = session.run(plan_diagram(made, filter_of(made), points.dim, points.rows()), points,
-                                        [&](Session& s) { return make_triangulation(s, made, points); });
+    const Outcome outcome =
+        session.run(plan_of(made, points.dim, points.rows()), points, [&](Session& s) { return make_mesh(s, points); });
     if (!outcome.good()) return {};
     return files_of(EngineMesh(session.engine()));
 }
@@ -146,7 +147,7 @@ std::set<Place> set_of(const PointCloud& cloud) {
 }
 
 Outcome judge_alpha_of_points(const DiagramClaim& claim, const PointCloud& points, std::vector<std::string>* checked) {
-    const std::uint32_t top = *claim.made.max_degree + 1;
+    const std::uint32_t top = claim.made.request.max_degree + 1;
     if (claim.cycles_path.empty()) {  // cycles are of the triangulation
         const SimplexList sets = complex_of_points(points, false, top, brute_sets_max);
         if (sets)
@@ -191,7 +192,7 @@ Outcome judge_alpha(const DiagramClaim& claim, const MeshFiles& files, const std
     const std::string complaint = delaunay_complaint(exact_places(files.node.cloud), files.cells);
     if (!complaint.empty())
         return mismatch("no Delaunay triangulation in exact arithmetic is the one " + whose + ": " + complaint);
-    const SimplexList simplices = alpha_complex(files, *claim.made.max_degree + 1, alpha_simplices_max);
+    const SimplexList simplices = alpha_complex(files, claim.made.request.max_degree + 1, alpha_simplices_max);
     *is_too_large = !simplices;
     if (*is_too_large) return {};
     return judge_exact(claim, FilteredComplex(*simplices),
@@ -199,9 +200,9 @@ Outcome judge_alpha(const DiagramClaim& claim, const MeshFiles& files, const std
 }
 
 Outcome second_opinion_on_points(const DiagramClaim& claim, const PointCloud& points, RunReport* run) {
-    const netmesh_filter filter = filter_of(claim.made);
-    if (about(filter).source == NETMESH_SOURCE_SCALES) return second_opinion_on_scales(claim, points, run);
-    if (about(filter).source == NETMESH_SOURCE_MESH) {
+    const netmesh_filter_id filter = filter_of(claim.made);
+    if (about(filter).is_by_scales != 0) return second_opinion_on_scales(claim, points, run);
+    if (about(filter).is_on_mesh != 0) {
         if (!claim.cycles_path.empty())
             return usage_error("--representatives needs --mesh, or filter alpha, scales, rips or cech");
         run->checked->push_back("no second opinion: the same code ran twice; for filters on a mesh --mesh gives one");

@@ -7,6 +7,7 @@
 
 #include "platform/memory.hpp"
 #include "tools/commands/output.hpp"
+#include "tools/commands/steps.hpp"
 #include "tools/io/numbers.hpp"
 #include "tools/opinion/exact_spheres.hpp"
 
@@ -48,17 +49,14 @@ void merge(PointCloud* cloud) {
     if (!cloud->lines.empty()) cloud->lines.resize(kept);
 }
 
-requests::Distances request_of(const Options& options, const RipsInput& input) {
-    requests::Distances request;
-    request.layout = input.file.layout;
-    request.numbers = input.file.numbers.data();
-    request.entries = input.file.entries.data();
-    request.entry_count = input.file.entries.size();
-    request.point_count = input.count();
-    request.threshold = options.threshold.value_or(HUGE_VAL);
-    request.max_degree = options.max_degree.value_or(1);
-    request.keep_zero_pairs = options.all ? 1 : 0;
-    return request;
+netmesh_distances distances_of(const RipsInput& input) {
+    netmesh_distances distances = sized<netmesh_distances>();
+    distances.layout = input.file.layout;
+    distances.numbers = input.file.numbers.data();
+    distances.entries = input.file.entries.data();
+    distances.entry_count = input.file.entries.size();
+    distances.count = input.count();
+    return distances;
 }
 
 using Pair = std::pair<std::uint32_t, std::uint32_t>;
@@ -66,7 +64,7 @@ using Pair = std::pair<std::uint32_t, std::uint32_t>;
 // Half of each finite distance within the threshold, by the points, the lower number in front.
 std::map<Pair, double> edges_of(const RipsInput& input, const Options& options) {
     std::map<Pair, double> edges;
-    const double most = options.threshold.value_or(HUGE_VAL);
+    const double most = options.request.threshold;
     const auto add = [&](std::uint32_t i, std::uint32_t j, double half) {
         if (i != j && half <= most && half < HUGE_VAL) edges[{std::min(i, j), std::max(i, j)}] = half;
     };
@@ -104,22 +102,14 @@ Outcome read_rips_input(const Options& options, const std::string& path, RipsInp
 
 namespace {
 
-Outcome persist_points_within(const Options& options, const RipsInput& input, bool cycles, Session& session,
-                              netmesh_report* report) {
+Outcome persist_points_within(const RipsInput& input, Session& session, netmesh_report* report) {
     const PointCloud& cloud = input.cloud;
     std::vector<double> plane;  // points on a line, of which the engine wants another coordinate
     for (std::size_t i = 0; cloud.dim == 1 && i < cloud.rows(); i++)
         plane.insert(plane.end(), {cloud.coordinates[i], 0});
-    requests::Points request(std::max(cloud.dim, 2u), NETMESH_FILTER_RIPS);
-    request.points = cloud.dim == 1 ? plane.data() : cloud.coordinates.data();
-    request.point_count = cloud.rows();
-    if (options.threshold) request.threshold = std::max(*options.threshold, 0x1p-1074);  // 0 is no limit there
-    request.max_degree = options.max_degree.value_or(1);
-    request.keep_zero_pairs = options.all ? 1 : 0;
-    request.representatives = cycles ? 1 : 0;
-    const Outcome outcome = session.run(plan(request), cloud, [&](Session& s) {
-        return s.call(NETMESH_STAGE_REDUCE, [&] { return s.engine().persist_points(s.watched(request)); });
-    });
+    netmesh_request request = on_points(session.request(), cloud);
+    if (cloud.dim == 1) request.points = points_of(2, plane);
+    const Outcome outcome = session.run(plan(request), cloud, [&](Session& s) { return persist(s, request); });
     if (!outcome.good()) return outcome;
     *report = session.engine().report();
     report->input.dim = cloud.dim;
@@ -130,17 +120,18 @@ Outcome persist_points_within(const Options& options, const RipsInput& input, bo
 
 }  // namespace
 
-Outcome persist_rips(const Options& options, RipsInput& input, bool cycles, Session& session, netmesh_report* report) {
-    if (input.of_points()) return persist_points_within(options, input, cycles, session, report);
-    requests::Distances request = request_of(options, input);
-    request.representatives = cycles ? 1 : 0;
+Outcome persist_rips(RipsInput& input, Session& session, netmesh_report* report) {
+    if (input.of_points()) return persist_points_within(input, session, report);
+    netmesh_distances distances = distances_of(input);
+    netmesh_request request = session.request();
+    request.distances = &distances;
     ReleasedTriangle triangle = {&input.file.numbers};
     const std::uint64_t points = input.count();
-    if (input.read_once && !cycles && request.layout == NETMESH_DISTANCES_LOWER && request.max_degree > 0 &&
-        input.path != "-") {
-        request.layout = NETMESH_DISTANCES_FUNCTION;
-        request.evaluate = ReleasedTriangle::evaluate;
-        request.user = &triangle;
+    if (input.read_once && request.cycles == nullptr && distances.layout == NETMESH_DISTANCES_LOWER &&
+        request.max_degree > 0 && input.path != "-") {
+        distances.layout = NETMESH_DISTANCES_FUNCTION;
+        distances.evaluate = ReleasedTriangle::evaluate;
+        distances.user = &triangle;
     }
     const Outcome outcome = session.run(plan(request), input.file.place, [&](Session& s) {
         if (triangle.released > 0) {  // by the run in a smaller block
@@ -148,7 +139,7 @@ Outcome persist_rips(const Options& options, RipsInput& input, bool cycles, Sess
                 return NETMESH_OUT_OF_MEMORY;
             triangle.released = 0;
         }
-        return s.call(NETMESH_STAGE_REDUCE, [&] { return s.engine().persist_distances(s.watched(request)); });
+        return persist(s, request);
     });
     const Engine& engine = session.engine();
     const netmesh_detail detail = engine.detail();

@@ -1,5 +1,6 @@
 // What a Rips complex with a threshold, or of distances, is made of.
 #pragma once
+#include <cmath>
 #include <cstdint>
 #include <string>
 
@@ -23,13 +24,15 @@ struct RipsInput {
 };
 
 // Whether the diagram is made of such an input.
-inline bool goes_by_distances(const Options& options) { return options.distances || options.threshold.has_value(); }
+inline bool goes_by_distances(const Options& options) {
+    return options.distances || std::isfinite(options.request.threshold);
+}
 
 // Points of any number of columns, or distances; their notes go to stderr unless --quiet was given.
 Outcome read_rips_input(const Options& options, const std::string& path, RipsInput* input);
-// The diagram, with cycles if `cycles`, in the session's engine; what there is to report, of points with their
+// The diagram of the session's request in its engine; what there is to report, of points with their
 // dimension, number and duplicates. Of an input that is read once the distances may be gone afterwards.
-Outcome persist_rips(const Options& options, RipsInput& input, bool cycles, Session& session, netmesh_report* report);
+Outcome persist_rips(RipsInput& input, Session& session, netmesh_report* report);
 
 // All sets of up to top + 1 points within the threshold; nothing where there are too many.
 SimplexList complex_of(const RipsInput& input, const Options& options, std::uint32_t top);

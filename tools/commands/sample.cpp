@@ -30,7 +30,7 @@ Outcome run_sample(const Options& options) {
     request.shape = options.positionals[0];
     request.count = options.point_count;
     request.dim = options.dim;
-    request.seed = options.seed;
+    request.seed = options.request.seed;
     request.noise = options.noise;
     request.turns[0] = options.turns[0];
     request.turns[1] = options.turns[1];

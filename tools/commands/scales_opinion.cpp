@@ -140,12 +140,13 @@ std::string point_cycles_complaint(const std::vector<CycleEntry>& cycles, double
 Outcome second_opinion_on_scales(const DiagramClaim& claim, const PointCloud& points, RunReport* run) {
     const DiagramFile& file = claim.file;
     const double ratio = run->engine->diagram.certified_ratio;
-    const SimplexList simplices = complex_of_points(points, false, *claim.made.max_degree + 1, joined_simplices_max);
+    const SimplexList simplices =
+        complex_of_points(points, false, claim.made.request.max_degree + 1, joined_simplices_max);
     std::optional<FilteredComplex> complex;
     if (simplices) complex.emplace(*simplices, radius_tolerance);
     std::string text;
     if (complex) {
-        const std::vector<Bar> truth = complex->bars(*claim.made.max_degree, false);
+        const std::vector<Bar> truth = complex->bars(claim.made.request.max_degree, false);
         Outcome outcome = judge_ratio(file, truth, ratio);
         text = "second opinion: by the Cech complex of the points, of " +
                counted(complex->count(), "simplex", "simplices") + ", all bars are within the ratio of true ones";

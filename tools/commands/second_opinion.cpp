@@ -63,7 +63,7 @@ class CellJury {
 public:
     CellJury(const DiagramClaim& claim, const MeshFiles& files, double ratio)
         : claim_(claim), files_(files), ratio_(ratio),
-          opinion_(cell_opinion(files, choice_of(claim.made), claim.made.k.value_or(1), ratio)),
+          opinion_(cell_opinion(files, choice_of(claim.made), std::max(claim.made.request.k, 1u), ratio)),
           has_values_(files.node.attribute_count == 1) {
         for (std::size_t v = 0; v < opinion_.values.size(); v++)
             values_.push_back(has_values_ ? files.node.attributes[v] : static_cast<double>(opinion_.values[v].least));
@@ -237,7 +237,8 @@ Outcome judge_pairs(const DiagramClaim& claim, const SimplexList& simplices, dou
     }
     const FilteredComplex complex(*simplices, slack);
     std::size_t at = 0;
-    const std::string complaint = complex.bars_complaint(claim.file.bars, *claim.made.max_degree, claim.made.all, &at);
+    const std::string complaint = complex.bars_complaint(claim.file.bars, claim.made.request.max_degree,
+                                                         (claim.made.request.keep_zero_pairs != 0), &at);
     if (!complaint.empty())
         return claim.file.wrong(claim.file.line_of(at), bar_text(claim.file.bars, at) + ": " + complaint);
     checked->push_back("second opinion: " + counted(claim.file.bars.size(), "bar", "bars") +
@@ -248,9 +249,9 @@ Outcome judge_pairs(const DiagramClaim& claim, const SimplexList& simplices, dou
 // The pairs of a mesh's filter by these values.
 Outcome judge_mesh_pairs(const DiagramClaim& claim, const MeshFiles& files, const std::vector<double>& values,
                          double slack, std::vector<std::string>* checked) {
-    const std::uint32_t first = zero_born(files.node, filter_of(claim.made), claim.made.k.value_or(1));
+    const std::uint32_t first = zero_born(files.node, filter_of(claim.made), std::max(claim.made.request.k, 1u));
     std::uint64_t unknown = 0;
-    const SimplexList simplices = mesh_complex(files, values, first, *claim.made.max_degree + 1, &unknown);
+    const SimplexList simplices = mesh_complex(files, values, first, claim.made.request.max_degree + 1, &unknown);
     if (unknown == 0) return judge_pairs(claim, simplices, slack, checked);
     const std::string why =
         "to working precision it is open whether " + grouped_text(unknown) + " faces of Voronoi cells meet the domain";
@@ -324,7 +325,7 @@ Outcome judge_function(const DiagramClaim& claim, const MeshFiles& files, RunRep
                             (steps > 0 ? ", and to " + grouped_text(steps) + " by value," : "") + " at " +
                             grouped_text(opinion.places + values.size()) +
                             " places of cells, and as far as --lipschitz lets it");
-    return judge_pairs(claim, lower_stars(files.cells, values, 0, *made.max_degree + 1), 0, &*run->checked);
+    return judge_pairs(claim, lower_stars(files.cells, values, 0, made.request.max_degree + 1), 0, &*run->checked);
 }
 
 }  // namespace

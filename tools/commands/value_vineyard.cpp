@@ -6,22 +6,26 @@
 
 #include "tools/commands/diagram_checks.hpp"
 #include "tools/commands/output.hpp"
+#include "tools/commands/steps.hpp"
 #include "tools/io/numbers.hpp"
 
 namespace netmesh::tool {
 
 namespace {
 
-requests::ValueVineyard request_of(const Options& options, const ValueInput& input) {
-    requests::ValueVineyard request;
-    request.vertices = input.complex.vertices.data();
-    request.starts = input.complex.starts.data();
-    request.entries = input.values.values.data();
-    request.simplex_count = input.complex.count();
-    request.vertex_count = input.complex.vertices.size();
-    request.step_count = input.values.count();
-    request.by_vertex = input.values.by_vertex ? 1 : 0;
-    if (options.max_degree) request.max_degree = *options.max_degree;
+netmesh_simplices complex_of(const ValueInput& input) {
+    netmesh_simplices simplices = sized<netmesh_simplices>();
+    simplices.vertices = input.complex.vertices.data();
+    simplices.starts = input.complex.starts.data();
+    simplices.simplex_count = input.complex.count();
+    simplices.vertex_count = input.complex.vertices.size();
+    return simplices;
+}
+
+netmesh_request request_of(const Options& options, const netmesh_simplices& simplices) {
+    Request request(&netmesh_filter_simplices);
+    request.simplices = &simplices;
+    request.max_degree = options.request.max_degree;
     return request;
 }
 
@@ -84,10 +88,14 @@ Outcome read_value_input(const Options& options, const std::string& complex_path
 }
 
 Outcome make_value_vineyard(const Options& options, const ValueInput& input, Session& session, Vines* vines) {
-    const requests::ValueVineyard request = request_of(options, input);
+    netmesh_simplices simplices = complex_of(input);
+    simplices.entries = input.values.values.data();
+    simplices.step_count = input.values.count();
+    simplices.by_vertex = input.values.by_vertex ? 1 : 0;
+    netmesh_request request = request_of(options, simplices);
+    request.vines = &netmesh_vines;
     const Outcome outcome = session.run(plan(request), input.complex.lines, [&](Session& s) {
-        const netmesh_status status =
-            s.call(NETMESH_STAGE_REDUCE, [&] { return s.engine().value_vineyard(s.watched(request)); });
+        const netmesh_status status = persist(s, request);
         if (status == NETMESH_OK) *vines = vines_of(s.engine());
         return status;
     });
@@ -101,18 +109,13 @@ Outcome make_value_vineyard(const Options& options, const ValueInput& input, Ses
 
 Outcome check_value_vineyard(const Options& options, const ValueInput& input, const Vines& vines, Session& session,
                              std::string* fault) {
-    requests::Homology request;
-    request.vertices = input.complex.vertices.data();
-    request.starts = input.complex.starts.data();
-    request.simplex_count = input.complex.count();
-    request.vertex_count = input.complex.vertices.size();
-    if (options.max_degree) request.max_degree = *options.max_degree;
+    netmesh_simplices simplices = complex_of(input);
+    const netmesh_request request = request_of(options, simplices);
     for (std::size_t i = 0; i < input.values.count() && fault->empty(); i++) {
         const std::vector<double> values = values_at(input, i);
-        request.entries = values.data();
-        const Outcome outcome = session.run(plan(request), input.complex.lines, [&](Session& s) {
-            return s.call(NETMESH_STAGE_CHECK, [&] { return s.engine().homology(s.watched(request)); });
-        });
+        simplices.entries = values.data();
+        const Outcome outcome =
+            session.run(plan(request), input.complex.lines, [&](Session& s) { return persist(s, request); });
         if (!outcome.good()) return outcome;
         const std::uint32_t step = static_cast<std::uint32_t>(i + 1);
         if (first_difference(diagram_at(vines, step), bars_of(session.engine())) != SIZE_MAX)

@@ -13,36 +13,27 @@ namespace netmesh::tool {
 
 namespace {
 
-VineyardRequest asked_for(const Options& options, std::uint32_t dim) {
-    return {choice_of(options), *options.k, options.k_last.value_or(*options.k), max_degree_of(options, dim)};
-}
-
 // The checkers of the mesh where there is one, then each diagram computed afresh.
-netmesh_status check(Session& session, const Options& options, const PointCloud& cloud, const Vines& vines,
-                     std::string* fault) {
-    netmesh_status status = is_on_points(filter_of(options)) ? NETMESH_OK : check_everything(session);
-    Options alone = options;
+netmesh_status check(Session& session, const PointCloud& cloud, const Vines& vines, std::string* fault) {
+    const bool on_points_alone = about(session.request().filter).is_on_points != 0;
+    netmesh_status status = on_points_alone ? NETMESH_OK : check_everything(session);
+    netmesh_request alone = on_points_alone ? on_points(session.request(), cloud) : on_what_is_there(session.request());
+    alone.vines = nullptr;
+    alone.k_last = 0;
     for (std::size_t i = 0; i < vines.ratios.size() && status == NETMESH_OK; i++) {
-        const std::uint32_t k = vines.k_first + static_cast<std::uint32_t>(i);
-        alone.k = k;
-        status = make_diagram(session, alone, {choice_of(options)}, cloud);
+        alone.k = vines.k_first + static_cast<std::uint32_t>(i);
+        status = persist(session, alone);
         if (status != NETMESH_OK) break;
-        if (first_difference(diagram_at(vines, k), bars_of(session.engine())) == SIZE_MAX) continue;
-        *fault = "the diagram at k = " + std::to_string(k) + " is not that of a fresh computation";
+        if (first_difference(diagram_at(vines, alone.k), bars_of(session.engine())) == SIZE_MAX) continue;
+        *fault = "the diagram at k = " + std::to_string(alone.k) + " is not that of a fresh computation";
         break;
     }
     return status;
 }
 
 Outcome read_input(const Options& options, PointCloud* cloud) {
-    const netmesh_filter_info& filter = about(filter_of(options));
-    if (!has_vineyard(filter)) {
-        return usage_error(std::string("--filter ") + filter.name + ": a vineyard is of " +
-                           list_filters(has_vineyard, "or"));
-    }
-    if (!options.k) return usage_error("vineyard needs --k FIRST..LAST");
-    Outcome outcome = check_max_degree(options);
-    if (outcome.good()) outcome = check_ending(options.out, ".vines", "a vineyard");
+    if (options.request.k == 0) return usage_error("vineyard needs --k FIRST..LAST");
+    Outcome outcome = check_ending(options.out, ".vines", "a vineyard");
     if (outcome.good()) outcome = check_picture_ending(options);
     if (outcome.good()) outcome = check_writable({options.out, options.svg});
     return outcome.good() ? read_cloud(options, options.positionals[0], cloud) : outcome;
@@ -105,20 +96,19 @@ Outcome run_vineyard(const Options& options) {
     Session session(options, cloud.dim);
     Vines vines;
     std::string fault;
-    const VineyardRequest asked = asked_for(options, cloud.dim);
-    outcome = session.run(plan_vineyard(options, asked, cloud.dim, cloud.rows()), cloud, [&](Session& s) {
-        netmesh_status status = prepare_for(s, options, asked.choice.filter, cloud);
-        if (status == NETMESH_OK) status = make_vineyard(s, asked, cloud, &vines);
+    outcome = session.run(plan_of(options, cloud.dim, cloud.rows()), cloud, [&](Session& s) {
+        const netmesh_status status = persist(s, on_points(s.request(), cloud));
         if (status != NETMESH_OK) return status;
+        vines = vines_of(s.engine());
         run.engine = s.engine().report();
-        return options.check ? check(s, options, cloud, vines, &fault) : status;
+        return options.check ? check(s, cloud, vines, &fault) : status;
     });
     if (!outcome.good()) return outcome;
     if (!fault.empty()) return {Exit::check, "netmesh: check failed: " + fault};
     run.clock = session.clock();
     if (options.check) {
         run.checked.emplace();
-        if (!is_on_points(asked.choice.filter))
+        if (!is_on_points(filter_of(options)))
             run.checked->push_back("combinatorics, orientation, Delaunay property, quality");
         run.checked->push_back("each diagram equals a fresh computation");
     }

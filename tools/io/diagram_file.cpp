@@ -14,21 +14,22 @@ bool comes_before(const Bar& a, const Bar& b) {
     return a.death < b.death;
 }
 
-void write_diagram(const std::vector<Bar>& bars, const Bounds& known, TextWriter& out) {
+void write_diagram(const BarSource& bars, const Bounds& known, TextWriter& out) {
     for (const netmesh_scale_step& step : known.steps) {
         out << "# scale " << step.from << " low " << step.low << " high " << step.high << " reach " << step.reach
             << (known.by_error ? " error " : " ratio ") << (known.by_error ? step.error : step.ratio) << '\n';
     }
     const std::vector<netmesh_bar_bounds>& bounds = known.bars;
-    for (std::size_t i = 0; i < bars.size(); i++) {
-        out << bars[i].degree << ' ' << bars[i].birth << ' ' << bars[i].death;
+    std::size_t i = 0;
+    bars.for_each([&](const Bar& bar) {
+        out << bar.degree << ' ' << bar.birth << ' ' << bar.death;
         if (i < bounds.size()) {
-            const netmesh_bar_bounds& b = bounds[i];
+            const netmesh_bar_bounds& b = bounds[i++];
             out << " # birth " << b.birth_low << ' ' << b.birth_high << " death " << b.death_low << ' ' << b.death_high;
             if (b.certain != 0) out << " real";
         }
         out << '\n';
-    }
+    });
 }
 
 std::vector<BoundLine> bound_lines(std::string_view content) {

@@ -7,49 +7,51 @@
 
 namespace netmesh::tool {
 
-void write_diagram_csv(const std::vector<Bar>& bars, const Bounds& known, TextWriter& out) {
-    const bool bounded = known.bars.size() == bars.size() && !bars.empty();
+void write_diagram_csv(const BarSource& bars, const Bounds& known, TextWriter& out) {
+    const bool bounded = known.bars.size() == bars.size() && bars.size() > 0;
     out << "degree,birth,death" << (bounded ? ",birth_low,birth_high,death_low,death_high,real\n" : "\n");
-    for (std::size_t i = 0; i < bars.size(); i++) {
-        out << bars[i].degree << ',' << bars[i].birth << ',' << bars[i].death;
+    std::size_t i = 0;
+    bars.for_each([&](const Bar& bar) {
+        out << bar.degree << ',' << bar.birth << ',' << bar.death;
         if (bounded) {
-            const netmesh_bar_bounds& b = known.bars[i];
+            const netmesh_bar_bounds& b = known.bars[i++];
             out << ',' << b.birth_low << ',' << b.birth_high << ',' << b.death_low << ',' << b.death_high << ','
                 << (b.certain != 0 ? '1' : '0');
         }
         out << '\n';
-    }
+    });
 }
 
-void write_json_bars(Json& json, const std::vector<Bar>& bars) {
+void write_json_bars(Json& json, const BarSource& bars, TextWriter* out) {
     json.key("bars");
     json.open('[');
-    for (const Bar& bar : bars) {
+    bars.for_each([&](const Bar& bar) {
         json.open('[');
         json.value(bar.degree);
         json.value(bar.birth);
         json.value(bar.death);
         json.close(']');
-    }
+        if (out != nullptr) *out << json.take();
+    });
     json.close(']');
 }
 
-void write_diagram_json(const std::vector<Bar>& bars, TextWriter& out) {
+void write_diagram_json(const BarSource& bars, TextWriter& out) {
     Json json;
     json.open('{');
     json.entry("schema", std::uint64_t{1});
-    write_json_bars(json, bars);
+    write_json_bars(json, bars, &out);
     json.close('}');
     out << json.text();
 }
 
-void write_diagram_npy(const std::vector<Bar>& bars, TextWriter& out) {
+void write_diagram_npy(const BarSource& bars, TextWriter& out) {
     write_npy_head(bars.size(), 3, out);
-    for (const Bar& bar : bars) {
+    bars.for_each([&](const Bar& bar) {
         write_npy_double(bar.degree, out);
         write_npy_double(bar.birth, out);
         write_npy_double(bar.death, out);
-    }
+    });
 }
 
 void write_npy_head(std::uint64_t rows, std::uint64_t columns, TextWriter& out) {

@@ -31,9 +31,9 @@ public:
     double domain[NETMESH_DIM_MAX + 1] = {};     // centre, radius at index dim; radius 0 for a Delaunay triangulation
     bool has_values = false;                     // vertices carry filter values
     std::vector<netmesh_cage> cages;             // of a hierarchical mesh
-    netmesh_cage_kind cage_kind = NETMESH_CAGES_COMPACT;
-    std::vector<double> ratios;          // of vertices' clipped cells, where they have been measured
-    std::vector<std::uint32_t> domains;  // innermost cages of vertices, with the ratios
+    bool has_thesis_cages = false;               // of the kind of 4.5
+    std::vector<double> ratios;                  // of vertices' clipped cells, where they have been measured
+    std::vector<std::uint32_t> domains;          // innermost cages of vertices, with the ratios
 };
 
 // Ids from 0; header `count D attributes 1`, attributes 1 when there are filter values. Ahead of the vertices the lines
@@ -74,7 +74,7 @@ struct NodeFile {
     bool clipped = false;                // its cells are clipped to the domain
     double size_at_inputs = 0, size_growth = 0, net_spacing = 0;
     std::vector<netmesh_cage> cages;  // centres counted from 0; no parents
-    netmesh_cage_kind cage_kind = NETMESH_CAGES_COMPACT;
+    bool has_thesis_cages = false;    // of the kind of 4.5
 };
 
 // Every fault is Exit::data with file and line. node->cloud.name is used for messages.

@@ -1,8 +1,11 @@
 // NumPy arrays of two axes with real numbers in them, one by one (.npy) or in an archive (.npz).
+#include <algorithm>
 #include <cmath>
 #include <cstring>
 
+#include "platform/interrupt.hpp"
 #include "tools/io/lines.hpp"
+#include "tools/io/point_stream.hpp"
 #include "tools/io/points.hpp"
 #include "tools/io/unpack.hpp"
 
@@ -172,55 +175,148 @@ bool read_item(const Array& array, const unsigned char* source, double* value) {
     return true;
 }
 
-}  // namespace
-
-Outcome parse_npy_table(std::string_view content, const TableOptions& options, Table* table) {
-    Array array;
-    const std::string complaint = parse_header(content, options.distances, &array);
+// Everything before the data, of a file of so many bytes, and the columns that are wanted.
+Outcome open_array(std::string_view head, std::uint64_t bytes, const TableOptions& options, Array* array,
+                   std::vector<std::size_t>* columns, Table* table) {
+    const std::string complaint = parse_header(head, options.distances, array);
     if (!complaint.empty()) return wrong(*table, complaint);
-    if (array.rows == 0) return wrong(*table, "the array has no rows: no point");
-    if (array.columns == 0) return wrong(*table, "the array has no columns: no point");
-    const std::uint64_t available = content.size() - array.data_offset;
-    if (array.columns > available / array.item_bytes || array.rows > available / (array.columns * array.item_bytes)) {
-        const std::uint64_t whole = array.columns > available ? 0 : available / (array.columns * array.item_bytes);
-        return wrong(*table, "ends at byte " + std::to_string(content.size()) + ", inside row " +
-                                 std::to_string(whole + 1) + " of " + std::to_string(array.rows));
+    if (array->rows == 0) return wrong(*table, "the array has no rows: no point");
+    if (array->columns == 0) return wrong(*table, "the array has no columns: no point");
+    const std::uint64_t available = bytes - array->data_offset;
+    if (array->columns > available / array->item_bytes ||
+        array->rows > available / (array->columns * array->item_bytes)) {
+        const std::uint64_t whole = array->columns > available ? 0 : available / (array->columns * array->item_bytes);
+        return wrong(*table, "ends at byte " + std::to_string(bytes) + ", inside row " + std::to_string(whole + 1) +
+                                 " of " + std::to_string(array->rows));
     }
-    const std::uint64_t data_bytes = array.rows * array.columns * array.item_bytes;
+    const std::uint64_t data_bytes = array->rows * array->columns * array->item_bytes;
     if (data_bytes != available) {
         return wrong(*table, std::to_string(available - data_bytes) + " bytes behind the array (byte " +
-                                 std::to_string(array.data_offset + data_bytes) + ")");
+                                 std::to_string(array->data_offset + data_bytes) + ")");
     }
-    std::vector<std::size_t> columns;
+    columns->clear();
     if (options.columns.empty()) {
-        for (std::size_t k = 0; k < array.columns; k++) columns.push_back(k);
+        for (std::size_t k = 0; k < array->columns; k++) columns->push_back(k);
     } else {
-        const std::string wrong_columns = resolve_columns(options.columns, array.columns, {}, &columns);
+        const std::string wrong_columns = resolve_columns(options.columns, array->columns, {}, columns);
         if (!wrong_columns.empty()) return wrong(*table, wrong_columns);
     }
-    table->width = columns.size();
-    table->values.resize(array.rows * columns.size());
-    const unsigned char* const data = reinterpret_cast<const unsigned char*>(content.data()) + array.data_offset;
-    std::size_t i = 0;
-    for (std::uint64_t row = 0; row < array.rows; row++) {
-        for (const std::size_t column : columns) {
-            const std::uint64_t at = array.fortran ? column * array.rows + row : row * array.columns + column;
+    table->width = columns->size();
+    return {};
+}
+
+// Where the numbers of some rows are: of each wanted column the first, and bytes from one to the next.
+struct RowPlaces {
+    std::vector<const unsigned char*> starts;
+    std::size_t stride;
+};
+
+// Rows first, first + 1, .., behind those that are in the table.
+Outcome take_rows(const Array& array, const std::vector<std::size_t>& columns, const RowPlaces& places,
+                  std::uint64_t first, std::uint64_t count, bool distances, Table* table) {
+    std::size_t i = table->values.size();
+    table->values.resize(i + count * columns.size());
+    for (std::uint64_t row = 0; row < count; row++) {
+        for (std::size_t k = 0; k < columns.size(); k++) {
             double value;
-            const bool exact = read_item(array, data + at * array.item_bytes, &value);
+            const bool exact = read_item(array, places.starts[k] + row * places.stride, &value);
             const char* const fault = !exact              ? "an integer beyond 2^53, which a double need not hold; "
                                                             "write floats, or subtract a common offset"
                                       : std::isnan(value) ? "\"nan\" is not a finite double"
-                                      : !std::isfinite(value) && !(options.distances && value > 0)
+                                      : !std::isfinite(value) && !(distances && value > 0)
                                           ? "\"inf\" is not a finite double"
                                           : nullptr;
             if (fault != nullptr) {
-                return wrong(*table, "row " + std::to_string(row + 1) + " (byte " +
+                const std::uint64_t at =
+                    array.fortran ? columns[k] * array.rows + first + row : (first + row) * array.columns + columns[k];
+                return wrong(*table, "row " + std::to_string(first + row + 1) + " (byte " +
                                          std::to_string(array.data_offset + at * array.item_bytes) + "): " + fault);
             }
             table->values[i++] = value + 0.0;  // -0.0 becomes 0.0
         }
     }
     return {};
+}
+
+// An array that is read some rows at a time.
+class NpyStream : public PointStream {
+public:
+    explicit NpyStream(std::unique_ptr<platform::InputFile> file) : file_(std::move(file)) {}
+
+    Outcome open(std::string_view head, const std::string& name, const TableOptions& options) {
+        table_.name = name;
+        const Outcome outcome = open_array(head, file_->bytes(), options, &array_, &columns_, &table_);
+        return outcome.good() ? begin(table_) : outcome;
+    }
+
+    Outcome read(std::vector<double>* rows) override {
+        constexpr std::uint64_t most_bytes = std::uint64_t{1} << 20;
+        const std::uint64_t row_bytes = array_.columns * array_.item_bytes;
+        const std::uint64_t count = std::min(array_.rows - done_, 1 + most_bytes / row_bytes);
+        if (count == 0) return {};
+        RowPlaces places;
+        if (array_.fortran) {
+            const std::size_t column_bytes = count * array_.item_bytes;
+            buffer_.resize(columns_.size() * column_bytes);
+            for (std::size_t k = 0; k < columns_.size(); k++) {
+                const std::uint64_t at = (columns_[k] * array_.rows + done_) * array_.item_bytes;
+                const Outcome outcome = fetch(at, column_bytes, k * column_bytes);
+                if (!outcome.good()) return outcome;
+            }
+            for (std::size_t k = 0; k < columns_.size(); k++) places.starts.push_back(bytes() + k * column_bytes);
+            places.stride = array_.item_bytes;
+        } else {
+            buffer_.resize(count * row_bytes);
+            const Outcome outcome = fetch(done_ * row_bytes, count * row_bytes, 0);
+            if (!outcome.good()) return outcome;
+            for (const std::size_t column : columns_) places.starts.push_back(bytes() + column * array_.item_bytes);
+            places.stride = row_bytes;
+        }
+        table_.values.swap(*rows);
+        const Outcome outcome = take_rows(array_, columns_, places, done_, count, false, &table_);
+        table_.values.swap(*rows);
+        done_ += count;
+        return outcome;
+    }
+
+private:
+    const unsigned char* bytes() const { return reinterpret_cast<const unsigned char*>(buffer_.data()); }
+    Outcome fetch(std::uint64_t offset, std::size_t count, std::size_t to) {
+        std::string why;
+        if (file_->read(array_.data_offset + offset, buffer_.data() + to, count, &why)) return {};
+        if (platform::interrupted()) return {Exit::cancelled, "netmesh: cancelled while reading " + table_.name};
+        return wrong(table_, why);
+    }
+
+    std::unique_ptr<platform::InputFile> file_;
+    Table table_;
+    Array array_;
+    std::vector<std::size_t> columns_;
+    std::vector<char> buffer_;
+    std::uint64_t done_ = 0;
+};
+
+}  // namespace
+
+Outcome open_npy_stream(std::string_view head, const std::string& name, const TableOptions& options,
+                        std::unique_ptr<platform::InputFile> file, std::unique_ptr<PointStream>* stream) {
+    auto made = std::make_unique<NpyStream>(std::move(file));
+    const Outcome outcome = made->open(head, name, options);
+    if (outcome.good()) *stream = std::move(made);
+    return outcome;
+}
+
+Outcome parse_npy_table(std::string_view content, const TableOptions& options, Table* table) {
+    Array array;
+    std::vector<std::size_t> columns;
+    const Outcome outcome = open_array(content, content.size(), options, &array, &columns, table);
+    if (!outcome.good()) return outcome;
+    const unsigned char* const data = reinterpret_cast<const unsigned char*>(content.data()) + array.data_offset;
+    RowPlaces places;
+    for (const std::size_t column : columns)
+        places.starts.push_back(data + column * (array.fortran ? array.rows : 1) * array.item_bytes);
+    places.stride = (array.fortran ? 1 : array.columns) * array.item_bytes;
+    return take_rows(array, columns, places, 0, array.rows, options.distances, table);
 }
 
 Outcome parse_npz_table(std::string_view content, const std::string& array, const TableOptions& options, Table* table) {

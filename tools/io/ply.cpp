@@ -1,9 +1,12 @@
 // Stanford PLY, ASCII and binary of both byte orders: properties x, y and z of element vertex.
+#include <algorithm>
 #include <cmath>
 #include <cstring>
 
+#include "platform/interrupt.hpp"
 #include "tools/io/lines.hpp"
 #include "tools/io/numbers.hpp"
+#include "tools/io/point_stream.hpp"
 #include "tools/io/points.hpp"
 
 namespace netmesh::tool {
@@ -206,45 +209,127 @@ double foreign_vertex(const Element& element, std::string_view content, bool big
     return 0;
 }
 
-Outcome parse_ply_binary(std::string_view content, std::size_t offset, const PlyHeader& header, PointCloud* cloud) {
-    std::vector<std::size_t> starts;
-    const std::uint64_t vertices = header.elements[header.vertex_element].count;
-    for (std::size_t e = 0; e < header.elements.size(); e++) {
-        const Element& element = header.elements[e];
-        if (element.properties.empty()) continue;
-        for (std::uint64_t row = 0; row < element.count; row++) {
-            if (!walk_element(element, content, header.big_endian, &offset, &starts)) {
-                return file_error(cloud->name, "ends at byte " + std::to_string(content.size()) + ", inside " +
-                                                   element.name + " " + std::to_string(row + 1) + " of " +
-                                                   std::to_string(element.count));
-            }
-            const double vertex = foreign_vertex(element, content, header.big_endian, starts, vertices);
-            if (vertex < 0 || vertex >= static_cast<double>(vertices))
-                return file_error(cloud->name, "face " + std::to_string(row + 1) + " (byte " +
-                                                   std::to_string(starts[0]) +
-                                                   "): " + no_such_vertex(vertex, vertices));
-            if (e != header.vertex_element) continue;
-            for (std::uint32_t k = 0; k < header.dim; k++) {
-                const std::size_t column = static_cast<std::size_t>(header.columns[k]);
-                const double value =
-                    read_scalar(element.properties[column].type, content.data() + starts[column], header.big_endian);
-                if (!std::isfinite(value)) {
-                    return {Exit::data,
-                            cloud->where(row) + " (byte " + std::to_string(starts[column]) +
-                                "): " + not_finite(std::isnan(value) ? "nan" : "inf"),
-                            cloud->name};
-                }
-                cloud->coordinates.push_back(value + 0.0);  // -0.0 becomes 0.0
+// The elements of a binary file one after the other. Of a file that is not in memory as a whole the reader holds a
+// part.
+class BinaryElements {
+public:
+    BinaryElements(PlyHeader header, std::string name, std::string_view content, std::uint64_t offset)
+        : header_(std::move(header)), name_(std::move(name)), content_(content), end_(content.size()), offset_(offset) {
+    }
+    BinaryElements(PlyHeader header, std::string name, std::unique_ptr<platform::InputFile> file, std::uint64_t offset)
+        : header_(std::move(header)), name_(std::move(name)), file_(std::move(file)), end_(file_->bytes()),
+          base_(offset), offset_(offset) {}
+
+    // Coordinates of so many vertices at most, appended; fewer only where all elements have been looked at.
+    Outcome read(std::uint64_t most, std::vector<double>* coordinates) {
+        const std::uint64_t vertices = header_.elements[header_.vertex_element].count;
+        std::uint64_t taken = 0;
+        for (; element_ < header_.elements.size(); element_++, row_ = 0) {
+            const Element& element = header_.elements[element_];
+            if (element.properties.empty()) continue;
+            for (; row_ < element.count; row_++) {
+                if (taken == most) return {};
+                const Outcome found = find_row(element);
+                if (!found.good()) return found;
+                const double vertex = foreign_vertex(element, content_, header_.big_endian, starts_, vertices);
+                if (vertex < 0 || vertex >= static_cast<double>(vertices))
+                    return file_error(name_, "face " + std::to_string(row_ + 1) + " (byte " +
+                                                 std::to_string(base_ + starts_[0]) +
+                                                 "): " + no_such_vertex(vertex, vertices));
+                if (element_ != header_.vertex_element) continue;
+                const Outcome outcome = take_vertex(element, coordinates);
+                if (!outcome.good()) return outcome;
+                taken++;
             }
         }
+        return rest();
     }
-    const std::string_view rest = content.substr(offset);
-    if (rest.find_first_not_of("\r\n") == std::string_view::npos) return {};
-    return file_error(cloud->name, counted(rest.size(), "byte", "bytes") +
-                                       " behind all elements that its header counts "
-                                       "(byte " +
-                                       std::to_string(offset) + ")");
-}
+
+private:
+    Outcome take_vertex(const Element& element, std::vector<double>* coordinates) const {
+        for (std::uint32_t k = 0; k < header_.dim; k++) {
+            const std::size_t column = static_cast<std::size_t>(header_.columns[k]);
+            const double value =
+                read_scalar(element.properties[column].type, content_.data() + starts_[column], header_.big_endian);
+            if (!std::isfinite(value)) {
+                return {Exit::data,
+                        name_ + ": row " + std::to_string(row_ + 1) + " (byte " +
+                            std::to_string(base_ + starts_[column]) +
+                            "): " + not_finite(std::isnan(value) ? "nan" : "inf"),
+                        name_};
+            }
+            coordinates->push_back(value + 0.0);  // -0.0 becomes 0.0
+        }
+        return {};
+    }
+    // The bytes of the next row in content_, its properties at starts_; stepped over.
+    Outcome find_row(const Element& element) {
+        for (;;) {
+            std::size_t at = static_cast<std::size_t>(offset_ - base_);
+            if (walk_element(element, content_, header_.big_endian, &at, &starts_)) {
+                offset_ = base_ + at;
+                return {};
+            }
+            if (base_ + content_.size() == end_)
+                return file_error(name_, "ends at byte " + std::to_string(end_) + ", inside " + element.name + " " +
+                                             std::to_string(row_ + 1) + " of " + std::to_string(element.count));
+            const Outcome outcome = read_on();
+            if (!outcome.good()) return outcome;
+        }
+    }
+    // Drops what has been looked at, and reads a mebibyte or as much again as is left.
+    Outcome read_on() {
+        const std::size_t left = content_.size() - static_cast<std::size_t>(offset_ - base_);
+        buffer_.erase(0, buffer_.size() - left);
+        base_ = offset_;
+        const std::uint64_t more = std::min<std::uint64_t>(end_ - base_ - left, std::max(left, std::size_t{1} << 20));
+        buffer_.resize(left + static_cast<std::size_t>(more));
+        std::string why;
+        if (!file_->read(base_ + left, &buffer_[left], static_cast<std::size_t>(more), &why)) {
+            if (platform::interrupted()) return {Exit::cancelled, "netmesh: cancelled while reading " + name_};
+            return file_error(name_, why);
+        }
+        content_ = buffer_;
+        return {};
+    }
+    // Nothing but line ends may stand behind the elements.
+    Outcome rest() {
+        const std::uint64_t from = offset_;
+        for (;;) {
+            const std::string_view some = content_.substr(static_cast<std::size_t>(offset_ - base_));
+            if (some.find_first_not_of("\r\n") != std::string_view::npos) break;
+            offset_ = base_ + content_.size();
+            if (offset_ == end_) return {};
+            const Outcome outcome = read_on();
+            if (!outcome.good()) return outcome;
+        }
+        return file_error(name_, counted(end_ - from, "byte", "bytes") +
+                                     " behind all elements that its header counts (byte " + std::to_string(from) + ")");
+    }
+
+    const PlyHeader header_;
+    const std::string name_;
+    std::unique_ptr<platform::InputFile> file_;
+    std::string buffer_;
+    std::string_view content_;  // bytes base_, base_ + 1, .. of the file
+    std::uint64_t end_, base_ = 0, offset_;
+    std::size_t element_ = 0;
+    std::uint64_t row_ = 0;
+    std::vector<std::size_t> starts_;
+};
+
+class PlyStream : public PointStream {
+public:
+    PlyStream(const PlyHeader& header, const std::string& name, std::unique_ptr<platform::InputFile> file,
+              std::uint64_t offset)
+        : elements_(header, name, std::move(file), offset) {
+        dim_ = header.dim;
+    }
+    Outcome read(std::vector<double>* rows) override { return elements_.read(std::uint64_t{1} << 15, rows); }
+
+private:
+    BinaryElements elements_;
+};
 
 // What is wrong with a row of an element in text; empty when nothing is.
 std::string row_complaint(const Element& element, const std::vector<double>& row, std::uint64_t vertices) {
@@ -305,8 +390,20 @@ Outcome parse_ply_points(std::string_view content, PointCloud* cloud) {
     const Outcome outcome = parse_ply_header(reader, *cloud, &header);
     if (!outcome.good()) return outcome;
     cloud->dim = header.dim;
-    if (header.binary) return parse_ply_binary(content, reader.offset(), header, cloud);
-    return parse_ply_ascii(reader, header, cloud);
+    if (!header.binary) return parse_ply_ascii(reader, header, cloud);
+    return BinaryElements(header, cloud->name, content, reader.offset()).read(UINT64_MAX, &cloud->coordinates);
+}
+
+Outcome open_ply_stream(std::string_view head, const std::string& name, std::unique_ptr<platform::InputFile> file,
+                        std::unique_ptr<PointStream>* stream) {
+    LineReader reader(head, false);
+    PlyHeader header;
+    PointCloud cloud;
+    cloud.name = name;
+    const Outcome outcome = parse_ply_header(reader, cloud, &header);
+    if (outcome.good() && header.binary)
+        *stream = std::make_unique<PlyStream>(header, name, std::move(file), reader.offset());
+    return outcome;
 }
 
 }  // namespace netmesh::tool

@@ -5,6 +5,7 @@
 #include "platform/files.hpp"
 #include "platform/interrupt.hpp"
 #include "tools/io/lines.hpp"
+#include "tools/io/point_stream.hpp"
 #include "tools/io/unpack.hpp"
 
 namespace netmesh::tool {
@@ -214,14 +215,19 @@ Outcome parse_surface(const Source& source, PointCloud* cloud) {
     return parse_xyz_atoms(source.content, cloud);
 }
 
+// A list of atoms where a table could be.
+bool has_atoms(const Source& source, const TableOptions& options) {
+    const bool in_text = options.delimiter != 0 || options.skip != 0;
+    return is_table_ending(source.ending) && (source.ending == ".xyz" || source.ending.empty()) && !in_text &&
+           options.columns.empty() && is_chemical_xyz(source.content);
+}
+
 // Tables, whatever their width; everything else becomes one.
 Outcome parse_source(const Source& source, const TableOptions& options, Table* table) {
     const bool in_text = options.delimiter != 0 || options.skip != 0;
     table->name = source.name;
     const bool array = source.ending == ".npy" || source.ending == ".npz";
-    const bool atoms = is_table_ending(source.ending) && (source.ending == ".xyz" || source.ending.empty()) &&
-                       !in_text && options.columns.empty() && is_chemical_xyz(source.content);
-    const bool text = is_table_ending(source.ending) && !atoms;
+    const bool text = is_table_ending(source.ending) && !has_atoms(source, options);
     if (in_text && !text) return usage_error("--delimiter and --skip are for tables in text, not for " + source.name);
     if (text) return parse_table(source.content, options, table);
     if (source.ending == ".npy") return parse_npy_table(source.content, options, table);
@@ -268,6 +274,34 @@ Outcome read_points(const std::string& path, const TableOptions& options, PointC
     Table table;
     const Outcome outcome = read_table(path, options, &table);
     return outcome.good() ? take_table(std::move(table), cloud, columns_max) : outcome;
+}
+
+Outcome PointStream::begin(const Table& table) {
+    PointCloud cloud;
+    const Outcome outcome = take_table(table, &cloud);
+    dim_ = cloud.dim;
+    return outcome;
+}
+
+Outcome open_stream(const std::string& path, const TableOptions& options, std::unique_ptr<PointStream>* stream,
+                    std::uint64_t head_bytes) {
+    auto file = std::make_unique<platform::InputFile>();
+    std::string why;
+    if (path == "-" || path.rfind(".npz:") != std::string::npos || !file->open(path, &why)) return {};
+    Source source;
+    source.name = path;
+    source.ending = ending_of(path);
+    source.content.resize(static_cast<std::size_t>(std::min(file->bytes(), head_bytes)));
+    if (!file->read(0, &source.content[0], source.content.size(), &why)) return {};
+    // What is packed, or at odds with its name, is left to the reader of the whole.
+    if (source.content.compare(0, 2, "\x1F\x8B") == 0 || !settle(false, &source).good()) return {};
+    const bool in_text = options.delimiter != 0 || options.skip != 0;
+    if (source.ending == ".npy" && !in_text)
+        return open_npy_stream(source.content, source.name, options, std::move(file), stream);
+    if (source.ending == ".ply" && !in_text && options.columns.empty())
+        return open_ply_stream(source.content, source.name, std::move(file), stream);
+    if (!is_table_ending(source.ending) || has_atoms(source, options)) return {};
+    return open_table_stream(source.content, source.name, options, std::move(file), stream);
 }
 
 Outcome take_table(Table table, PointCloud* cloud, std::uint32_t columns_max) {

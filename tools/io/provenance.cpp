@@ -1,11 +1,13 @@
 #include "tools/io/provenance.hpp"
 
 #include <algorithm>
-#include <cmath>
+#include <cstring>
 
 #include "tools/asked_function.hpp"
+#include "tools/engine_options.hpp"
 #include "tools/io/lines.hpp"
 #include "tools/io/points.hpp"
+#include "tools/option_table.hpp"
 #include "tools/requests.hpp"
 #include "tools/vertex_function.hpp"
 
@@ -16,15 +18,47 @@ namespace {
 constexpr std::string_view marker = "# netmesh diagram 1: degree birth death";
 constexpr std::string_view any_marker = "# netmesh diagram ";
 
-// In the order of the file.
-constexpr const char* option_names[] = {
-    "filter", "distances", "sparse", "threshold", "k",     "values",     "function", "values-at", "lipschitz",
-    "cut",    "error",     "method", "finish",    "tau",   "fit",        "memory",   "ratio",     "whole-cells",
-    "focus",  "from",      "to",     "eps",       "theta", "max-degree", "all",      "bounds",    "seed"};
+// An option of persist in a head, by its name; the engine's member that it is, null for the tool's own.
+struct HeadOption {
+    const char *name, *member;
+};
 
-bool is_option(std::string_view name) {
-    return std::any_of(std::begin(option_names), std::end(option_names), [&](const char* o) { return name == o; });
+// In the order of the file.
+constexpr HeadOption head_options[] = {{"filter", "filter"},
+                                       {"distances", nullptr},
+                                       {"sparse", nullptr},
+                                       {"threshold", "threshold"},
+                                       {"k", "k"},
+                                       {"values", "values"},
+                                       {"function", nullptr},
+                                       {"values-at", nullptr},
+                                       {"lipschitz", nullptr},
+                                       {"cut", nullptr},
+                                       {"error", "error"},
+                                       {"method", "method"},
+                                       {"finish", "finish"},
+                                       {"tau", "tau"},
+                                       {"fit", "fit"},
+                                       {"memory", nullptr},
+                                       {"ratio", "ratio"},
+                                       {"whole-cells", "whole_cells"},
+                                       {"focus", "focus_ratio"},
+                                       {"from", "focus_from"},
+                                       {"to", "focus_to"},
+                                       {"eps", "eps"},
+                                       {"theta", "theta"},
+                                       {"max-degree", "max_degree"},
+                                       {"all", "keep_zero_pairs"},
+                                       {"bounds", "bounds"},
+                                       {"seed", "seed"}};
+
+const HeadOption* find_option(std::string_view name) {
+    for (const HeadOption& option : head_options)
+        if (name == option.name) return &option;
+    return nullptr;
 }
+
+bool is_option(std::string_view name) { return find_option(name) != nullptr; }
 
 const HeadLine* find_line(const Head& head, std::string_view name) {
     for (const HeadLine& line : head) {
@@ -33,119 +67,79 @@ const HeadLine* find_line(const Head& head, std::string_view name) {
     return nullptr;
 }
 
-// Collects lines in the order in which they are written.
-class HeadWriter {
-public:
-    void add(const char* name, const std::string& value = "") { head_.push_back({name, value}); }
-    void add(const char* name, double value) { add(name, number_text(value)); }
-    void add_count(const char* name, std::uint64_t value) { add(name, std::to_string(value)); }
-    Head take() { return std::move(head_); }
+bool fits_error(const netmesh_request& r) { return r.fit != nullptr && r.filter == &netmesh_filter_function; }
 
-private:
-    Head head_;
-};
+// What of the settled request a head says, beside what is not as by default.
+bool is_said(const Options& options, const std::string& name) {
+    const netmesh_request& r = options.request;
+    const netmesh_filter_info& filter = about(r.filter);
+    const bool is_made = filter.is_on_mesh != 0 && options.values_at.empty();  // the mesh, from points
+    if (name == "values") return filter.has_values != 0;
+    if (name == "function") return filter.needs_function != 0 && options.values_at.empty();
+    if (name == "values-at" || name == "lipschitz" || name == "cut")
+        return filter.needs_function != 0 && (name != "values-at" || !options.values_at.empty());
+    if (name == "method")
+        return is_made && r.mesh.method != nullptr && r.mesh.method != &netmesh_method_certificate && !fits_error(r);
+    if (name == "tau") return (is_made && r.fit == nullptr) || filter.is_by_scales != 0;
+    if (name == "memory") return r.fit != nullptr;
+    if (name == "whole-cells") return r.mesh.whole_cells != 0 && filter.clips_cells != 0;
+    if (name == "seed") return is_made || filter.is_by_scales != 0;
+    if (name == "distances") return options.distances;
+    if (name == "sparse") return options.sparse;
+    return name == "filter" || name == "max-degree" || is_given(r, find_option(name)->member);
+}
 
-bool is_meshed(const Options& options) { return about(filter_of(options)).source == NETMESH_SOURCE_MESH; }
-bool is_by_scales(const Options& options) { return about(filter_of(options)).source == NETMESH_SOURCE_SCALES; }
-bool has_scales_of_interest(const Options& options) { return options.focus > 0 || options.from > 0 || options.to > 0; }
+// Its value; of a switch nothing. What was read of --values-at is the fingerprint.
+std::string said_value(const Options& options, const HeadOption& option) {
+    const std::string name = option.name;
+    if (option.member != nullptr) return option_text(options.request, option.member);
+    if (name == "function") return options.function ? options.function->text() : "";
+    if (name == "values-at")
+        return options.vertex_function ? options.vertex_function->values_fingerprint() : options.values_at;
+    if (name == "lipschitz") return number_text(options.lipschitz.value_or(0));
+    if (name == "cut") return number_text(options.cut.value_or(0));
+    return name == "memory" ? std::to_string(options.memory_bytes) : "";
+}
 
-void add_mesh_options(const Options& options, HeadWriter* head) {
-    if (is_meshed(options) && !refines_by_certificate(options) && !fits_error(options)) {
-        head->add("method", method_name(options.method.value_or(NETMESH_METHOD_SVR)));
-        if (options.finish) head->add("finish");
-    }
-    if ((is_meshed(options) && !options.fit) || is_by_scales(options)) head->add("tau", options.tau.value_or(0));
-    if (options.fit) {
-        head->add("fit");
-        head->add_count("memory", options.memory_bytes);
-    }
-    if (refines_by_certificate(options)) head->add("ratio", options.ratio.value_or(0));
-    if (clips_cells(options) && options.whole_cells) head->add("whole-cells");
-    if (!has_scales_of_interest(options)) return;
-    if (!options.fit) head->add("focus", options.focus);
-    head->add("from", options.from);
-    head->add("to", options.to);
+Head option_head(const Options& settled) {
+    Head head;
+    for (const HeadOption& option : head_options)
+        if (is_said(settled, option.name)) head.push_back({option.name, said_value(settled, option)});
+    return head;
 }
 
 }  // namespace
 
 std::string head_text(const HeadLine& line) { return line.value.empty() ? line.name : line.name + " " + line.value; }
 
-Options settled(const Options& given, std::uint32_t dim) {
-    const Options options = suited(given, dim);
-    Options all = options;
-    const netmesh_filter_info& filter = about(filter_of(options));
-    all.filter = filter.filter;
-    if (filter.has_values != 0) all.values = choice_of(options).values;
-    if (filter.needs_k != 0) all.k = options.k.value_or(1);
-    all.max_degree = max_degree_of(options, dim);
-    if (!is_on_points(filter.filter)) all.max_degree = std::min(*all.max_degree, dim - 1);
-    if (filter.has_eps != 0 && options.eps == 0 && !options.ratio) all.eps = default_eps;
-    if (filter.has_theta != 0 && options.theta == 0) all.theta = default_theta;
-    const requests::Mesh mesh = mesh_request(options, std::min(dim, dim_max));
-    all.tau = tau(mesh);
-    if (!refines_by_certificate(options)) return all;
-    if (!options.ratio) all.ratio = options.fit ? fit_request(options, dim).ratio : mesh.certificate.ratio;
+Options said_by_head(const Options& options, std::uint32_t dim) {
+    Options all = settled(options, dim);
+    if (all.request.mesh.tau == 0) all.request.mesh.tau = default_tau(std::min(dim, dim_max));
     return all;
-}
-
-Head option_head(const Options& options) {
-    const netmesh_filter_info& filter = about(filter_of(options));
-    HeadWriter head;
-    head.add("filter", filter.name);
-    if (options.distances) head.add("distances");
-    if (options.sparse) head.add("sparse");
-    if (options.threshold) head.add("threshold", *options.threshold);
-    if (filter.needs_k != 0) head.add_count("k", options.k.value_or(0));
-    if (filter.has_values != 0) head.add("values", values_name(choice_of(options).values));
-    if (filter.needs_function != 0) {
-        if (options.values_at.empty())
-            head.add("function", options.function ? options.function->text() : "");
-        else  // what was read from a head is the fingerprint
-            head.add("values-at",
-                     options.vertex_function ? options.vertex_function->values_fingerprint() : options.values_at);
-        head.add("lipschitz", options.lipschitz.value_or(0));
-        head.add("cut", options.cut.value_or(0));
-        if (options.error > 0) head.add("error", options.error);
-    }
-    const bool is_made = options.values_at.empty();  // the mesh, from points
-    if (is_made) add_mesh_options(options, &head);
-    if (filter.has_eps != 0 && !options.ratio) head.add("eps", options.eps);
-    if (filter.has_theta != 0) head.add("theta", options.theta);
-    head.add_count("max-degree", options.max_degree.value_or(0));
-    if (options.all) head.add("all");
-    if (options.bounds) head.add("bounds");
-    if ((is_meshed(options) && is_made) || is_by_scales(options)) head.add_count("seed", options.seed);
-    return head.take();
 }
 
 Head head_of(const Options& options, const netmesh_report& report) {
     const netmesh_input_report& input = report.input;
-    HeadWriter head;
-    head.add("version", netmesh_version_text());
-    Head lines = option_head(settled(options, options.distances ? dim_min : input.dim));
-    Head all = head.take();
-    all.insert(all.end(), lines.begin(), lines.end());
-    if (!options.distances) head.add_count("dim", input.dim);
-    head.add_count("points", input.points);
-    if (!options.distances) head.add_count("duplicates", input.duplicates);
-    if (options.vertex_function)
-        head.add("mesh", options.vertex_function->mesh_fingerprint());
-    else
-        head.add("input", hexadecimal(input.fingerprint));
+    const netmesh_diagram_report& diagram = report.diagram;
+    Head head = option_head(said_by_head(options, options.distances ? dim_min : input.dim));
+    const auto add = [&](const char* name, const std::string& value) { head.push_back({name, value}); };
+    head.insert(head.begin(), {"version", netmesh_version_text()});
+    if (!options.distances) add("dim", std::to_string(input.dim));
+    add("points", std::to_string(input.points));
+    if (!options.distances) add("duplicates", std::to_string(input.duplicates));
+    options.vertex_function ? add("mesh", options.vertex_function->mesh_fingerprint())
+                            : add("input", hexadecimal(input.fingerprint));
     if (report.mesh.is_mesh != 0) {
         std::string ball;
         for (std::uint32_t k = 0; k <= input.dim; k++) ball += (k > 0 ? " " : "") + number_text(report.mesh.domain[k]);
-        head.add("domain", ball);
+        add("domain", ball);
     }
-    head.add("certified-ratio", report.diagram.certified_ratio);
-    if (report.diagram.certified_from > 0) head.add("certified-from", report.diagram.certified_from);
-    if (report.diagram.filter == NETMESH_FILTER_FUNCTION) head.add("certified-error", report.diagram.certified_error);
-    if (fits_error(options)) head.add("fitted-error", report.diagram.fitted_error);
-    head.add("reference", reference_name(report));
-    lines = head.take();
-    all.insert(all.end(), lines.begin(), lines.end());
-    return all;
+    add("certified-ratio", number_text(diagram.certified_ratio));
+    if (diagram.certified_from > 0) add("certified-from", number_text(diagram.certified_from));
+    if (diagram.filter == NETMESH_FILTER_FUNCTION) add("certified-error", number_text(diagram.certified_error));
+    if (fits_error(options.request)) add("fitted-error", number_text(diagram.fitted_error));
+    add("reference", reference_name(report));
+    return head;
 }
 
 void write_head(const Head& head, TextWriter& out) {
@@ -174,6 +168,15 @@ bool is_ball(const std::string& text, std::uint64_t dim) {
 
 bool is_fingerprint(const std::string& text) {
     return text.size() == 16 && text.find_first_not_of("0123456789abcdef") == std::string::npos;
+}
+
+// The field that the engine refuses; NONE: none.
+netmesh_field refused_at(const Options& options, std::string* why = nullptr) {
+    netmesh_request settled;
+    netmesh_field field;
+    const Outcome outcome = settle(options, dim_min, &settled, &field);
+    if (why != nullptr) *why = outcome.message.substr(std::min(outcome.message.size(), std::strlen("netmesh: ")));
+    return field;
 }
 
 // Reads the head of one file.
@@ -229,12 +232,21 @@ Outcome HeadReader::collect() {
 }
 
 Outcome HeadReader::take_options() {
-    found_.options.command = Command::persist;
+    Options& options = found_.options;
+    options.command = Command::persist;
     for (const HeadLine& line : found_.lines) {
         if (!is_option(line.name)) continue;
-        const std::string complaint = apply_option(&found_.options, "--" + line.name, line.value);
+        const std::string complaint = apply_option(&options, "--" + line.name, line.value);
         if (!complaint.empty()) return fault(line, complaint);
+        if (line.value == "auto") return fault(line, "contradicts the other lines, which are of what was taken");
     }
+    if (options.request.filter == nullptr) options.request.filter = &netmesh_filter_complete;
+    // Beside a ratio that does not follow from it tau says nothing; check_tau looks at it.
+    Options without = options;
+    without.request.goal.ratio = 0;
+    found_.tau = options.request.mesh.tau;
+    if (refused_at(options) == NETMESH_FIELD_TAU && refused_at(without) != NETMESH_FIELD_TAU)
+        options.request.mesh.tau = 0;
     return {};
 }
 
@@ -244,14 +256,14 @@ Outcome HeadReader::check_names() {
         return fault(*old, "this file was made by netmesh 0.2.0 or before, whose births and deaths were not rounded to "
                            "nearest; make the diagram again");
     constexpr const char* facts[] = {"version", "points", "certified-ratio", "reference"};
-    Head due = option_head(found_.options);
+    Head due = option_head(said_by_head(found_.options, dim_min));
     for (const char* fact : facts) due.push_back({fact, ""});
     if (!found_.options.distances)
         for (const char* fact : {"dim", "duplicates"}) due.push_back({fact, ""});
-    if (is_meshed(found_.options)) due.push_back({"domain", ""});
+    if (about(found_.options.request.filter).is_on_mesh != 0) due.push_back({"domain", ""});
     due.push_back({found_.options.values_at.empty() ? "input" : "mesh", ""});
     if (filter_of(found_.options) == NETMESH_FILTER_FUNCTION) due.push_back({"certified-error", ""});
-    if (fits_error(found_.options)) due.push_back({"fitted-error", ""});
+    if (fits_error(found_.options.request)) due.push_back({"fitted-error", ""});
     for (const HeadLine& line : found_.lines) {
         if (find_line(found_.lines, line.name) != &line)
             return fault(line, "the head says that twice; leave one of the two lines out");
@@ -264,6 +276,10 @@ Outcome HeadReader::check_names() {
         return fault(line, "contradicts the other lines: a diagram of " + choice_text(choice_of(found_.options)) +
                                " that is made as they say does not have it");
     }
+    std::string why;
+    for (const std::string& name : option_names(refused_at(found_.options, &why)))
+        if (const HeadLine* const line = found_.find(name.substr(2)))
+            return fault(*line, "contradicts the other lines: " + why);
     for (const HeadLine& line : due) {
         if (find_line(found_.lines, line.name) == nullptr)
             return fault(first_, "the head lacks the line " + quoted("# " + line.name) +
@@ -320,17 +336,17 @@ Outcome HeadReader::check_facts() {
             return fault(*line, "must be a number, at least " + number_text(least));
     }
     const HeadLine& degree = *found_.find("max-degree");
-    if (!is_on_points(filter_of(found_.options)) && *found_.options.max_degree >= dim)
+    if (!is_on_points(filter_of(found_.options)) && found_.options.request.max_degree >= dim)
         return fault(degree, "contradicts # dim: at most " + std::to_string(dim - 1));
     return {};
 }
 
 Outcome HeadReader::check_options() {
-    for (Outcome (*check)(const Options&) :
-         {check_together, check_accuracy, check_ratio, check_max_degree, check_function}) {
-        const Outcome outcome = check(found_.options);
-        if (!outcome.good()) return fault(first_, "the head contradicts itself: " + outcome.message);
-    }
+    netmesh_request settled;
+    Outcome outcome = check_together(found_.options);
+    if (outcome.good()) outcome = check_function(found_.options);
+    if (outcome.good()) outcome = settle(found_.options, dim_min, &settled);
+    if (!outcome.good()) return fault(first_, "the head contradicts itself: " + outcome.message);
     return {};
 }
 
@@ -353,23 +369,30 @@ Outcome parse_head(std::string_view content, const std::string& file, std::optio
     return HeadReader(content, file).read(provenance);
 }
 
+namespace {
+
+// What a value stands for.
+std::string meaning(const HeadOption& option, const std::string& value) {
+    Options options;
+    options.command = Command::persist;
+    const std::string complaint = apply_option(&options, std::string("--") + option.name, value);
+    return complaint.empty() ? said_value(options, option) : value;
+}
+
+}  // namespace
+
 Outcome check_contradiction(const Provenance& provenance, const std::string& file, const Options& command_line) {
-    const Head have = option_head(provenance.options);
     for (const auto& [name, value] : command_line.given) {
-        const std::string bare = name.substr(std::min<std::size_t>(2, name.size()));
+        const HeadOption* const option = find_option(name.substr(std::min<std::size_t>(2, name.size())));
+        if (option == nullptr) continue;
         // Memory is a matter of the file only where a diagram was fitted to it; values are compared when they are read.
-        if (!is_option(bare) || (bare == "values-at" && !provenance.options.values_at.empty()) ||
-            (bare == "memory" && !provenance.options.fit))
+        const std::string_view bare = option->name;
+        if ((bare == "values-at" && !provenance.options.values_at.empty()) ||
+            (bare == "memory" && provenance.options.request.fit == nullptr))
             continue;
-        Options other = provenance.options;
-        apply_option(&other, name, value);
-        const Head given = option_head(other);
-        const bool same = std::equal(given.begin(), given.end(), have.begin(), have.end(),
-                                     [](const HeadLine& a, const HeadLine& b) { return head_text(a) == head_text(b); });
         const HeadLine* const line = provenance.find(bare);
-        if (same && line != nullptr) continue;
-        const std::string option = value.empty() ? name : name + " " + value;
-        return usage_error(option + " contradicts " + file +
+        if (line != nullptr && meaning(*option, value) == meaning(*option, line->value)) continue;
+        return usage_error((value.empty() ? name : name + " " + value) + " contradicts " + file +
                            (line == nullptr ? ", which was made without " + name
                                             : ":" + std::to_string(line->number) + ": " +
                                                   quoted("# " + head_text(*line)) + "; leave the option out"));

@@ -43,10 +43,9 @@ using Head = std::vector<HeadLine>;
 // "tau 3"
 std::string head_text(const HeadLine& line);
 
-// The options of persist with nothing left open: what was not given has the value that was used. `dim` of the points.
-Options settled(const Options& options, std::uint32_t dim);
-// Their lines.
-Head option_head(const Options& settled);
+// The settled options of persist as a head says them: beside a ratio from which it does not follow tau is what it is by
+// default.
+Options said_by_head(const Options& options, std::uint32_t dim);
 
 // The whole head of the diagram that `report` is about, made with `options`.
 Head head_of(const Options& options, const netmesh_report& report);
@@ -54,7 +53,8 @@ void write_head(const Head& head, TextWriter& out);
 
 // A head that was read.
 struct Provenance {
-    Options options;  // of persist, settled
+    Options options;  // of persist; where a ratio does not follow from tau, that is left out
+    double tau = 0;   // of its line; 0: there is none
     Head lines;       // all of them
     const HeadLine* find(std::string_view name) const;
 };

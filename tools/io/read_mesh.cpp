@@ -46,7 +46,7 @@ Complaint keep_clipped(std::size_t words, NodeFile* node) {
 Complaint parse_remark(std::string_view raw, NodeFile* node) {
     const std::vector<std::string_view> words = split_blanks(raw.substr(1));
     if (!words.empty() && words[0] == "cages") {
-        node->cage_kind = NETMESH_CAGES_THESIS;
+        node->has_thesis_cages = true;
         if (words.size() == 2 && words[1] == "thesis") return {};
         return "cages of a kind that is not known: " + std::string(raw);
     }
@@ -69,7 +69,7 @@ Complaint parse_remark(std::string_view raw, NodeFile* node) {
     }
     if (words[0] == "ratio") {
         node->ratio = number;
-        return number * number > 2 ? "" : "ratio is one number above the root of 2";
+        return number >= 1.4143 ? "" : "ratio is one number, at least 1.4143";
     }
     if (words[0] == "boundary-net") {
         node->net_spacing = number;

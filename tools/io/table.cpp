@@ -46,6 +46,11 @@ std::string resolve_columns(const std::vector<std::string>& wanted, std::size_t 
     return {};
 }
 
+bool is_below_doubles(std::string_view number) {
+    const std::string_view digits = number.substr(0, number.find_first_of("eE"));
+    return digits.find_first_of("123456789") != std::string_view::npos;
+}
+
 namespace {
 
 std::string columns_text(std::size_t count) { return std::to_string(count) + (count == 1 ? " column" : " columns"); }
@@ -80,17 +85,22 @@ std::string remedy_for(std::string_view text) {
     return {};
 }
 
-// 1e-400: digits that are not all 0, of a number that is 0 as a double.
-bool is_below_doubles(std::string_view text) {
-    const std::string_view digits = text.substr(0, text.find_first_of("eE"));
-    return digits.find_first_of("123456789") != std::string_view::npos;
-}
-
 // A table on its way from lines to numbers.
 class TableParser {
 public:
     TableParser(const TableOptions& options, Table* table) : options_(options), table_(table) {}
     Outcome parse(std::string_view content);
+    // Behind parse().
+    TableShape shape() const {
+        TableShape found;
+        found.is_plain = is_plain_ && remade_.empty() && lines_.size() > 8;
+        found.delimiter = dialect_.delimiter;
+        found.fields = width_;
+        found.columns = columns_;
+        found.first_line = lines_[0].number;
+        found.index = index_;
+        return found;
+    }
 
 private:
     // column: counted from 1; 0: no one
@@ -110,7 +120,12 @@ private:
     bool is_word_column(std::size_t column) const;
     // Whether the first column counts: 0, 1, 2, ... or from another number on, or only ascends.
     bool counts(bool by_one) const;
-    void add_note(const std::string& sentence) { table_->note += (table_->note.empty() ? "" : "; ") + sentence; }
+    void add_plain_note(const std::string& sentence) { table_->note += (table_->note.empty() ? "" : "; ") + sentence; }
+    // Of what hangs on more than the lines at the top.
+    void add_note(const std::string& sentence) {
+        add_plain_note(sentence);
+        is_plain_ = false;
+    }
     bool cut(const TableLine& line, std::vector<Field>* fields) const {
         return cut_line(line.text, dialect_.delimiter, fields);
     }
@@ -126,6 +141,8 @@ private:
     std::size_t dropped_ = 0;         // empty fields at the end of every row
     std::vector<std::size_t> columns_;
     std::uint64_t too_small_ = 0;  // numbers that are 0 as doubles alone
+    bool is_plain_ = true;
+    decltype(TableShape::index) index_ = TableShape::none;
 };
 
 // Excel's `sep=;`.
@@ -167,7 +184,7 @@ Outcome TableParser::find_header() {
     if (!header) return {};
     header_ = lines_[0];
     for (const Field& field : fields) names_.emplace_back(field.text);
-    add_note("skipped header " + quoted(without_blanks(lines_[0].text)));
+    add_plain_note("skipped header " + quoted(without_blanks(lines_[0].text)));
     lines_.erase(lines_.begin());
     return {};
 }
@@ -241,7 +258,8 @@ Outcome TableParser::find_index() {
                                            ", but it does not count rows: " + others);
     }
     columns_.erase(columns_.begin());
-    add_note("skipped index column 1");
+    index_ = one_short ? TableShape::counts : TableShape::ascends;
+    add_plain_note("skipped index column 1");
     return {};
 }
 
@@ -417,6 +435,13 @@ Outcome TableParser::parse(std::string_view content) {
 
 Outcome parse_table(std::string_view content, const TableOptions& options, Table* table) {
     return TableParser(options, table).parse(content);
+}
+
+Outcome parse_table(std::string_view content, const TableOptions& options, Table* table, TableShape* shape) {
+    TableParser parser(options, table);
+    const Outcome outcome = parser.parse(content);
+    if (outcome.good()) *shape = parser.shape();
+    return outcome;
 }
 
 }  // namespace netmesh::tool

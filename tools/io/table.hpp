@@ -35,6 +35,20 @@ struct Table {
 // names the option which decides. Every fault is Exit::data with file, line and remedy.
 Outcome parse_table(std::string_view content, const TableOptions& options, Table* table);
 
+// How the rows of a table are cut, for whoever reads on where its text ended.
+struct TableShape {
+    bool is_plain = false;             // numbers, maybe a header and an index: nothing that hangs on all of the lines
+    char delimiter = 0;                // 0: several together
+    std::size_t fields = 0;            // of a row
+    std::vector<std::size_t> columns;  // those that are taken, from 0
+    std::uint64_t first_line = 0;      // of the first row
+    enum { none, ascends, counts } index = none;  // what the first column does that was left out
+};
+Outcome parse_table(std::string_view content, const TableOptions& options, Table* table, TableShape* shape);
+
+// Whether digits that are not all 0 stand for a number that is 0 as a double: 1e-400.
+bool is_below_doubles(std::string_view number);
+
 // What --columns holds, cut at commas: a complaint, or empty.
 std::string parse_columns(const std::string& text, std::vector<std::string>* columns);
 // Columns counted from 0 out of numbers from 1, ranges and names: a complaint, or empty.

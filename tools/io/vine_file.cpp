@@ -60,7 +60,7 @@ Complaint parse_comment(std::string_view line, VineFile* file) {
         if (words[3] != "certified" && words[3] != "thesis" && words[3] != "given")
             return quoted(words[3]) + " are not values: certified, thesis or given";
         for (const netmesh_filter_info& info : filters()) {
-            if (has_vineyard(info) && words[2] == std::string(info.name) + ",") file->choice.filter = info.filter;
+            if (has_vineyard(info) && words[2] == std::string(info.name) + ",") file->choice.filter = info.id;
         }
         file->of_values = words[2] == "none," && words[3] == "given";
         file->choice.values = words[3] == "thesis" ? NETMESH_VALUES_THESIS : NETMESH_VALUES_CERTIFIED;

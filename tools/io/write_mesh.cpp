@@ -11,7 +11,7 @@ void write_node(const MeshSource& mesh, TextWriter& out) {
         if (mesh.eps > 0) out << "# eps " << mesh.eps << '\n';
         if (mesh.size_at_inputs > 0) out << "# cell-size " << mesh.size_at_inputs << ' ' << mesh.size_growth << '\n';
         if (mesh.net_spacing > 0) out << "# boundary-net " << mesh.net_spacing << '\n';
-        if (mesh.cage_kind == NETMESH_CAGES_THESIS) out << "# cages thesis\n";
+        if (mesh.has_thesis_cages) out << "# cages thesis\n";
         for (const netmesh_cage& cage : mesh.cages) out << "# cage " << cage.centre << ' ' << cage.radius << '\n';
     }
     out << mesh.vertex_count << ' ' << mesh.dim << (mesh.has_values ? " 1 1\n" : " 0 1\n");

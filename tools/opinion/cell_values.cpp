@@ -39,7 +39,7 @@ constexpr Real corner_precision = 0x1p-48L;
 
 }  // namespace
 
-FilteredFunction::FilteredFunction(const NodeFile& node, netmesh_filter filter, std::uint32_t k)
+FilteredFunction::FilteredFunction(const NodeFile& node, netmesh_filter_id filter, std::uint32_t k)
     : mean_(filter == NETMESH_FILTER_KDISTANCE), k_(about(filter).needs_k != 0 ? k : 1) {
     const std::uint32_t dim = node.cloud.dim;
     const Place centre(node.domain.begin(), node.domain.begin() + dim);
@@ -474,7 +474,7 @@ CellOpinion CellWalk::take(Real claimed) {
 
 }  // namespace
 
-std::uint32_t zero_born(const NodeFile& node, netmesh_filter filter, std::uint32_t k) {
+std::uint32_t zero_born(const NodeFile& node, netmesh_filter_id filter, std::uint32_t k) {
     if (filter == NETMESH_FILTER_FUNCTION) return 0;
     const bool has_balls = filter != NETMESH_FILTER_BASIC && (about(filter).needs_k == 0 || k == 1);
     return has_balls ? input_count(node) : 0;

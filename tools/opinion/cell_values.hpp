@@ -21,7 +21,7 @@ struct CellRange {
 // F, the function of the filter, cut where all inputs have been reached.
 class FilteredFunction {
 public:
-    FilteredFunction(const NodeFile& node, netmesh_filter filter, std::uint32_t k);
+    FilteredFunction(const NodeFile& node, netmesh_filter_id filter, std::uint32_t k);
     Real operator()(const Place& x) const { return std::min(cut_, uncut(x)); }
     Real uncut(const Place& x) const { return value_of(nearest(x)); }
     // Also where the value comes from: the k-th nearest input or the mean of the nearest k. Near x the function's
@@ -67,7 +67,7 @@ struct CellOpinion {
 };
 
 // Vertices 0 .. zero_born - 1 enter at 0, before their stars.
-std::uint32_t zero_born(const NodeFile& node, netmesh_filter filter, std::uint32_t k);
+std::uint32_t zero_born(const NodeFile& node, netmesh_filter_id filter, std::uint32_t k);
 
 // Steps that cell_opinion takes, but for a small factor: cells times inputs.
 double opinion_cost(const MeshFiles& files);

@@ -44,7 +44,7 @@ std::string subtitle(const netmesh_report& report) {
     text += separator + counted_vertices(mesh.vertices) + ", " + counted_text(mesh.cells, "cell");
     if (mesh.is_mesh == 0) return text;
     text += std::string(separator) + "aspect ratio \xE2\x89\xA4 " + rounded_text(mesh.aspect_ratio_max, 4);
-    const double ratio = mesh.certificate.ratio;
+    const double ratio = mesh.goal.ratio;
     return text + (ratio > 0 ? std::string(separator) + "refined to ratio " + rounded_text(ratio, 4)
                              : " (\xCF\x84 = " + rounded_text(mesh.tau, 4) + ")");
 }

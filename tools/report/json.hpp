@@ -3,6 +3,7 @@
 #include <cstdint>
 #include <string>
 #include <string_view>
+#include <utility>
 
 namespace netmesh::tool {
 
@@ -34,6 +35,8 @@ public:
     }
     // The text, with a line end behind it.
     std::string text() const { return text_ + "\n"; }
+    // What there is of the text so far, which text() then leaves out.
+    std::string take() { return std::exchange(text_, {}); }
 
 private:
     void separate();

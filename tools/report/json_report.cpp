@@ -30,25 +30,30 @@ void write_options(Json& json, const RunReport& run, const netmesh_report& engin
     const Choice choice = choice_of(run, engine);
     json.key("options");
     json.open('{');
-    write_known(json, "tau", mesh.tau > 0 || options.tau, mesh.tau > 0 ? mesh.tau : options.tau.value_or(0));
-    write_known(json, "theta", options.theta > 0, options.theta);
-    write_known(json, "eps", options.eps > 0, options.eps);
-    write_known(json, "size_at_inputs", options.size_at_inputs > 0, options.size_at_inputs);
-    write_known(json, "size_growth", options.size_at_inputs > 0, options.size_growth);
-    write_known(json, "domain_factor", options.domain_factor > 0, options.domain_factor);
-    write_known(json, "net_spacing", options.net_spacing > 0, options.net_spacing);
+    const netmesh_request& asked = options.request;
+    const netmesh_sizes& sizes = asked.mesh.sizes;
+    const double tau = mesh.tau > 0 ? mesh.tau : asked.mesh.tau;
+    write_known(json, "tau", tau > 0, tau);
+    write_known(json, "theta", asked.goal.theta > 0, asked.goal.theta);
+    const double eps = asked.goal.eps > 0 ? asked.goal.eps : sizes.eps;
+    write_known(json, "eps", eps > 0, eps);
+    write_known(json, "size_at_inputs", sizes.at_inputs > 0, sizes.at_inputs);
+    write_known(json, "size_growth", sizes.at_inputs > 0, sizes.growth);
+    write_known(json, "domain_factor", asked.mesh.domain_factor > 0, asked.mesh.domain_factor);
+    write_known(json, "net_spacing", asked.mesh.net_spacing > 0, asked.mesh.net_spacing);
+    // As --method has it: cages of the thesis are for cage_kind to say.
+    const bool has_thesis_cages = mesh.method == NETMESH_METHOD_THESIS;
     write_known(json, "method", mesh.is_mesh != 0,
-                mesh.certificate.ratio > 0 ? "certificate" : method_name(mesh.method));
-    write_known(json, "cage_kind", options.cages.has_value(),
-                options.cages == NETMESH_CAGES_THESIS ? "thesis" : "compact");
-    json.entry("finish", options.finish);
+                method_name(has_thesis_cages ? NETMESH_METHOD_NETMESH : mesh.method));
+    write_known(json, "cage_kind", !options.cages.empty(), options.cages.c_str());
+    json.entry("finish", asked.mesh.finish != 0);
     write_known(json, "filter", choice.filter != nullptr, choice.filter);
     write_known(json, "values", choice.values != nullptr, choice.values);
     write_known(json, "max_degree", engine.diagram.present != 0, engine.diagram.max_degree);
     write_known(json, "k", options.command == Command::persist && engine.diagram.k > 0, engine.diagram.k);
     write_known(json, "memory", options.memory_bytes != 0, static_cast<std::uint64_t>(options.memory_bytes));
-    json.entry("seed", options.seed);
-    json.entry("all", options.all);
+    json.entry("seed", asked.seed);
+    json.entry("all", asked.keep_zero_pairs != 0);
     json.entry("check", options.check);
     json.close('}');
 }
@@ -77,18 +82,18 @@ void write_bounds(Json& json, const RunReport& run) {
     json.close(']');
 }
 
-// What JSON says of a diagram besides the library's figures. `extended_ball`: the least radius of a ball that belongs
+// What JSON says of a diagram besides the library's figures. `separation`: the least radius of a ball that belongs
 // to a scale alone, in radii of the scale (7.6: at least (1 - theta) / (2 theta)); the joined diagram needs 2.
 void add_to_diagram(Json& json, const RunReport& run, std::string_view path) {
     if (path == "diagram.certified_ratio") {
         json.entry("reference", reference_name(*run.engine));
-    } else if (path == "diagram.from") {
+    } else if (path == "diagram.certified_from") {
         const bool by_values = run.engine->diagram.filter == NETMESH_FILTER_FUNCTION ||
                                (run.engine->input.dim == 0 && !run.options->distances);
         json.entry("units", by_values ? "value" : "radius");
         json.entry("field", "Z/2");
-    } else if (path == "diagram.scales.extended_ball") {
-        json.entry("extended_ball_needed", 2.0);
+    } else if (path == "diagram.scales.separation") {
+        json.entry("separation_needed", 2.0);
     } else if (path == "diagram.certain") {
         if (run.bounds != nullptr) write_bounds(json, run);
         if (run.bars != nullptr) write_json_bars(json, *run.bars);

@@ -27,15 +27,14 @@ std::string audit_lines(const netmesh_mesh_report& mesh) {
     }
     if ((audit.what & NETMESH_AUDIT_QUALITY) != 0)
         text += "audited  " + counted(audit.meshes, "mesh", "meshes") + ", aspect ratio " +
-                (mesh.certificate.ratio > 0 ? "of points at most " : "at most ") +
-                rounded_text(audit.aspect_ratio_max, 4) + ", degree " + grouped_text(audit.degree_max) + "; K " +
-                rounded_text(audit.feature_ratio, 4) + ", when inserted: shells " + rounded_text(audit.cage_ratio, 4) +
-                ", cleaning " + rounded_text(audit.steiner_ratio, 4) + ", inputs " +
-                rounded_text(audit.input_ratio, 4) + "\n";
+                (mesh.goal.ratio > 0 ? "of points at most " : "at most ") + rounded_text(audit.aspect_ratio_max, 4) +
+                ", degree " + grouped_text(audit.degree_max) + "; K " + rounded_text(audit.feature_ratio, 4) +
+                ", when inserted: shells " + rounded_text(audit.cage_ratio, 4) + ", cleaning " +
+                rounded_text(audit.steiner_ratio, 4) + ", inputs " + rounded_text(audit.input_ratio, 4) + "\n";
     return text;
 }
 
-std::string goal_text(const netmesh_certificate_goal& goal) {
+std::string goal_text(const netmesh_goal& goal) {
     std::string text = "ratio " + rounded_text(goal.ratio, 5);
     if (goal.focus_ratio > 0) {
         text += ", " + rounded_text(goal.focus_ratio, 5) + " from radius " + rounded_text(goal.focus_from, 4) + " to " +
@@ -57,9 +56,9 @@ std::string mesh_lines(const netmesh_mesh_report& mesh) {
     }
     if (mesh.is_mesh != 0) {
         text += "quality  aspect ratio at most " + rounded_text(mesh.aspect_ratio_max, 5);
-        text += mesh.certificate.ratio > 0 ? ", refined by the certificate to " + goal_text(mesh.certificate) +
-                                                 (mesh.clipped != 0 ? ", for clipped cells\n" : "\n")
-                                           : " (tau " + rounded_text(mesh.tau, 5) + ")\n";
+        text += mesh.goal.ratio > 0 ? ", refined by the certificate to " + goal_text(mesh.goal) +
+                                          (mesh.clipped != 0 ? ", for clipped cells\n" : "\n")
+                                    : " (tau " + rounded_text(mesh.tau, 5) + ")\n";
         if (mesh.sizes.ratio_max > 0)
             text += "size     cells reach " + rounded_text(mesh.sizes.ratio_max, 5) + " of the size asked for\n";
         text += audit_lines(mesh);

@@ -5,7 +5,7 @@
 #include "homology/lower_star/link.hpp"
 #include "homology/lower_star/merge_tree.hpp"
 #include "homology/lower_star/surface.hpp"
-#include "homology/lower_star/sweep.hpp"
+#include "homology/lower_star/sweep_columns.hpp"
 #include "homology/rank.hpp"
 #include "memory/arena.hpp"
 #include "vocabulary/dimension.hpp"

@@ -6,6 +6,7 @@
 #include "homology/lower_star/front.hpp"
 #include "homology/lower_star/star.hpp"
 #include "vocabulary/monitor.hpp"
+#include "vocabulary/status.hpp"
 
 namespace netmesh {
 

@@ -11,6 +11,7 @@
 
 #include "homology/bit_set.hpp"
 #include "homology/matrix/listed_columns.hpp"
+#include "homology/matrix/ranked_matrix.hpp"
 #include "homology/matrix/reduction.hpp"
 #include "homology/pair_writer.hpp"
 #include "homology/union_find.hpp"
@@ -24,52 +25,6 @@ namespace {
 struct FaceOrder {
     std::uint32_t* face;
     std::uint32_t count;
-};
-
-// Boundaries of k-faces. Rows have numbers of their own; faces without one count as absent.
-struct RankedMatrix {
-    const std::uint32_t* faces;
-    const std::uint32_t* rank;
-    std::uint32_t k;
-    // [rows][k], where jumps in memory matter: of a column that owns a row and is as it was, its other rows or none.
-    std::uint32_t* others;
-
-    std::uint32_t pivot_of(std::uint32_t j) const {
-        const std::uint32_t* const face = faces + std::size_t{j} * (k + 1);
-        std::uint32_t above = 0;  // rows + 1: 0 for none; no branches, which nobody could foresee
-        for (std::uint32_t i = 0; i <= k; ++i) {
-            const std::uint32_t next = rank[face[i]] + 1;
-            above = next > above ? next : above;
-        }
-        return above - 1;
-    }
-    template <class Column> std::uint32_t add(std::uint32_t j, Column& to) const {
-        const std::uint32_t* const face = faces + std::size_t{j} * (k + 1);
-        for (std::uint32_t i = 0; i <= k; ++i) {
-            const std::uint32_t row = rank[face[i]];
-            if (row != none) to.toggle(row);
-        }
-        return 1;
-    }
-    template <class Column> std::uint32_t add_owner(std::uint32_t j, std::uint32_t pivot, Column& to) const {
-        if (!jumps_matter) return add(j, to);
-        to.toggle(pivot);
-        const std::uint32_t* const other = others + std::size_t{pivot} * k;
-        for (std::uint32_t i = 0; i < k; ++i) {
-            if (other[i] != none) to.toggle(other[i]);
-        }
-        return 1;
-    }
-    // Column j, as it is, owns its pivot.
-    void note_owner(std::uint32_t j, std::uint32_t pivot) const {
-        if (!jumps_matter) return;
-        const std::uint32_t* const face = faces + std::size_t{j} * (k + 1);
-        std::uint32_t* other = others + std::size_t{pivot} * k;
-        for (std::uint32_t i = 0; i <= k; ++i) {
-            const std::uint32_t row = rank[face[i]];
-            if (row != pivot) *other++ = row;
-        }
-    }
 };
 
 class BallHomology {

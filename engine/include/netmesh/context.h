@@ -9,8 +9,9 @@
 extern "C" {
 #endif
 
+/* The number is said here alone: others take it from here, or are compared with it (tests/tidy). */
 #define NETMESH_VERSION_MAJOR 0
-#define NETMESH_VERSION_MINOR 2
+#define NETMESH_VERSION_MINOR 3
 #define NETMESH_VERSION_PATCH 0
 /* Versions as numbers that compare as the versions do. */
 #define NETMESH_VERSION_NUMBER(major, minor, patch) (((uint32_t)(major) << 16) | ((uint32_t)(minor) << 8) | (patch))
@@ -22,7 +23,8 @@ extern "C" {
 #define NETMESH_NONE UINT32_MAX        /* no neighbour, no index */
 #define NETMESH_POINTS_MAX (1ul << 28) /* points or vertices of one job */
 
-/* The version of the library, which may differ from that of this header: a NETMESH_VERSION_NUMBER, "0.2.0". */
+/* The version of the library, which may differ from that of this header: a NETMESH_VERSION_NUMBER, and the same as
+ * text: three numbers with dots between them. */
 uint32_t netmesh_version(void);
 const char* netmesh_version_text(void);
 
@@ -36,40 +38,35 @@ const char* netmesh_version_text(void);
 
 typedef enum netmesh_status {
     NETMESH_OK = 0,
-    NETMESH_INVALID_ARGUMENT = 1, /* detail.field says which field; index_a: the row concerned, where there is one */
+    NETMESH_INVALID_ARGUMENT = 1, /* detail.field says which field; index_a: the row at fault, where there is one */
     NETMESH_OUT_OF_MEMORY = 2,    /* the block is too small; detail.bytes_wanted: at least this many are needed */
     NETMESH_CANCELLED = 3,        /* the poll function asked to stop */
     NETMESH_NOT_FINITE = 4,       /* point (simplex, vertex) index_a has a NaN or an infinity */
-    NETMESH_OUT_OF_RANGE = 5,     /* point index_a: a magnitude that meshing does not admit (see netmesh_mesh) */
+    NETMESH_OUT_OF_RANGE = 5,     /* point index_a: a magnitude that the method or the filter does not admit */
     NETMESH_FLAT = 6,             /* fewer than D+1 affinely independent points: no triangulation */
-    NETMESH_TOO_CLOSE = 7,       /* points index_a < index_b are distinct but closer than 64 units in the last place, or
-                                  * the more that a tau near 2 or a ratio below 2 needs (see netmesh_mesh) */
-    NETMESH_NO_RESULT = 8,       /* the call needs an earlier step that has not been done */
-    NETMESH_CHECK_FAILED = 9,    /* a checker found a violation; detail.message says which. Also from jobs on what
-                                    netmesh_load took over: ALPHA when it is no triangulation of a convex hull, others
-                                    when they find that it is no triangulated ball, which they need not */
-    NETMESH_FLOATING_POINT = 10, /* the floating-point mode is not IEEE double, round to nearest, no flush to zero */
-    NETMESH_INTERNAL = 11,       /* an invariant of the library does not hold: a defect, please report it */
-    NETMESH_NOT_A_COMPLEX = 12,  /* simplex index_a has no place in a filtered complex; detail.fault says why */
-    NETMESH_NOT_BUILT = 13,      /* detail.field asks for what this build of the library leaves out (its
-                                    netmesh_config.h); detail.message names the switch */
-    NETMESH_PAUSED = 14,         /* the job waits for netmesh_resume (job.h) */
-    NETMESH_STACK_OVERFLOW = 15  /* the job's stack was too small (job.h) */
+    NETMESH_TOO_CLOSE = 7,        /* points index_a < index_b are different but closer than the method admits: 64 units
+                                     in the last place, more with a tau near 2 or a ratio below 2 */
+    NETMESH_NO_RESULT = 8,        /* the call needs an earlier step that has not been done */
+    NETMESH_CHECK_FAILED = 9,     /* a checker found a violation; detail.message says which. Also of what netmesh_load
+                                     took over: the filter alpha always finds that it is no triangulation of a convex
+                                     hull, other jobs may find that it is no triangulated ball */
+    NETMESH_FLOATING_POINT = 10,  /* the floating-point mode is not IEEE double, round to nearest, no flush to zero */
+    NETMESH_INTERNAL = 11,        /* an invariant of the library does not hold: a defect, please report it */
+    NETMESH_NOT_A_COMPLEX = 12,   /* simplex index_a has no place in a filtered complex; detail.fault says why */
+    NETMESH_NOT_BUILT = 13,       /* detail.field asks for what this build of the library leaves out (its
+                                     netmesh_config.h); detail.message names the switch */
+    NETMESH_PAUSED = 14,          /* the job waits for netmesh_resume (job.h) */
+    NETMESH_STACK_OVERFLOW = 15   /* the job's stack was too small (job.h) */
 } NETMESH_AN_INT netmesh_status;
 
-/* With other options (-fshort-enums where it is no habit) structs differ from the library's: no such program compiles.
- */
+/* With other options (-fshort-enums where it is no habit) structs differ from the library's: such a program does not
+ * compile. */
 typedef char netmesh_enumerations_are_ints[sizeof(netmesh_status) == sizeof(int) && sizeof(int) == 4 ? 1 : -1];
 
 /* A short English phrase for a status; never null. */
 const char* netmesh_status_text(netmesh_status status);
 
-/* What the numbers of points are. They are read where they lie, once, and turned into doubles exactly, so results are
- * those of the same numbers in doubles, byte for byte.
- * In each request on points: row i begins point_stride_bytes * i bytes behind `points`, D numbers of point_format one
- * after the other; 0: rows are packed. points and point_stride_bytes are multiples of 4 for FLOAT32, of what a double
- * is aligned to (8; 4 on 32-bit x86) for FLOAT64, a stride no less than a row and point_count of them no more than
- * half of an address space: INVALID_ARGUMENT. What lies between rows is not read, nor is anything by a plan. */
+/* What the numbers of points are. */
 typedef enum netmesh_point_format {
     NETMESH_POINTS_FLOAT64 = 0, /* double */
     NETMESH_POINTS_FLOAT32 = 1  /* float */
@@ -81,12 +78,66 @@ typedef enum netmesh_field {
     NETMESH_FIELD_REQUEST,      /* the request is null */
     NETMESH_FIELD_STRUCT_BYTES, /* of the request, or of a struct that it points to: not set, or too new */
     NETMESH_FIELD_RESULT,       /* the struct or array for the result is null, or its struct_bytes are not set */
-    /* what the data is */
+    /* what a diagram is of */
+    NETMESH_FIELD_POINTS, /* coordinates; or there is more than one source, or none */
     NETMESH_FIELD_DIM,
-    NETMESH_FIELD_POINTS,
     NETMESH_FIELD_POINT_COUNT,
+    NETMESH_FIELD_POINT_FORMAT,
+    NETMESH_FIELD_POINT_STRIDE_BYTES,
+    NETMESH_FIELD_DISTANCES,
+    NETMESH_FIELD_LAYOUT,
+    NETMESH_FIELD_NUMBERS,
+    NETMESH_FIELD_ENTRIES,
+    NETMESH_FIELD_ENTRY_COUNT,
+    NETMESH_FIELD_EVALUATE,
+    NETMESH_FIELD_SIMPLICES,
     NETMESH_FIELD_VERTICES,
     NETMESH_FIELD_VERTEX_COUNT,
+    NETMESH_FIELD_STARTS,
+    NETMESH_FIELD_SIMPLEX_COUNT,
+    NETMESH_FIELD_STEP_COUNT,
+    /* filter */
+    NETMESH_FIELD_FILTER,
+    NETMESH_FIELD_VALUES,
+    NETMESH_FIELD_K,
+    NETMESH_FIELD_K_LAST,
+    NETMESH_FIELD_MAX_DEGREE,
+    NETMESH_FIELD_KEEP_ZERO_PAIRS,
+    NETMESH_FIELD_THRESHOLD,
+    NETMESH_FIELD_SEED,
+    NETMESH_FIELD_FUNCTION,
+    NETMESH_FIELD_LIPSCHITZ,
+    NETMESH_FIELD_DISTANCE_FACTOR,
+    NETMESH_FIELD_CUT,
+    /* goal */
+    NETMESH_FIELD_RATIO,
+    NETMESH_FIELD_EPS,
+    NETMESH_FIELD_THETA,
+    NETMESH_FIELD_ERROR,
+    NETMESH_FIELD_FOCUS_RATIO,
+    NETMESH_FIELD_FOCUS_FROM,
+    NETMESH_FIELD_FOCUS_TO,
+    NETMESH_FIELD_LONGER_THAN,
+    /* rules of meshes */
+    NETMESH_FIELD_METHOD,
+    NETMESH_FIELD_TAU,
+    NETMESH_FIELD_DOMAIN_FACTOR,
+    NETMESH_FIELD_NET_SPACING,
+    NETMESH_FIELD_SIZES, /* sizes that were asked for, near point index_a where they cannot be met */
+    NETMESH_FIELD_SIZE_EPS,
+    NETMESH_FIELD_SIZE_AT_INPUTS,
+    NETMESH_FIELD_SIZE_GROWTH,
+    NETMESH_FIELD_FINISH,
+    NETMESH_FIELD_WHOLE_CELLS,
+    NETMESH_FIELD_AUDIT,
+    /* wants */
+    NETMESH_FIELD_BOUNDS,
+    NETMESH_FIELD_CYCLES,
+    NETMESH_FIELD_VINES,
+    NETMESH_FIELD_FIT,
+    NETMESH_FIELD_KEEP_MESH,
+    /* meshes that are loaded, checks, analyses, distances of diagrams */
+    NETMESH_FIELD_PROMISED, /* the request whose promises are checked */
     NETMESH_FIELD_MARKERS,
     NETMESH_FIELD_CELLS,
     NETMESH_FIELD_CELL_COUNT,
@@ -94,62 +145,24 @@ typedef enum netmesh_field {
     NETMESH_FIELD_CAGES,
     NETMESH_FIELD_CAGE_COUNT,
     NETMESH_FIELD_CAGE_BYTES,
-    NETMESH_FIELD_STARTS,
-    NETMESH_FIELD_ENTRIES,
-    NETMESH_FIELD_SIMPLEX_COUNT,
+    NETMESH_FIELD_WHAT,
+    NETMESH_FIELD_TOLERANCE,
     NETMESH_FIELD_ORDER,
     NETMESH_FIELD_THETAS,
+    NETMESH_FIELD_SCALE,
+    NETMESH_FIELD_SCRATCH,
     NETMESH_FIELD_PAIRS_A,
     NETMESH_FIELD_PAIRS_B,
     NETMESH_FIELD_PAIR_BYTES,
-    /* meshes */
-    NETMESH_FIELD_MESH, /* the mesh request that another request points to */
-    NETMESH_FIELD_PURPOSE,
-    NETMESH_FIELD_METHOD,
-    NETMESH_FIELD_TAU,
-    NETMESH_FIELD_DOMAIN_FACTOR,
-    NETMESH_FIELD_TIGHT_EPS,
-    NETMESH_FIELD_SIZES, /* sizes that were asked for, near point index_a where they cannot be met */
-    NETMESH_FIELD_RATIO,
-    NETMESH_FIELD_FOCUS_RATIO,
-    NETMESH_FIELD_FOCUS_FROM,
-    NETMESH_FIELD_FOCUS_TO,
-    NETMESH_FIELD_AUDIT,
-    /* persistence */
-    NETMESH_FIELD_FILTER,
-    NETMESH_FIELD_VALUES,
-    NETMESH_FIELD_K,
-    NETMESH_FIELD_K_FIRST,
-    NETMESH_FIELD_K_LAST,
-    NETMESH_FIELD_MAX_DEGREE,
-    NETMESH_FIELD_REPRESENTATIVES,
-    NETMESH_FIELD_FUNCTION,
-    NETMESH_FIELD_LIPSCHITZ,
-    NETMESH_FIELD_DISTANCE_FACTOR,
-    NETMESH_FIELD_CUT,
-    NETMESH_FIELD_EPS,
-    NETMESH_FIELD_THETA,
-    /* checks, analyses, distances */
-    NETMESH_FIELD_WHAT,
-    NETMESH_FIELD_TOLERANCE,
-    NETMESH_FIELD_SCALE,
-    NETMESH_FIELD_SCRATCH,
-    NETMESH_FIELD_SIZE_AT_INPUTS,
-    NETMESH_FIELD_SIZE_GROWTH,
-    NETMESH_FIELD_NET_SPACING,
-    NETMESH_FIELD_CAGE_KIND,
-    NETMESH_FIELD_STEP_COUNT,
-    NETMESH_FIELD_LONGER_THAN,
     NETMESH_FIELD_RELATIVE_ERROR,
     NETMESH_FIELD_MATES,
     NETMESH_FIELD_POTENTIALS,
-    NETMESH_FIELD_POINT_FORMAT,
-    NETMESH_FIELD_POINT_STRIDE_BYTES,
-    NETMESH_FIELD_LAYOUT,
-    NETMESH_FIELD_NUMBERS,
-    NETMESH_FIELD_ENTRY_COUNT,
-    NETMESH_FIELD_EVALUATE,
-    NETMESH_FIELD_THRESHOLD,
+    NETMESH_FIELD_SOURCE, /* of pieces: null, or without a function */
+    NETMESH_FIELD_PIECES,
+    NETMESH_FIELD_NODE,
+    NETMESH_FIELD_ONE,
+    NETMESH_FIELD_OTHER,
+    NETMESH_FIELD_MONITOR, /* of any request: a user without a poll */
     NETMESH_FIELD_COUNT
 } NETMESH_AN_INT netmesh_field;
 
@@ -167,7 +180,7 @@ typedef enum netmesh_fault {
     NETMESH_FAULT_FACE_LATER    /* index_b: the face that enters later */
 } NETMESH_AN_INT netmesh_fault;
 
-/* What the last call that failed has to say. Unused fields are 0. */
+/* What the last call has to say. Unused fields are 0. After OK the status is OK and the message is empty. */
 typedef struct netmesh_detail {
     uint32_t struct_bytes;
     netmesh_status status;
@@ -176,8 +189,8 @@ typedef struct netmesh_detail {
     uint64_t index_a, index_b;
     uint64_t bytes_wanted;
     const char* message; /* static text, never null once the struct has been filled */
-    uint64_t step; /* of netmesh_value_vineyard, of NOT_A_COMPLEX and NOT_FINITE: the step at fault, from 1 on; 0: the
-                      complex itself */
+    uint64_t step;       /* of vines of simplices after NOT_A_COMPLEX and NOT_FINITE: the step at fault, from 1 on;
+                            0: the complex itself */
 } netmesh_detail;
 
 typedef struct netmesh_context netmesh_context;
@@ -221,9 +234,9 @@ typedef struct netmesh_progress {
  * Must not call into the context, nor throw. */
 typedef int (*netmesh_poll)(void* user, const netmesh_progress* progress);
 
-/* Who watches a job; part of every request. */
+/* Who watches a job. Every request has one. */
 typedef struct netmesh_monitor {
-    netmesh_poll poll; /* may be null */
+    netmesh_poll poll; /* may be null, then user is null as well: INVALID_ARGUMENT (MONITOR) */
     void* user;        /* handed to poll */
 } netmesh_monitor;
 

@@ -36,10 +36,10 @@ extern "C" {
  * included, whatever the points are. The same has to be added; and NETMESH_STACK_BYTES_JOB for the stack of
  * netmesh_job_init.
  *
- *   DELAUNAY    netmesh_delaunay
- *   ALPHA       netmesh_persist_alpha
- *   CERTIFIED   netmesh_mesh and netmesh_persist, with whatever a request asks for
- *   RIPS        netmesh_persist_points and netmesh_persist_distances
+ *   DELAUNAY    netmesh_mesh by the method delaunay
+ *   ALPHA       netmesh_persist by the filter alpha
+ *   CERTIFIED   netmesh_mesh and netmesh_persist by filters on meshes, without wants
+ *   RIPS        netmesh_persist by the filters rips and cech, of points and of distances
  *
  * each with netmesh_init, plans and the calls that read results. They hold with 32-bit pointers for a Cortex-M0, M3,
  * M4, M7 or M33, g++ -Os, a library of the dimension dim alone; with 64-bit pointers for x86-64, g++ -O3, a library of

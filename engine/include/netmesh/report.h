@@ -5,8 +5,8 @@
 #include <stddef.h>
 #include <stdint.h>
 
-#include "measure.h"
-#include "persistence.h"
+#include "diagram.h"
+#include "mesh.h"
 
 #ifdef __cplusplus
 extern "C" {
@@ -30,7 +30,9 @@ typedef struct netmesh_sizes_report {
     double ratio_max; /* worst R_v / f(v), at most 1; 0 when none was asked for */
 } netmesh_sizes_report;
 
+/* Of methods with cages. */
 typedef struct netmesh_hierarchy_report {
+    uint32_t present;
     uint64_t cages, cages_made; /* made: those released again are counted too */
     uint64_t reserved[3];
 } netmesh_hierarchy_report;
@@ -48,7 +50,7 @@ typedef struct netmesh_audit_report {
     double ply_mean;                   /* D-balls that a point was in when its turn came */
     double touches_mean, tests_mean;   /* tests: the same for each new D-ball */
     /* QUALITY: worst of all intermediate meshes; not of what a run with cages leaves that was cut off while a cage was
-     * about to be released, as that one is taken away then. P: with HIERARCHY the inserted points of the domain;
+     * about to be released, as that one is taken away then. P: with cages the inserted points of the domain;
      * otherwise all points, as Steiner points are graded towards those that are still to be inserted. f_P: distance to
      * the second nearest of them. f_M: to the nearest Delaunay neighbour, for which the centre of a cage stands where
      * it is in one that is directly inside of the domain. */
@@ -64,18 +66,19 @@ typedef struct netmesh_audit_report {
 
 typedef struct netmesh_mesh_report {
     uint32_t present; /* 1: there is a triangulation or mesh */
-    uint32_t is_mesh; /* 1 after mesh, or load with a domain: what follows `cells_created` is said of meshes alone */
+    uint32_t is_mesh; /* 1: a mesh, made or loaded with a domain; 0: a triangulation, of which nothing that follows
+                         `cells_created` is said */
     uint64_t vertices, inputs, steiner, exempt; /* vertices = inputs + steiner + exempt */
     uint64_t cells, cells_created;
-    netmesh_method method;              /* SVR after load */
+    netmesh_method_id method;           /* what it was made by; SVR after load */
     double domain[NETMESH_DIM_MAX + 1]; /* centre, radius at index D */
     /* Worst clipped aspect ratio over vertices that are not exempt, of corners as computed; 0 if none. Where vertices
      * are so near to one another that coordinates blur the corners, 2^-28 of their size, one in truth may be a
      * thousandth larger, but not above tau. Infinite when the call that made the mesh was cancelled: then nobody waits
      * for it to be measured. */
     double aspect_ratio_max;
-    double tau;                           /* bound asked for; 0 for a mesh refined by the certificate */
-    netmesh_certificate_goal certificate; /* asked for */
+    double tau;        /* bound asked for; 0 for a mesh refined by the certificate */
+    netmesh_goal goal; /* asked for: ratio and scales of interest */
     netmesh_sizes_report sizes;
     netmesh_hierarchy_report hierarchy;
     netmesh_audit_report audit;
@@ -89,7 +92,7 @@ typedef struct netmesh_mesh_report {
 
 typedef struct netmesh_diagram_report {
     uint32_t present;
-    netmesh_filter filter; /* NONE: a complex given by its simplices */
+    netmesh_filter_id filter; /* NONE: a complex given by its simplices */
     netmesh_values values;
     uint32_t max_degree;
     uint32_t k;                                 /* of filters with needs_k, else 0 */
@@ -103,19 +106,19 @@ typedef struct netmesh_diagram_report {
     double certified_ratio;
     double certified_ratio_best; /* the best ratio that any filter values on this mesh can certify (certified values) */
     double certified_from;       /* scale from which the ratio holds: 0, or r_P for the basic filter */
-    double certified_focus;      /* of netmesh_fit with scales of interest: the largest sqrt(hi / lo), lo and hi the
+    double certified_focus;      /* of a fit with scales of interest: the largest sqrt(hi / lo), lo and hi the
                                     bounds of a Steiner vertex's cell that matters to them; else 0 */
     double certified_error;      /* FUNCTION: each pair moves by at most this, finite whatever the function: the
                                     bottleneck distance to the diagram of its sublevel sets; other filters: 0, none */
-    double fitted_error;         /* of netmesh_fit with by_error: the error that sizes of the mesh were asked for; 0:
+    double fitted_error;         /* of a fit of FUNCTION: the error that sizes of the mesh were asked for; 0:
                                     none were, or no such fit */
     netmesh_why why;             /* why this filter */
     uint32_t reserved_word;
-    uint64_t tried_points, tried_cells; /* of netmesh_persist_auto: points that its Delaunay triangulation had, and
+    uint64_t tried_points, tried_cells; /* of the filter auto: points that its Delaunay triangulation had, and
                                            cells that were made for it, when it was whole or given up */
 } netmesh_diagram_report;
 
-/* Of netmesh_bound_bars. */
+/* Where bounds were wanted. */
 typedef struct netmesh_bounds_report {
     uint32_t present;
     uint32_t max_degree;
@@ -124,7 +127,7 @@ typedef struct netmesh_bounds_report {
     uint64_t reserved[2];
 } netmesh_bounds_report;
 
-/* Of netmesh_fit with longer_than, L. A bar is undecided when it is not surely real and its bounds do not exclude that
+/* Of a fit with longer_than, L. A bar is undecided when it is not surely real and its bounds do not exclude that
  * it stands for a true class that dies after L times its birth. */
 typedef struct netmesh_decision_report {
     uint32_t present;
@@ -138,7 +141,7 @@ typedef struct netmesh_decision_report {
     uint64_t reserved[2];
 } netmesh_decision_report;
 
-/* Of netmesh_persist_scales; the diagram's `simplices` counts those of all scales. */
+/* Of a diagram by the filter scales, whose `simplices` counts those of all scales. */
 typedef struct netmesh_scales_report {
     uint32_t present;
     uint32_t count;
@@ -152,17 +155,17 @@ typedef struct netmesh_scales_report {
 
 typedef struct netmesh_vineyard_report {
     uint32_t present;
-    netmesh_filter filter; /* NONE: of netmesh_value_vineyard */
+    netmesh_filter_id filter; /* NONE: of simplices */
     netmesh_values values;
     uint32_t max_degree;
-    uint32_t k_first, k_last; /* there 1 and step_count */
+    uint32_t k_first, k_last; /* of simplices 1 and step_count */
     uint64_t vines, points, transpositions;
     uint64_t simplices;     /* of the filtered complex */
     double certified_ratio; /* the largest of all k */
     uint64_t reserved[2];
 } netmesh_vineyard_report;
 
-/* Of netmesh_homology, netmesh_value_vineyard, netmesh_persist_points and netmesh_points_vineyard. */
+/* Of simplices, distances, and filters on points. */
 typedef struct netmesh_complex_report {
     uint32_t present;
     uint64_t vertices;
@@ -171,7 +174,7 @@ typedef struct netmesh_complex_report {
 
 /* peak_bytes: the least block, a multiple of 16, for what was called since the context last held nothing: in one of
  * that size the same calls end alike and leave the same results, byte for byte. It is the whole block where these
- * depend on its size: of netmesh_fit that went as far as memory allowed, of netmesh_persist_auto that took a mesh for
+ * depend on its size: of a fit that went as far as memory allowed, of the filter auto that took a mesh for
  * want of memory, of audits of location. */
 typedef struct netmesh_memory_report {
     uint64_t block_bytes, peak_bytes, used_bytes;
@@ -197,7 +200,7 @@ typedef struct netmesh_predicates_report {
 
 typedef struct netmesh_report {
     uint32_t struct_bytes;
-    uint32_t complete;    /* 1 when the job ran to its end, 0 after OUT_OF_MEMORY or CANCELLED */
+    uint32_t complete;    /* 1: mesh or triangulation, or where none is kept the diagram, is finished */
     uint64_t fingerprint; /* of mesh and diagram; equal on every platform and for every block size */
     netmesh_input_report input;
     netmesh_mesh_report mesh;
@@ -241,7 +244,6 @@ typedef struct netmesh_figure {
 /* Figure `index`, from 0 on, those of a part one after the other. INVALID_ARGUMENT: index is past the last one, a
  * pointer is null or a struct_bytes is not set. Figures past the caller's struct_bytes do not apply. O(1). */
 netmesh_status netmesh_get_report_figure(const netmesh_report* report, uint32_t index, netmesh_figure* figure);
-netmesh_status netmesh_get_analysis_figure(const netmesh_analysis* analysis, uint32_t index, netmesh_figure* figure);
 
 #ifdef __cplusplus
 }

@@ -59,7 +59,7 @@ struct AuditTerms {
 
 // What `cage` cannot exceed: in radii, a shell vertex is at most shell_factor (1 + jitter) + e from the second input
 // of its domain, and an input (within e of the centre) or another shell vertex is the nearest neighbour that it is
-// given. For cages of the thesis K'_C of engine/DESIGN.md.
+// given. For cages of the thesis K'_C of engine/decisions/cages-of-the-thesis.md.
 double cage_insertion_bound(int dim, CageKind kind = CageKind::compact);
 
 // What a step has changed besides what it has inserted in its own name. One of the two.

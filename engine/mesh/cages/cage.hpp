@@ -12,7 +12,7 @@
 // radius sqrt(2 - 2 / sqrt D) is the thesis's delta, moved by a little (gamma) so that it is not cospherical. One of
 // them is in the direction of the farthest input, and all are about as far out as the cage reaches: whole cells leave
 // the cage where inputs, or the shell of a cage about one, are near a facet of the shell's hull, which is only
-// shell_factor / sqrt D radii away ("Chapter 5" in engine/DESIGN.md has figures). A smaller e asks for wider gaps. A
+// shell_factor / sqrt D radii away (engine/decisions/compact-cages.md has figures). A smaller e asks for wider gaps. A
 // domain is a ball without the balls of the cages directly inside it; the outermost domain is the mesh's own ball,
 // domain.hpp. The cells inside a cage keep their quality clipped to the ball of radius e r, as those of the outermost
 // domain do clipped to its ball; the cells of a cage's vertices together make up one cell of the domain around it,

@@ -7,7 +7,7 @@
 namespace netmesh {
 
 constexpr int thesis_dim_max = 4;
-// Below this the invariants of 4.9 have no constants, see "Cages of the thesis" in engine/DESIGN.md.
+// Below this the invariants of 4.9 have no constants, see engine/decisions/cages-of-the-thesis.md.
 constexpr double thesis_tau_min = 3.4;
 
 // Of a cage of radius r as the thesis has it; what the constants must satisfy stands in the same place.
@@ -49,7 +49,8 @@ template <> struct CageTemplate<2> {
     static constexpr std::uint32_t size = 16;
     static constexpr double packing = 0.3901;
     static void point(std::uint32_t k, double* x) {
-        constexpr double cosine[] = {1, 0.92387953251128675613, 0.70710678118654752440, 0.38268343236508977173, 0};
+        static constexpr double cosine[] = {1, 0.92387953251128675613, 0.70710678118654752440, 0.38268343236508977173,
+                                            0};
         const std::uint32_t quarter = k / 4, step = k % 4;
         const double a = cosine[step], b = cosine[4 - step];
         x[0] = quarter == 0 ? a : quarter == 1 ? -b : quarter == 2 ? -a : b;
@@ -95,10 +96,10 @@ template <> struct CageTemplate<4> {
         // Even permutations of (+-golden, +-1, +-1 / golden, 0) / 2: by where 0 is, and which comes next to it.
         const std::uint32_t even = (k - 24) / 8;
         const double values[] = {0.5 * golden, 0.5, 0.5 * (golden - 1)};
-        constexpr std::uint8_t places[12][4] = {// where golden, 1, 1 / golden and 0 go
-                                                {0, 1, 2, 3}, {1, 2, 0, 3}, {2, 0, 1, 3}, {1, 0, 3, 2},
-                                                {0, 3, 1, 2}, {3, 1, 0, 2}, {0, 2, 3, 1}, {2, 3, 0, 1},
-                                                {3, 0, 2, 1}, {2, 1, 3, 0}, {1, 3, 2, 0}, {3, 2, 1, 0}};
+        static constexpr std::uint8_t places[12][4] = {// where golden, 1, 1 / golden and 0 go
+                                                       {0, 1, 2, 3}, {1, 2, 0, 3}, {2, 0, 1, 3}, {1, 0, 3, 2},
+                                                       {0, 3, 1, 2}, {3, 1, 0, 2}, {0, 2, 3, 1}, {2, 3, 0, 1},
+                                                       {3, 0, 2, 1}, {2, 1, 3, 0}, {1, 3, 2, 0}, {3, 2, 1, 0}};
         for (int i = 0; i < 3; ++i) x[places[even][i]] = (k >> i & 1u) != 0 ? values[i] : -values[i];
         x[places[even][3]] = 0;
     }

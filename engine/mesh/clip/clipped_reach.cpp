@@ -305,7 +305,7 @@ bool CellClipper::is_bound(const double* u, double s) const {
 }
 
 double CellClipper::bound(const double* u, double whole, double enough) const {
-    constexpr double growths[] = {0x1p-38, 0x1p-32, 0x1p-26, 0x1p-20, 0x1p-10, 0.02, 0.25};
+    static constexpr double growths[] = {0x1p-38, 0x1p-32, 0x1p-26, 0x1p-20, 0x1p-10, 0.02, 0.25};
     constexpr int growths_count = sizeof growths / sizeof growths[0];
     const double away = square_root(ball_.distance2(u));
     double best = smaller(whole, (away + ball_.radius) * up);
@@ -384,7 +384,7 @@ Status clip_cell_bounds(const AnyStore& store, const AnyDomain& ball, const Need
                        : larger(square_root(far[v]) * (1 + 0x1p-30), away - radius);
         }
     // A cell whose farthest point is the pole of a face may need more than its measured reach.
-    constexpr double growths[] = {1, 1.02, 1.25};
+    static constexpr double growths[] = {1, 1.02, 1.25};
     for (const double growth : growths) {
         for (VertexId v(0); v < count;)
             for (const std::uint64_t piece = store.arena.piece(v, count, 20); v < piece; ++v) {

@@ -4,7 +4,6 @@
 #include "mesh/loop/aspect_rule.hpp"
 #include "mesh/loop/reference_rule.hpp"
 #include "vocabulary/dimension.hpp"
-#include "vocabulary/features.hpp"
 
 namespace netmesh {
 namespace {
@@ -26,7 +25,7 @@ public:
     static constexpr bool heeds_sizes = true;
 
     QualityRule(Store<D>& store, const MeshRequest& request, const Work& work, MeshResult<D>& result)
-        : Base(store, request, work, result), reference_(built::refine && request.method == MeshMethod::reference),
+        : Base(store, request, work, result), reference_(request.method == MeshMethod::reference),
           certify_(request.certify_filter && !is_reference()), pull_(is_reference() ? infinity : Base::pull_back()) {
         if (!is_reference()) this->wait_for_inputs();
     }
@@ -56,7 +55,7 @@ private:
         double reach2 = 0;           // squared distance from the nearest input to the farthest corner from it, or more
     };
 
-    bool is_reference() const { return built::refine && reference_; }
+    bool is_reference() const { return reference_; }
     Status insert_boundary_net();
     bool may_spoil_certificate(VertexId v, const double* x) const;
     bool view_cell(VertexId v, double least2, CellView* view);

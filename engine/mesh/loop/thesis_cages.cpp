@@ -1,4 +1,5 @@
 #include "mesh/loop/thesis_cages.hpp"
+#include "mesh/loop/thesis_shells.hpp"
 
 #include "vocabulary/dimension.hpp"
 

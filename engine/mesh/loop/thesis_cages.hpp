@@ -3,8 +3,8 @@
 // Afterwards the mesh is hierarchical and of quality tau as definition 4.5 says, without clipping: the whole cell of
 // each vertex that is of no shell and of each cage but the outermost has aspect ratio at most tau, and no cage is
 // encroached, whatever kind of vertex is in its annuli. The ratio of a cage is taken over half of the distance from its
-// centre to the nearest vertex outside, which is at most its in-radius. "Cages of the thesis" in engine/DESIGN.md has
-// the constants.
+// centre to the nearest vertex outside, which is at most its in-radius. engine/decisions/cages-of-the-thesis.md has the
+// constants.
 //
 // InsertInput. NewCage about the nearest neighbour u in M_Omega, an input, when no vertex is within its clearance: that
 // is the trigger mediality <= e^2 / (2 slack), with the thesis's e a cage would be born encroached. An input that a
@@ -106,6 +106,18 @@ protected:
         const Cage& cage = hierarchy_.cage(d);
         queue_.push(VertexId(cage.shell), cage.nearest2);
     }
+    // Squared distance of the corner from a vertex x of the cell. Where coordinates do not resolve the corner the
+    // radius is still known (delaunay/sphere.hpp).
+    double corner_distance2(const Cell<D>& cell, const double* x) const {
+        return cell.error > blurred_error ? cell.radius2 : distance2<D>(store_.dim, cell.centre, x);
+    }
+    // From the centre x of a cage, at most: by as much more as the corner may be off.
+    double cage_corner_distance2(const Cell<D>& cell, const double* x) const {
+        const double d2 = distance2<D>(store_.dim, cell.centre, x);
+        if (!(cell.error > blurred_error)) return d2;
+        const double most = square_root(d2) + static_cast<double>(cell.error) * square_root(cell.radius2);
+        return most * most;
+    }
     Verdict judge_vertex(VertexId v, Split<D>* split);
     Verdict judge_cage(std::uint32_t d, Split<D>* split);
     // Of a cell that is bad: it is left as it is where it cannot be split.
@@ -201,74 +213,6 @@ Status ThesisCages<D, Rule>::new_cage(const NearestInDomain& near, double radius
     const Status status = insert_shell(d);
     if (status != Status::ok) hierarchy_.release(d);
     return status;
-}
-
-// YieldingInsert of the template. Room for its vertices is there.
-template <int D, class Rule> Status ThesisCages<D, Rule>::insert_shell(std::uint32_t d) {
-    Cage& cage = hierarchy_.cage(d);
-    cage.shell = store_.state.vertex_count;
-    making_ = d;
-    VertexId first = none;
-    const double reach = ThesisCage::yields * ThesisCage::shell_factor * cage.radius;
-    const std::uint32_t size = template_size(store_.dim, d == root);
-    for (std::uint32_t k = 0; k < size; ++k) {
-        double unit[DimensionOf<D>::most], x[DimensionOf<D>::most], d2;
-        template_point(store_.dim, d == root, k, unit);
-        place(cage, unit, k, x);
-        const std::uint32_t input = inserted_ < inputs_ ? tree_.nearest_within(x, reach * reach, &d2) : none;
-        const bool yields = input != none && store_.vertex(input).cell == none;
-        const VertexId v = yields ? VertexId(input) : make_vertex<D>(store_, x, cage.centre, Marker::exempt);
-        if (yields) {
-            hierarchy_.set(v, d);
-            has_yielded_ = true;
-            observers_.note({input, none});
-        }
-        const Status status = this->insert(v, store_.vertex(cage.centre).cell);
-        // A cage without its whole shell is given up; the shell vertices that are in the mesh stay there, exempt.
-        if (status != Status::ok) {
-            if (!yields) store_.truncate_vertices(status == Status::cancelled ? v + 1 : v.index);
-            return status;
-        }
-        if (first == none || (first < inputs_ && !yields)) first = v;
-    }
-    cage.shell = first;
-    making_ = none;
-    queue_cage(d);
-    return Status::ok;
-}
-
-template <int D, class Rule>
-void ThesisCages<D, Rule>::place(const Cage& cage, const double* unit, std::uint32_t k, double* x) const {
-    std::uint64_t random = mix64(std::uint64_t{cage.centre} << 32 | k);
-    for (int i = 0; i < store_.dim; ++i) {
-        random = mix64(random);
-        const double moved = unit[i] + ThesisCage::jitter * (static_cast<double>(random >> 11) * 0x1p-52 - 1);
-        x[i] = store_.point(cage.centre)[i] + ThesisCage::shell_factor * cage.radius * moved;
-    }
-}
-
-// Vertices of the shell's own come in the order of the template; what is missing among them has yielded.
-template <int D, class Rule>
-template <class Visit>
-void ThesisCages<D, Rule>::visit_shell(const Cage& cage, Visit&& visit) const {
-    const double reach = ThesisCage::yields * ThesisCage::shell_factor * cage.radius;
-    VertexId own(cage.shell);
-    for (std::uint32_t k = 0; k < template_size(store_.dim, false); ++k) {
-        double unit[DimensionOf<D>::most], x[DimensionOf<D>::most], d2;
-        template_point(store_.dim, false, k, unit);
-        place(cage, unit, k, x);
-        const bool is_own =
-            own >= inputs_ && own < store_.state.vertex_count && distance2<D>(store_.dim, x, store_.point(own)) == 0;
-        visit(is_own ? own : VertexId(tree_.nearest_within(x, reach * reach, &d2)));
-        if (is_own) ++own;
-    }
-}
-
-template <int D, class Rule> bool ThesisCages<D, Rule>::is_of_shell(VertexId v) {
-    const Vertex<D>& vertex = store_.vertex(v);
-    if (vertex.marker != Marker::input) return vertex.marker == Marker::exempt;
-    const std::uint32_t d = hierarchy_.of(v);
-    return d != none && is_beyond(d, ThesisCage::epsilon * (1 + tau_margin), vertex.x);
 }
 
 // Once a larger cage is there, or not, the smaller one is released.
@@ -369,7 +313,7 @@ template <int D, class Rule> void ThesisCages<D, Rule>::queue_bad(CellId c) {
         for (std::uint32_t d = hierarchy_.of(cell.vertex[i]);
              d != none && d != root && is_on_boundary(store_, hierarchy_.cage(d), c); d = hierarchy_.parent(d)) {
             const Cage& cage = hierarchy_.cage(d);
-            if (d != making_ && is_bad(distance2<D>(store_.dim, cell.centre, store_.point(cage.centre)), cage.nearest2))
+            if (d != making_ && is_bad(cage_corner_distance2(cell, store_.point(cage.centre)), cage.nearest2))
                 queue_cage(d);
         }
 }
@@ -393,7 +337,7 @@ template <int D, class Rule> Verdict ThesisCages<D, Rule>::judge_vertex(VertexId
     Corner<D> corner(store_.dim);
     const bool fits = kernel_.visit_star(v, [&](CellId c) {
         const Cell<D>& cell = store_.cell(c);
-        if (cell.radius2 < infinity) corner.offer(cell.centre, distance2<D>(store_.dim, cell.centre, p), c);
+        if (cell.radius2 < infinity) corner.offer(cell.centre, corner_distance2(cell, p), c);
     });
     if (!fits) return Verdict::out_of_memory;
     const double nearest2 = store_.vertex(v).nearest2;
@@ -414,7 +358,7 @@ template <int D, class Rule> Verdict ThesisCages<D, Rule>::judge_cage(std::uint3
     for (std::uint32_t k = 0; k < cells; ++k) {
         const CellId c = boundary[-1 - static_cast<std::ptrdiff_t>(k)];
         const Cell<D>& cell = store_.cell(c);
-        if (cell.radius2 < infinity) corner.offer(cell.centre, distance2<D>(store_.dim, cell.centre, p), c);
+        if (cell.radius2 < infinity) corner.offer(cell.centre, cage_corner_distance2(cell, p), c);
     }
     if (!is_bad(corner.distance2, cage.nearest2)) return Verdict::good;
     const double wanted = this->wanted_distance(square_root(cage.nearest2), this->pull_back());

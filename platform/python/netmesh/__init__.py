@@ -12,6 +12,7 @@ Every result is the same to the last bit on every machine. Births and deaths are
 """
 from . import errors
 from ._check import check
+from ._clouds import persist_all
 from ._diagram import Bounds, Diagram, Representatives
 from ._distance import Transport, bottleneck, wasserstein
 from ._files import load
@@ -21,4 +22,5 @@ from ._persist import homology, persist, rips
 from ._vineyard import Vineyard, vineyard
 
 __all__ = ["Bounds", "Diagram", "Mesh", "Representatives", "Transport", "Vineyard", "bottleneck", "check", "delaunay",
-           "errors", "homology", "load", "mesh", "persist", "rips", "vineyard", "wasserstein", "__version__"]
+           "errors", "homology", "load", "mesh", "persist", "persist_all", "rips", "vineyard", "wasserstein",
+           "__version__"]

@@ -1,6 +1,4 @@
 """numpy arrays in and out."""
-import math
-
 import numpy as np
 
 from . import _declarations as c
@@ -58,18 +56,8 @@ def points_of(points, argument="points"):
 
 def put_points(request, points):
     """Makes a request read what points_of gave."""
-    array, request.point_count, _, request.point_format, request.point_stride_bytes = points
-    request.points = array.ctypes.data
-    if not request.point_count:
-        request.points = request.points or 8
-
-
-def positive(value, argument):
-    """A number as a double, above 0 and finite."""
-    value = number(value, argument)
-    if not (value > 0 and math.isfinite(value)):
-        raise InvalidArgument("%s: must be a finite number above 0" % argument, argument)
-    return value
+    array, count, dim, kind, stride = points
+    request.points = c.netmesh_points(array.ctypes.data or 8, count, dim, kind, stride)
 
 
 def number(value, argument):
@@ -92,6 +80,6 @@ def whole(value, argument, least=0, most=2 ** 32 - 1):
 
 def choice(value, argument, choices):
     """The number of a name."""
-    if value not in choices:
+    if not isinstance(value, str) or value not in choices:
         raise InvalidArgument("%s: %r is none of %s" % (argument, value, ", ".join(choices)), argument)
     return choices[value]

@@ -4,10 +4,9 @@ from typing import Callable, Union
 import numpy as np
 
 from ._diagram import Diagram
-from ._files import BEFORE_ROUNDING, head_of
+from ._files import BEFORE_ROUNDING, arguments_of, head_of
 from ._mesh import Mesh
-from ._options import arguments_of
-from ._persist import persist
+from ._persist import diagram_of_points
 from .errors import CheckFailed, InvalidArgument
 
 
@@ -34,8 +33,7 @@ def check(result, points=None, *, progress: Union[bool, Callable, None] = None) 
         raise InvalidArgument("result: nothing says how this diagram is made", "result")
     if "value-error" in dict(head):
         raise CheckFailed("result: this file was " + BEFORE_ROUNDING, "result")
-    name, arguments = arguments_of(head)
-    again = persist(points, name, progress=progress, **arguments)
+    again = diagram_of_points(points, arguments_of(head), dict(head).get("memory"), progress)
     _compare_bars(result, again)
     lines, due = dict(head), dict(head_of(again))
     for key in ("dim", "points", "duplicates", "input", "domain", "certified-ratio", "certified-from", "reference"):

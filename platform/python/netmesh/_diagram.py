@@ -43,16 +43,21 @@ class Diagram:
     """A persistence diagram: bars sorted by degree, birth and death. Births and deaths are radii; the death of a class
     that never dies is infinite."""
 
-    def __init__(self, intervals, starts, facts, report=None, options=None, bounds=None, representatives=None):
+    def __init__(self, intervals, starts, facts, report=None, bounds=None, representatives=None):
         self._intervals = intervals
         self._starts = starts
         self._facts = facts
         self._report = report
-        self._options = options
+        self._asked = None  # how it is made, where a file can say that
         #: :class:`Bounds`, where ``bounds=True`` asked for them, else None.
         self.bounds: Optional[Bounds] = bounds
         #: :class:`Representatives`, where ``representatives=True`` asked for them, else None.
         self.representatives: Optional[Representatives] = representatives
+
+    def __getstate__(self):
+        """Requests hold addresses; another process gets what a file would say of them."""
+        from . import _files
+        return dict(self.__dict__, _asked=_files.options_of(self))
 
     @property
     def max_degree(self) -> int:
@@ -163,9 +168,9 @@ class Diagram:
         _files.save(self, path)
 
 
-def read(session, options=None, representatives=False, dim=0):
-    """The diagram that a session's context holds."""
-    report = session.report()
+def read(session):
+    """The diagram that a session's context holds, with what its request wants besides."""
+    report, request = session.report(), session.request
     part = report.diagram
     degrees = part.max_degree + 1
     counts = part.pairs[:degrees]
@@ -183,9 +188,9 @@ def read(session, options=None, representatives=False, dim=0):
         "reference": reference.replace("{k}", str(part.k)).replace("{D}", str(report.input.dim)),
         "fingerprint": "%016x" % report.fingerprint,
     }
-    bounds = _read_bounds(session, count, report.bounds.steps) if report.bounds.present else None
-    cycles = _read_cycles(session, starts) if representatives and part.representatives else None
-    return Diagram(intervals, starts, facts, report, options, bounds, cycles)
+    bounds = _read_bounds(session, count, report.bounds.steps) if request.bounds else None
+    cycles = _read_cycles(session, starts) if request.cycles else None
+    return Diagram(intervals, starts, facts, report, bounds, cycles)
 
 
 def _read_bounds(session, count, step_count):

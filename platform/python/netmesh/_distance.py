@@ -8,7 +8,7 @@ import numpy as np
 from . import _declarations as c
 from ._arrays import number, whole
 from ._diagram import bars_of
-from ._library import lib, requested, sized
+from ._library import lib, sized
 from ._session import SMALL_BYTES, Session, _reserve
 
 
@@ -24,7 +24,7 @@ def bottleneck(a, b, degree: Optional[int] = None, log: bool = False) -> float:
     Infinite where the numbers of essential bars differ. In units of the coordinates.
     """
     distance = sized(c.netmesh_distance)
-    request = requested(c.netmesh_bottleneck_request, ctypes.sizeof(c.netmesh_pair))
+    request = lib.netmesh_default_bottleneck()
     request.scale = c.NETMESH_SCALE_LOG if log else c.NETMESH_SCALE_PLAIN
     _compare(request, a, b, degree, lib.netmesh_bottleneck_bytes, lib.netmesh_bottleneck, distance)
     if not log or math.isinf(distance.value):
@@ -53,7 +53,7 @@ def wasserstein(a, b, order: int = 1, degree: Optional[int] = None, error: float
     ``lower``. Bounds that stay farther apart than ``error`` are not returned: InternalError, as that is a defect.
     """
     distance = sized(c.netmesh_wasserstein_distance)
-    request = requested(c.netmesh_wasserstein_request, ctypes.sizeof(c.netmesh_pair))
+    request = lib.netmesh_default_wasserstein()
     request.order = whole(order, "order", 1, c.NETMESH_ORDER_MAX)
     request.relative_error = number(error, "error")
     pairs = bars_of(a, "a")

@@ -1,4 +1,5 @@
 """Diagrams in files."""
+import math
 import os
 import warnings
 from typing import Union
@@ -7,8 +8,8 @@ import numpy as np
 
 from . import _declarations as c
 from ._diagram import Diagram
-from ._library import FILTERS, VERSION
-from ._options import number_text
+from ._library import FILTERS, OPTIONS, VERSION, lib
+from ._options import settled
 from .errors import InvalidArgument
 
 MARKER = "# netmesh diagram 1: degree birth death"
@@ -17,13 +18,88 @@ BEFORE_ROUNDING = ("made by netmesh 0.2.0 or before, whose births and deaths wer
                    "diagram again")
 
 
+# Lines of a head in their order; what they are called in the table; what has no line.
+_LINES = ("filter", "threshold", "k", "values", "method", "finish", "tau", "fit", "memory", "ratio", "whole-cells",
+          "focus", "from", "to", "eps", "theta", "max-degree", "all", "bounds", "seed")
+_NAMES = {"focus": "focus_ratio", "from": "focus_from", "to": "focus_to", "all": "keep_zero_pairs"}
+_UNSAID = ("domain_factor", "net_spacing", "size_eps", "size_at_inputs", "size_growth")
+
+
+def _row_of(line):
+    return OPTIONS.get(_NAMES.get(line, line.replace("-", "_")))
+
+
+def _options_head(request, memory):
+    """A settled request as the tool writes it, (name, value) each; nothing where lines do not say it all."""
+    if request.function or any(OPTIONS[name].get(request) for name in _UNSAID):
+        return []
+    filter = next(row for row in FILTERS.values() if row.filter == request.filter)
+    is_meshed, is_fitted = filter.is_on_mesh or filter.is_by_scales, bool(request.fit)
+    by_goal = filter.has_goal or filter.has_eps
+    certificate = OPTIONS["method"].words["certificate"]
+    by_ratio = by_goal and request.mesh.method == certificate
+    if is_meshed and not is_fitted and not by_goal and request.mesh.method == certificate:
+        return []  # a word that the tool does not offer
+    # Of others: whether they are given.
+    due = {"threshold": request.threshold < math.inf, "values": filter.has_values, "memory": is_fitted,
+           "method": request.mesh.method and not by_ratio and not is_fitted, "tau": is_meshed and not is_fitted,
+           "whole-cells": filter.clips_cells and request.mesh.whole_cells, "max-degree": True, "seed": is_meshed}
+    return [(line, _text_of(line, request, memory)) for line in _LINES if due.get(line) or
+            (line not in due and _row_of(line).get(request))]
+
+
+def _text_of(line, request, memory):
+    if line == "memory":
+        return str(memory)
+    row = _row_of(line)
+    value = row.get(request)
+    if line == "tau" and not value:  # beside a ratio that does not follow from it: the dimension's
+        plain = lib.netmesh_default_request()
+        plain.points, plain.filter = request.points, FILTERS["basic"].filter
+        value = settled(None, plain).mesh.tau
+    if row.type == c.NETMESH_OPTION_NAME:
+        return next(word for word, stands_for in row.words.items() if stands_for == value)
+    if row.type == c.NETMESH_OPTION_DOUBLE:
+        return number_text(value)
+    return "" if row.type == c.NETMESH_OPTION_FLAG else str(value)
+
+
+def arguments_of(head):
+    """Options, by their names in the table, that the lines of a head stand for."""
+    kinds = {c.NETMESH_OPTION_FLAG: lambda _: True, c.NETMESH_OPTION_NAME: str, c.NETMESH_OPTION_DOUBLE: float}
+    rows = [(_row_of(line), text) for line, text in head]
+    given = {row.name: kinds.get(row.type, int)(text) for row, text in rows if row}
+    if "ratio" in given:  # which says what the mesh is made for
+        given.pop("tau", None)
+    return given
+
+
+def number_text(value):
+    """The shortest text that is read as the same number, as the tool writes it (C++'s to_chars)."""
+    value = float(value) + 0.0
+    if not math.isfinite(value):
+        return repr(value)
+    is_whole = value == math.floor(value)
+    plain = str(int(value)) if is_whole else np.format_float_positional(value, unique=True, trim="-")
+    scientific = np.format_float_scientific(value, unique=True, trim="-", exp_digits=2)
+    return plain if len(plain) <= len(scientific) else scientific
+
+
+def options_of(diagram):
+    """How a diagram is made, in the words of a head; none where a file cannot say that."""
+    asked = diagram._asked
+    if isinstance(asked, list):  # of a diagram that came from another process
+        return asked
+    return _options_head(*asked) if asked is not None and 2 <= asked[0].points.dim <= 6 else []
+
+
 def head_of(diagram):
     """The lines of a .pers file's head, (name, value) each; none where a file cannot say how the diagram is made."""
-    options, report = diagram._options, diagram._report
-    if options is None or report is None or options.function is not None or options.dim > 6 or options.dim < 2:
+    options, report = options_of(diagram), diagram._report
+    if not options:
         return []
     part = report.diagram
-    lines = [("version", VERSION)] + options.head()
+    lines = [("version", VERSION)] + options
     lines += [("dim", str(report.input.dim)), ("points", str(report.input.points)),
               ("duplicates", str(report.input.duplicates)), ("input", "%016x" % report.input.fingerprint)]
     if report.mesh.is_mesh:

@@ -55,13 +55,6 @@ def sized(struct):
     return made
 
 
-def requested(struct, *arguments):
-    """A request with the defaults that its init call writes."""
-    made = struct()
-    getattr(lib, struct.__name__ + "_init")(ctypes.addressof(made), ctypes.sizeof(struct), *arguments)
-    return made
-
-
 class Filter:
     """A row of the library's table of filters."""
 
@@ -72,14 +65,42 @@ class Filter:
         self.reference = info.reference.decode()
 
 
-def _filters():
-    rows = {}
-    info = sized(c.netmesh_filter_info)
-    while lib.netmesh_get_filter_info(len(rows), ctypes.addressof(info)) == c.NETMESH_OK:
-        row = Filter(info)
-        rows[row.name] = row
-    return rows
+_KINDS = {c.NETMESH_OPTION_UINT64: ctypes.c_uint64, c.NETMESH_OPTION_DOUBLE: ctypes.c_double}
 
 
-FILTERS = _filters()
-FILTER_NAMES = {row.filter: row.name for row in FILTERS.values()}
+class Option:
+    """A row of the library's table of options: a member of netmesh_request."""
+
+    def __init__(self, index, row):
+        self.type, self.field, self.object = row.type, row.field, row.object
+        self.name, self.range = row.name.decode(), row.range.decode()
+        #: What each word stands for, an object's address or a number.
+        self.words = {}
+        word = sized(c.netmesh_option_word)
+        while lib.netmesh_get_option_word(index, len(self.words), ctypes.addressof(word)) == c.NETMESH_OK:
+            self.words[word.name.decode()] = word.object or word.value
+        is_address = self.object or word.object
+        self._kind = ctypes.c_void_p if is_address else _KINDS.get(self.type, ctypes.c_uint32)
+        self._offset = row.offset
+        self.bits = 8 * ctypes.sizeof(self._kind)
+        self.default = self.get(lib.netmesh_default_request())
+
+    def get(self, request):
+        return self._kind.from_buffer(request, self._offset).value
+
+    def put(self, request, value):
+        self._kind.from_buffer(request, self._offset).value = value
+
+
+def _rows(get, struct, row):
+    rows = []
+    found = sized(struct)
+    while get(len(rows), ctypes.addressof(found)) == c.NETMESH_OK:
+        rows.append(row(len(rows), found))
+    return {row.name: row for row in rows}
+
+
+FILTERS = _rows(lib.netmesh_get_filter_info, c.netmesh_filter_info, lambda _, info: Filter(info))
+FILTER_NAMES = {row.id: row.name for row in FILTERS.values()}
+OPTIONS = _rows(lib.netmesh_get_option, c.netmesh_option, Option)
+OPTION_NAMES = {row.field: row.name for row in OPTIONS.values()}

@@ -1,21 +1,20 @@
 """Triangulations and quality meshes."""
 import contextlib
 import ctypes
-from typing import Callable, Optional, Tuple, Union
+from typing import Callable, Optional, Sequence, Tuple, Union
 
 import numpy as np
 
 from . import _declarations as c
 from . import _diagram
-from ._arrays import address, choice, number, points_of, positive, put_points, whole
+from ._arrays import address, choice, points_of
 from ._diagram import Diagram
-from ._library import lib, requested
-from ._options import METHODS, Options, filter_row
+from ._library import lib, sized
+from ._options import fill, focus_of, put_function, request_of
 from ._session import Session, figures
 from .errors import InvalidArgument
 
-PURPOSES = {"mesh": c.NETMESH_PURPOSE_MESH, "persist": c.NETMESH_PURPOSE_PERSIST, "tight": c.NETMESH_PURPOSE_TIGHT}
-CAGES = {"compact": c.NETMESH_CAGES_COMPACT, "thesis": c.NETMESH_CAGES_THESIS}
+PURPOSES = {"mesh": None, "persist": "complete", "tight": "tight"}  # the filter that it is for
 CHECKS = {"combinatorial": c.NETMESH_CHECK_COMBINATORIAL, "geometric": c.NETMESH_CHECK_GEOMETRIC,
           "delaunay": c.NETMESH_CHECK_DELAUNAY, "quality": c.NETMESH_CHECK_QUALITY, "bounds": c.NETMESH_CHECK_BOUNDS,
           "all": c.NETMESH_CHECK_ALL}
@@ -28,6 +27,7 @@ class Mesh:
     def __init__(self, session, dim, request=None):
         self._session = session
         self._request = request  # what the mesh promises
+        self._kept = session.callbacks[:]  # which its sizes may be among
         self._report = session.report()
         self._arrays = {}
         self._written = (self._report.memory.peak_bytes,)  # None: not known
@@ -160,42 +160,37 @@ class Mesh:
         """The diagram of a filter on this mesh ("complete", "basic", "knn", "kdistance", "function", "tight") or
         triangulation ("alpha"). Arguments are those of :func:`netmesh.persist`."""
         filter = filter or ("complete" if self._report.mesh.is_mesh else "alpha")
-        row = filter_row(filter)
-        if row.source not in (c.NETMESH_SOURCE_MESH, c.NETMESH_SOURCE_DELAUNAY):
-            raise InvalidArgument("filter: %s is none on a mesh" % filter, "filter")
-        given = dict(max_degree=max_degree, k=k, values=values, function=function, lipschitz=lipschitz, cut=cut,
-                     distance_factor=distance_factor, keep_zero_pairs=keep_zero_pairs, bounds=bounds,
-                     representatives=representatives)
-        if row.source == c.NETMESH_SOURCE_MESH:
-            given["method"] = "svr"  # nothing is refined here
-        options = Options(self.dim, filter, given)
+        given = dict(filter=filter, max_degree=max_degree, k=k, values=values, keep_zero_pairs=keep_zero_pairs,
+                     bounds=bounds, cycles=representatives)
+        return self._made(given, (function, lipschitz, cut, distance_factor), progress, _diagram.read)
+
+    def _made(self, given, function, progress, read):
+        """What is asked of the mesh by options of the table."""
         with self._opened(progress) as session:
             self._arrays.pop("values", None)
+            request = request_of(session)
+            fill(session, given)
+            put_function(session, self.dim, *function)
             try:
-                persist_here(session, options)
-                return _diagram.read(session, None, options.representatives)
+                session.call(lib.netmesh_persist, session.context, ctypes.addressof(request))
+                return read(session)
             finally:
                 self._report = session.report()
 
     def vineyard(self, k: Tuple[int, int], filter: str = "knn", max_degree: Optional[int] = None, *,
-                 values: str = "certified", progress: Union[bool, Callable, None] = None):
+                 values: Optional[str] = None, progress: Union[bool, Callable, None] = None):
         """The diagrams of "knn" or "kdistance" for k from ``k[0]`` to ``k[1]`` on this mesh, and the vines through
         them: see :func:`netmesh.vineyard`."""
         from . import _vineyard
-        with self._opened(progress) as session:
-            self._arrays.pop("values", None)
-            try:
-                return _vineyard.on_mesh(session, k, filter, max_degree, values)
-            finally:
-                self._report = session.report()
+        return self._made(_vineyard.asked(k, filter, max_degree, values), (), progress, _vineyard.Vineyard)
 
     def check(self, what: str = "all", *, progress: Union[bool, Callable, None] = None) -> None:
         """Checks the mesh anew, exactly, by code that shares nothing with what made it: "combinatorial", "geometric",
         "delaunay", "quality", "bounds" or "all". Raises :class:`netmesh.errors.CheckFailed`."""
-        request = requested(c.netmesh_check_request)
+        request = sized(c.netmesh_check_request)
         request.what = choice(what, "what", CHECKS)
         if self._request is not None:
-            request.mesh = ctypes.addressof(self._request)
+            request.promised = ctypes.addressof(self._request)
         with self._opened(progress) as session:
             request.monitor = session.monitor
             session.call(lib.netmesh_check, session.context, ctypes.addressof(request))
@@ -221,49 +216,6 @@ class Mesh:
         self.close()
 
 
-def function_of(session, options):
-    """The struct of a caller's function, null for none."""
-    if not options.filter.needs_function:
-        return None
-    function = requested(c.netmesh_function)
-    function.evaluate = session.evaluation(options.function, options.dim, "function")
-    function.lipschitz = options.lipschitz
-    function.distance_factor = options.distance_factor
-    function.cut = options.cut
-    return function
-
-
-def persist_here(session, options, function=None):
-    """The diagram of what the session's context holds, with bounds and cycles as asked."""
-    function = function or function_of(session, options)
-    request = requested(c.netmesh_persist_request)
-    request.filter = options.filter.filter
-    request.monitor = session.monitor
-    request.k = options.k
-    options.put_diagram(request)
-    if function is not None:
-        request.function = ctypes.addressof(function)
-    session.call(lib.netmesh_persist, session.context, ctypes.addressof(request))
-    if options.bounds:
-        bound_here(session, function)
-    if options.representatives:
-        represent_here(session)
-
-
-def bound_here(session, function=None):
-    request = requested(c.netmesh_bounds_request)
-    request.monitor = session.monitor
-    if function is not None:
-        request.function = ctypes.addressof(function)
-    session.call(lib.netmesh_bound_bars, session.context, ctypes.addressof(request))
-
-
-def represent_here(session):
-    request = requested(c.netmesh_represent_request)
-    request.monitor = session.monitor
-    session.call(lib.netmesh_represent, session.context, ctypes.addressof(request))
-
-
 def delaunay(points, *, purpose: str = "mesh", seed: int = 1, memory: Union[int, str, None] = None,
              progress: Union[bool, Callable, None] = None) -> Mesh:
     """The Delaunay triangulation of points, exact for all finite numbers, ties by index.
@@ -272,33 +224,37 @@ def delaunay(points, *, purpose: str = "mesh", seed: int = 1, memory: Union[int,
     "persist" plans for an alpha diagram. ``seed`` and ``memory``: see :func:`netmesh.persist`. Raises
     :class:`netmesh.errors.Flat` where there are fewer than D + 1 affinely independent points.
     """
-    read = points_of(points)
+    plan = choice(purpose, "purpose", {"mesh": lib.netmesh_plan_mesh, "persist": lib.netmesh_plan})
     session = Session(memory, progress)
-    request = requested(c.netmesh_delaunay_request, read[2])
-    request.dim = read[2]
-    request.monitor = session.monitor
-    request.seed = whole(seed, "seed", 0, 2 ** 64 - 1)
-    request.purpose = choice(purpose, "purpose", {k: v for k, v in PURPOSES.items() if k != "tight"})
-    put_points(request, read)
+    read = points_of(points)
+    request = request_of(session, read)
+    fill(session, dict(seed=seed, method="delaunay", filter="alpha", keep_mesh=True))
+    return _meshed(session, request, plan)
+
+
+def _meshed(session, request, plan, promised=None):
     at = ctypes.addressof(request)
-    session.run(lib.netmesh_plan_delaunay(at), lambda: session.call(lib.netmesh_delaunay, session.context, at), True)
-    return Mesh(session, read[2])
+    session.run(plan(at), lambda: session.call(lib.netmesh_mesh, session.context, at), True)
+    made = Mesh(session, request.points.dim, promised)
+    request.points.coordinates = None
+    session.kept.clear()
+    return made
 
 
-def mesh(points, tau: Optional[float] = None, *, method: str = "svr", purpose: str = "mesh",
+def mesh(points, tau: Optional[float] = None, *, method: Optional[str] = None, purpose: str = "mesh",
          eps: Optional[float] = None, size: Optional[Callable] = None, size_at_inputs: Optional[float] = None,
          size_growth: Optional[float] = None, ratio: Optional[float] = None,
          focus: Optional[Tuple[float, float, float]] = None, whole_cells: bool = False,
-         domain_factor: Optional[float] = None, finish: bool = False, cages: str = "compact",
-         net_spacing: Optional[float] = None, seed: int = 1, memory: Union[int, str, None] = None,
-         progress: Union[bool, Callable, None] = None) -> Mesh:
+         domain_factor: Optional[float] = None, finish: bool = False, cages: Optional[str] = None,
+         net_spacing: Optional[float] = None, audit: Union[str, Sequence[str], None] = None, seed: int = 1,
+         memory: Union[int, str, None] = None, progress: Union[bool, Callable, None] = None) -> Mesh:
     """A quality mesh of points: the Delaunay triangulation of them and of Steiner points whose Voronoi cells, clipped
     to a ball around the points, have aspect ratios of at most ``tau``.
 
     points: [n, D], D from 2 to 6; float64 or float32 is read where it lies.
     tau: above 2; by default 2.5 (D = 2, 3), 3.08 (4), 4 (5, 6).
     method: "svr"; "netmesh", a hierarchical mesh with cages, of linear size whatever the spread, ``finish`` turns it
-        into one without; "refine".
+        into one without, and ``cages="thesis"`` takes the cages of the thesis; "refine"; with a ratio "certificate".
     purpose: "persist" meshes a shell around the domain too, for :meth:`Mesh.persist`; "tight" for the tight filter.
     eps: no clipped cell reaches farther than eps times the distance to the second nearest input.
     size: a function of x, float64 [D], the farthest that a cell at x may reach; in units of the coordinates.
@@ -307,49 +263,24 @@ def mesh(points, tau: Optional[float] = None, *, method: str = "svr", purpose: s
     ratio, focus: a mesh refined by the certificate of the complete filter in place of one by aspect ratios, with
         ``purpose="persist"``: see :func:`netmesh.persist`.
     domain_factor: the radius of the domain over that of the smallest ball around the points, 1 to 8.
+    net_spacing: of "refine", how far apart the vertices of its boundary net are, over the diameter of the points.
+    audit: "location", "quality" or both: measures every intermediate mesh, for :attr:`Mesh.report`.
     seed, memory, progress: see :func:`netmesh.persist`.
     """
+    filter = choice(purpose, "purpose", PURPOSES)
+    of_diagram = filter == "tight"
+    session = Session(memory, progress, renamed={} if of_diagram else {"size_eps": "eps"})
     read = points_of(points)
-    dim = read[2]
-    session = Session(memory, progress)
-    request = requested(c.netmesh_mesh_request, dim)
-    request.dim = dim
-    request.monitor = session.monitor
-    request.seed = whole(seed, "seed", 0, 2 ** 64 - 1)
-    request.purpose = choice(purpose, "purpose", PURPOSES)
-    request.method = choice(method, "method", METHODS)
-    request.cage_kind = choice(cages, "cages", CAGES)
-    request.finish = bool(finish)
-    request.whole_cells = bool(whole_cells)
-    for name, value in (("tau", tau), ("domain_factor", domain_factor), ("net_spacing", net_spacing),
-                        ("size_at_inputs", size_at_inputs), ("size_growth", size_growth)):
-        if value is not None:
-            setattr(request, name, positive(value, name) if name != "size_growth" else number(value, name))
-    if eps is not None:
-        if purpose == "tight":
-            request.tight_eps = positive(eps, "eps")
-        else:
-            request.sizes.eps = positive(eps, "eps")
+    request = request_of(session, read)
+    if cages is not None and choice(cages, "cages", {"compact": "netmesh", "thesis": "thesis"}) == "thesis":
+        if method != "netmesh":
+            raise InvalidArgument('cages: go with method="netmesh"', "cages")
+        method = "thesis"
+    given = dict(filter=filter, method=method or ("svr" if ratio is None else "certificate"), tau=tau, ratio=ratio,
+                 whole_cells=whole_cells, domain_factor=domain_factor, finish=finish, net_spacing=net_spacing,
+                 audit=audit, size_at_inputs=size_at_inputs, size_growth=size_growth, seed=seed, **focus_of(focus))
+    given["eps" if of_diagram else "size_eps"] = eps
+    fill(session, given)
     if size is not None:
-        request.sizes.size = session.evaluation(size, dim, "size")
-    if ratio is not None:
-        request.certificate = c.netmesh_certificate_goal(positive(ratio, "ratio"), *_focus_of(focus))
-    elif focus is not None:
-        raise InvalidArgument("focus: goes with ratio", "focus")
-    put_points(request, read)
-    at = ctypes.addressof(request)
-    session.run(lib.netmesh_plan_mesh(at), lambda: session.call(lib.netmesh_mesh, session.context, at), True)
-    request.points = None
-    return Mesh(session, dim, request)
-
-
-def _focus_of(focus):
-    if focus is None:
-        return 0.0, 0.0, 0.0
-    try:
-        numbers = [float(x) for x in focus]
-    except (TypeError, ValueError):
-        numbers = []
-    if len(numbers) != 3:
-        raise InvalidArgument("focus: (ratio, from, to)", "focus")
-    return numbers
+        request.mesh.sizes.size = session.evaluation(size, read[2], "size")
+    return _meshed(session, request, lib.netmesh_plan_mesh, request)

@@ -1,19 +1,22 @@
 """Points or distances in, a diagram out."""
+import concurrent.futures
 import ctypes
 import math
+import os
 from typing import Callable, Optional, Tuple, Union
 
 import numpy as np
 
 from . import _declarations as c
 from . import _diagram
-from ._arrays import doubles, number, points_of, put_points, whole
+from ._arrays import doubles, points_of
 from ._diagram import Diagram
-from ._library import FILTERS, lib, requested
-from ._mesh import bound_here, function_of, persist_here, represent_here
-from ._options import OF_EITHER, Options
+from ._library import OPTIONS, lib, sized
+from ._options import as_asked, fill, focus_of, known, put_function, request_of, settled
 from ._session import Session
 from .errors import InvalidArgument
+
+LONGER_THAN = 1.5  # of focus="auto", as of the tool
 
 
 def persist(points, filter: str = "auto", max_degree: Optional[int] = None, *, k: Optional[int] = None,
@@ -24,7 +27,9 @@ def persist(points, filter: str = "auto", max_degree: Optional[int] = None, *, k
             lipschitz: Optional[float] = None, cut: Optional[float] = None, error: Optional[float] = None,
             distance_factor: Optional[float] = None, keep_zero_pairs: bool = False, bounds: bool = False,
             representatives: bool = False, seed: Optional[int] = None, memory: Union[int, str, None] = None,
-            fit: bool = False, progress: Union[bool, Callable, None] = None) -> Diagram:
+            fit: bool = False, progress: Union[bool, Callable, None] = None, pieces: Union[int, str, None] = None,
+            executor: Optional[concurrent.futures.Executor] = None,
+            scratch: Union[str, os.PathLike, None] = None, **others) -> Diagram:
     """The persistence diagram of points, over Z/2, with a certificate.
 
     points: [n, D], any array of numbers. float64 and float32 are read where they lie, also with gaps between rows;
@@ -41,7 +46,7 @@ def persist(points, filter: str = "auto", max_degree: Optional[int] = None, *, k
         "rips", "cech"      complexes on the points themselves
         "barycentric-cech", "barycentric-rips"   sublevel sets of the distance to the ``k``-th nearest point
     max_degree: the highest degree of homology; by default D - 1, for complexes on points 1.
-    ratio: the certified ratio to refine to, of "complete", "tight" and "scales"; above sqrt 2.
+    ratio: the certified ratio to refine to, of "complete", "tight" and "scales"; 1.4143 or more.
     focus: (ratio, from, to): a better ratio at radii between two bounds; "auto": where bars are undecided, until each
         is surely real or surely not ``longer_than`` (1.5) times its birth, or ``memory`` is full.
     eps, theta: of "tight" and "scales".
@@ -58,177 +63,82 @@ def persist(points, filter: str = "auto", max_degree: Optional[int] = None, *, k
     fit: the best ratio that ``memory`` holds.
     progress: True for tqdm, or a function (stage, done, total, vertices, cells) that is called about every tenth of a
         second, and stops the job when it returns something true.
+    pieces: of "alpha": so many pieces, a power of 2, or "auto": the same diagram, in the memory of a piece. ``points``
+        may be a ``numpy.memmap``. ``memory`` is that of a task.
+    executor: a ``concurrent.futures.Executor`` that runs the tasks, of processes on this machine or on any that see
+        ``scratch``: ``ProcessPoolExecutor``, ``dask.distributed.Client.get_executor()``,
+        ``mpi4py.futures.MPIPoolExecutor``; by default they run one after the other.
+    scratch: the folder for the pieces' files. It stays, and the same call goes on with what it finds; by default one
+        that does not stay.
+    others: further options of the engine, by its names: ``threshold``, ``domain_factor``, ``net_spacing``,
+        ``size_eps``, ``size_at_inputs``, ``size_growth``, ``audit``.
 
     Births and deaths are radii, in units of the coordinates.
     Raises exceptions of :mod:`netmesh.errors`, which name the argument and the row, and KeyboardInterrupt.
     """
-    read = points_of(points)
-    given = dict(max_degree=max_degree, k=k, ratio=ratio, focus=focus, longer_than=longer_than, eps=eps, theta=theta,
-                 values=values, tau=tau, method=method, finish=finish, whole_cells=whole_cells, function=function,
-                 lipschitz=lipschitz, cut=cut, error=error, distance_factor=distance_factor,
-                 keep_zero_pairs=keep_zero_pairs, bounds=bounds, representatives=representatives, seed=seed, fit=fit,
-                 memory=memory)
-    if isinstance(filter, str) and filter == "auto":
-        asked = {name for name, value in given.items() if value is not None and value is not False}
-        if asked <= OF_EITHER:
-            return _chosen(read, given, progress)
-        filter = "complete"
-    return _run(read, Options(read[2], filter, given), progress)
-
-
-def _chosen(read, given, progress):
-    """By the filter that the engine chooses."""
-    asked = Options(read[2], "complete", given)
-    session = Session(asked.memory, progress)
-    request = requested(c.netmesh_auto_request, read[2])
-    request.max_degree = asked.max_degree
-    request.keep_zero_pairs = asked.keep_zero_pairs
-    at = _prepared(session, request, read, asked)
-    taken = []
-
-    def work():
-        session.call(lib.netmesh_persist_auto, session.context, at)
-        chosen = session.report().diagram.filter
-        taken[:] = [Options(read[2], name, given) for name, row in FILTERS.items() if row.filter == chosen]
-        if asked.bounds:
-            bound_here(session)
-        if asked.representatives:
-            represent_here(session)
-
-    session.request = request
-    try:
-        session.run(lib.netmesh_plan_auto(at), work)
-        diagram = _diagram.read(session, taken[0], asked.representatives)
-    finally:
-        session.end()
-    return diagram
-
-
-def _run(read, options, progress, threshold=math.inf):
-    session = Session(options.memory, progress)
-    source = options.filter.source
-    if source == c.NETMESH_SOURCE_POINTS:
-        plan, work = _on_points(session, options, read, threshold)
-    elif source == c.NETMESH_SOURCE_SCALES:
-        plan, work = _by_scales(session, options, read)
-    elif source == c.NETMESH_SOURCE_DELAUNAY:
-        plan, work = (_represented_alpha if options.representatives else _alpha)(session, options, read)
-    elif options.fit or options.longer_than:
-        plan, work = _fitted(session, options, read)
+    given = dict(filter=filter, max_degree=max_degree, k=k, ratio=ratio, longer_than=longer_than, eps=eps, theta=theta,
+                 values=values, tau=tau, method=method, finish=finish, whole_cells=whole_cells, error=error,
+                 keep_zero_pairs=keep_zero_pairs, bounds=bounds, cycles=representatives, seed=seed, fit=fit,
+                 **known("persist", others))
+    if pieces is None and (executor is not None or scratch is not None):
+        argument = "executor" if executor is not None else "scratch"
+        raise InvalidArgument('%s: goes with pieces, as with pieces="auto"' % argument, argument)
+    if pieces is not None:
+        return _in_pieces(points, given, pieces, executor, scratch, memory, (focus, function, progress))
+    is_auto = isinstance(focus, str) and focus == "auto"
+    if is_auto:
+        given.update(fit=True, bounds=True, longer_than=LONGER_THAN if longer_than is None else longer_than)
     else:
-        plan, work = _on_mesh(session, options, read)
+        given.update(focus_of(focus, fit))
+    return diagram_of_points(points, given, memory, progress, (function, lipschitz, cut, distance_factor),
+                             {"fit": "focus"} if is_auto else None)
+
+
+def _in_pieces(points, given, pieces, executor, scratch, memory, others):
+    from . import _pieces
+    if given["filter"] not in ("auto", "alpha"):
+        raise InvalidArgument('pieces: of the filter "alpha" alone', "pieces")
+    taken = ("filter", "max_degree", "keep_zero_pairs", "seed")
+    for name, value in list(given.items()) + list(zip(("focus", "function", "progress"), others)):
+        if name not in taken and value is not None and value is not False:
+            argument = "representatives" if name == "cycles" else name
+            raise InvalidArgument("%s: does not go with pieces, which keep bars alone" % argument, argument)
+    return _pieces.persist_in_pieces(points, pieces, executor, scratch, memory,
+                                     given["max_degree"], given["keep_zero_pairs"])
+
+
+def diagram_of_points(points, given, memory, progress, function=(), renamed=None):
+    """The diagram of points by options of the table."""
+    read = points_of(points)
+    session = Session(memory, progress, renamed=renamed)
+    request = request_of(session, read)
+    fill(session, given)
+    put_function(session, read[2], *function)
+    if request.fit and memory is None:
+        argument = session.renamed.get("fit", "fit")
+        raise InvalidArgument("%s: needs memory=, the size to fit in" % argument, argument)
+    if request.filter == OPTIONS["filter"].words["auto"]:
+        try:
+            settled(session, request)
+            is_open = given.get("values") is None
+        except InvalidArgument:  # something of a mesh
+            is_open = False
+        if not is_open:
+            request.filter = OPTIONS["filter"].words["complete"]
+    return _made(session, request)
+
+
+def _made(session, request):
+    asked = settled(session, request)
+    at = ctypes.addressof(request)
     try:
-        session.run(plan, work)
-        diagram = _diagram.read(session, options, options.representatives)
+        session.run(lib.netmesh_plan(at), lambda: session.call(lib.netmesh_persist, session.context, at))
+        diagram = _diagram.read(session)
     finally:
         session.end()
+    if asked.points.dim:
+        diagram._asked = as_asked(session, asked, diagram._report), session.bytes
     return diagram
-
-
-def _prepared(session, request, read, options):
-    request.dim = read[2]
-    request.monitor = session.monitor
-    put_points(request, read)
-    if hasattr(request, "seed"):
-        request.seed = options.seed
-    return ctypes.addressof(request)
-
-
-def _alpha(session, options, read):
-    request = requested(c.netmesh_alpha_request, read[2])
-    request.max_degree = options.max_degree
-    request.keep_zero_pairs = options.keep_zero_pairs
-    at = _prepared(session, request, read, options)
-
-    def work():
-        session.call(lib.netmesh_persist_alpha, session.context, at)
-        if options.bounds:
-            bound_here(session)
-
-    session.request = request
-    return lib.netmesh_plan_alpha(at), work
-
-
-def _represented_alpha(session, options, read):
-    request = requested(c.netmesh_delaunay_request, read[2])
-    request.purpose = c.NETMESH_PURPOSE_PERSIST
-    at = _prepared(session, request, read, options)
-
-    def work():
-        session.call(lib.netmesh_delaunay, session.context, at)
-        persist_here(session, options)
-
-    session.request = request
-    return lib.netmesh_plan_delaunay(at), work
-
-
-def _on_points(session, options, read, threshold):
-    request = requested(c.netmesh_points_request, read[2], options.filter.filter)
-    options.put_diagram(request)
-    if options.filter.needs_k:
-        request.k = options.k
-    request.representatives = options.representatives
-    request.threshold = threshold if threshold != 0 else 5e-324  # 0 is no limit there
-    at = _prepared(session, request, read, options)
-
-    def work():
-        session.call(lib.netmesh_persist_points, session.context, at)
-        if options.bounds:
-            bound_here(session)
-
-    session.request = request
-    return lib.netmesh_plan_points(at), work
-
-
-def _by_scales(session, options, read):
-    request = requested(c.netmesh_scales_request, read[2])
-    options.put_diagram(request)
-    request.tau = options.tau_given
-    request.eps = options.eps
-    request.ratio = options.ratio or 0.0
-    request.theta = options.theta
-    request.bounds = options.bounds
-    request.representatives = options.representatives
-    at = _prepared(session, request, read, options)
-    session.request = request
-    return lib.netmesh_plan_scales(at), lambda: session.call(lib.netmesh_persist_scales, session.context, at)
-
-
-def _on_mesh(session, options, read):
-    request = options.mesh_request()
-    at = _prepared(session, request, read, options)
-    function = function_of(session, options)
-    if options.error:
-        sizes = c.netmesh_python_sizes(ctypes.addressof(function), options.error)
-        request.sizes.size = lib.addresses["netmesh_python_size"]
-        request.sizes.user = ctypes.addressof(sizes)
-        session.callbacks.append(sizes)
-
-    def work():
-        session.call(lib.netmesh_mesh, session.context, at)
-        persist_here(session, options, function)
-
-    session.request = request
-    return lib.netmesh_plan_mesh(at), work
-
-
-def _fitted(session, options, read):
-    request = options.fit_request()
-    at = _prepared(session, request, read, options)
-    function = function_of(session, options)
-    if function is not None:
-        request.function = ctypes.addressof(function)
-        session.callbacks.append(function)
-
-    def work():
-        session.call(lib.netmesh_fit, session.context, at)
-        if options.longer_than:
-            options.take_goal(session.report().mesh.certificate)
-        if options.representatives:
-            represent_here(session)
-
-    session.request = request
-    return 0, work
 
 
 def rips(points=None, threshold: float = math.inf, max_degree: int = 1, *, distances=None,
@@ -247,72 +157,58 @@ def rips(points=None, threshold: float = math.inf, max_degree: int = 1, *, dista
     """
     if (points is None) == (distances is None):
         raise InvalidArgument("points: give points or distances", "points")
-    threshold = number(threshold, "threshold")
+    given = dict(filter="rips", threshold=threshold, max_degree=max_degree, keep_zero_pairs=keep_zero_pairs,
+                 cycles=representatives)
     if points is not None:
         read = points_of(points)
         if read[2] == 1:  # the library's points have two coordinates at least
-            read = points_of(np.column_stack((read[0], np.zeros(read[1]))))
-        given = dict(max_degree=max_degree, keep_zero_pairs=keep_zero_pairs, representatives=representatives,
-                     memory=memory)
-        return _run(read, Options(read[2], "rips", given), progress, threshold)
+            points = np.column_stack((read[0], np.zeros(read[1])))
+        return diagram_of_points(points, given, memory, progress)
     session = Session(memory, progress, rows="distances")
-    request = requested(c.netmesh_distances_request)
-    request.monitor = session.monitor
-    request.threshold = threshold
-    request.max_degree = whole(max_degree, "max_degree", 0, 30)
-    request.keep_zero_pairs = bool(keep_zero_pairs)
-    request.representatives = bool(representatives)
-    if hasattr(distances, "tocoo"):
-        kept = _put_sparse(request, distances)
-    else:
-        kept = _put_matrix(request, distances)
-    at = ctypes.addressof(request)
-    try:
-        session.run(lib.netmesh_plan_distances(at),
-                    lambda: session.call(lib.netmesh_persist_distances, session.context, at))
-        diagram = _diagram.read(session, None, representatives)
-    finally:
-        session.end()
-    del kept
-    return diagram
+    request = request_of(session)
+    fill(session, given)
+    made = sized(c.netmesh_distances)
+    session.kept += [made, (_put_sparse if hasattr(distances, "tocoo") else _put_matrix)(made, distances)]
+    request.distances = ctypes.addressof(made)
+    return _made(session, request)
 
 
-def _put_matrix(request, distances):
+def _put_matrix(made, distances):
     shape = np.shape(distances)
     if len(shape) == 1:
-        return _put_condensed(request, doubles(distances, "distances", 1))
+        return _put_condensed(made, doubles(distances, "distances", 1))
     array = doubles(distances, "distances", 2)
     if array.shape[0] != array.shape[1]:
         raise InvalidArgument("distances: [%d, %d] is not square" % array.shape, "distances")
-    request.layout = c.NETMESH_DISTANCES_FULL
-    request.numbers = array.ctypes.data or 8
-    request.point_count = array.shape[0]
+    made.layout = c.NETMESH_DISTANCES_FULL
+    made.numbers = array.ctypes.data or 8
+    made.count = array.shape[0]
     return array
 
 
-def _put_condensed(request, condensed):
+def _put_condensed(made, condensed):
     """pdist goes by rows of the upper triangle, the library by rows of the lower one."""
     count = int(round((1 + math.sqrt(1 + 8 * len(condensed))) / 2))
     if count * (count - 1) // 2 != len(condensed):
         raise InvalidArgument("distances: %d numbers are no condensed matrix" % len(condensed), "distances")
     rows, columns = np.tril_indices(count, -1)
     array = condensed[columns * (2 * count - columns - 1) // 2 + rows - columns - 1]
-    request.layout = c.NETMESH_DISTANCES_LOWER
-    request.numbers = array.ctypes.data or 8
-    request.point_count = count
+    made.layout = c.NETMESH_DISTANCES_LOWER
+    made.numbers = array.ctypes.data or 8
+    made.count = count
     return array
 
 
-def _put_sparse(request, matrix):
+def _put_sparse(made, matrix):
     matrix = matrix.tocoo()
     if matrix.shape[0] != matrix.shape[1]:
         raise InvalidArgument("distances: [%d, %d] is not square" % matrix.shape, "distances")
     entries = np.zeros(len(matrix.data), dtype=[("i", "u4"), ("j", "u4"), ("distance", "f8")])
     entries["i"], entries["j"], entries["distance"] = matrix.row, matrix.col, matrix.data
-    request.layout = c.NETMESH_DISTANCES_SPARSE
-    request.entries = entries.ctypes.data
-    request.entry_count = len(entries)
-    request.point_count = matrix.shape[0]
+    made.layout = c.NETMESH_DISTANCES_SPARSE
+    made.entries = entries.ctypes.data
+    made.entry_count = len(entries)
+    made.count = matrix.shape[0]
     return entries
 
 
@@ -324,30 +220,31 @@ def homology(simplices, values, max_degree: Optional[int] = None, *, keep_zero_p
     simplices: a list of lists of vertices, in any order; every face has to be there.
     values: [m], when each simplex enters: finite, and no face later than what it is a face of.
     """
-    vertices, starts = flat_simplices(simplices)
-    entries = doubles(values, "values", 1)
-    if len(entries) != len(starts) - 1:
-        raise InvalidArgument("values: %d numbers for %d simplices" % (len(entries), len(starts) - 1), "values")
     session = Session(memory, progress, rows="simplices")
-    request = requested(c.netmesh_homology_request)
-    request.monitor = session.monitor
-    if max_degree is not None:
-        request.max_degree = whole(max_degree, "max_degree", 0, c.NETMESH_DEGREE_MAX)
-    request.vertices, request.starts = vertices.ctypes.data, starts.ctypes.data
-    request.entries = entries.ctypes.data
-    request.simplex_count, request.vertex_count = len(entries), len(vertices)
-    request.keep_zero_pairs = bool(keep_zero_pairs)
-    request.representatives = bool(representatives)
-    at = ctypes.addressof(request)
-    try:
-        session.run(lib.netmesh_plan_homology(at), lambda: session.call(lib.netmesh_homology, session.context, at))
-        diagram = _diagram.read(session, None, representatives)
-    finally:
-        session.end()
-    return diagram
+    request = request_of(session)
+    fill(session, dict(filter="simplices", max_degree=max_degree, keep_zero_pairs=keep_zero_pairs,
+                       cycles=representatives))
+    put_simplices(session, simplices, doubles(values, "values", 1))
+    return _made(session, request)
 
 
-def flat_simplices(simplices):
+def put_simplices(session, simplices, entries, by_vertex=False):
+    """A filtered complex; with two axes of entries a complex and its steps."""
+    vertices, starts = _flat(simplices)
+    sizes = np.diff(starts.astype(np.int64))
+    due = int((sizes == 1).sum()) if by_vertex else len(sizes)
+    argument = session.renamed.get("entries", "values")
+    if entries.shape[-1] != due:
+        raise InvalidArgument("%s: %d of them, where %d are due" % (argument, entries.shape[-1], due), argument)
+    made = sized(c.netmesh_simplices)
+    made.vertices, made.starts, made.entries = vertices.ctypes.data, starts.ctypes.data, entries.ctypes.data
+    made.simplex_count, made.vertex_count = len(sizes), len(vertices)
+    made.step_count, made.by_vertex = (len(entries), bool(by_vertex)) if entries.ndim == 2 else (0, 0)
+    session.request.simplices = ctypes.addressof(made)
+    session.kept += [made, vertices, starts, entries]
+
+
+def _flat(simplices):
     """uint32 vertices one simplex after the other, uint64 where each begins."""
     try:
         lists = [[int(v) for v in simplex] for simplex in simplices]

@@ -94,10 +94,12 @@ class Session:
         self.block = None
         self.context = None
         self.rows = rows
-        self.renamed = renamed
+        self.renamed = renamed or {}
         self.lock = threading.Lock()
         self.error = None      # what a function of the caller's raised
         self.callbacks = []    # kept alive as long as the library may call them
+        self.request = None    # of the call that is on its way or was the last one
+        self.kept = []         # what it points to
         self.watch = c.netmesh_python_watch.from_buffer_copy(_WATCH)
         self.monitor = c.netmesh_monitor(_POLL, ctypes.addressof(self.watch))
         if progress is not None:
@@ -130,6 +132,7 @@ class Session:
     def unwatch(self):
         """Forgets the caller's functions of the call before."""
         self.callbacks.clear()
+        self.kept.clear()
         self.watch.call = None
         self.watch.signals_next = self.watch.progress_next = 0
 

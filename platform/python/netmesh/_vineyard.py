@@ -4,12 +4,11 @@ from typing import Callable, List, Optional, Tuple, Union
 
 import numpy as np
 
-from . import _declarations as c
-from ._arrays import address, choice, doubles, points_of, put_points, whole
+from ._arrays import address, doubles, points_of, whole
 from ._diagram import Diagram
-from ._library import FILTER_NAMES, FILTERS, lib, requested
-from ._options import VALUES, filter_row
-from ._persist import flat_simplices
+from ._library import FILTER_NAMES, FILTERS, lib
+from ._options import fill, known, request_of
+from ._persist import put_simplices
 from ._session import Session, figures
 from .errors import InvalidArgument
 
@@ -82,30 +81,20 @@ class Vineyard:
         return "<netmesh.Vineyard: %d vines, k from %d to %d>" % (self.count, *self.k)
 
 
-def _range(k):
+def asked(k, filter, max_degree, values):
+    """Options of the table for a range of k."""
     try:
         first, last = k
     except (TypeError, ValueError):
         raise InvalidArgument("k: (first, last) is due", "k") from None
-    return whole(first, "k", 1), whole(last, "k", 1)
-
-
-def on_mesh(session, k, filter, max_degree, values):
-    """Of the mesh that a session's context holds."""
-    request = requested(c.netmesh_vineyard_request, filter_row(filter).filter)
-    request.monitor = session.monitor
-    request.k_first, request.k_last = _range(k)
-    request.values = choice(values, "values", VALUES)
-    if max_degree is not None:
-        request.max_degree = whole(max_degree, "max_degree", 0)
-    session.call(lib.netmesh_vineyard, session.context, ctypes.addressof(request))
-    return Vineyard(session)
+    return dict(filter=filter, k=first, k_last=last, max_degree=max_degree, values=values, vines=True)
 
 
 def vineyard(points=None, k: Tuple[int, int] = (1, 2), filter: str = "knn", max_degree: Optional[int] = None, *,
              values: Optional[str] = None, tau: Optional[float] = None, seed: int = 1,
              simplices: Optional[List] = None, steps=None, by_vertex: bool = False,
-             memory: Union[int, str, None] = None, progress: Union[bool, Callable, None] = None) -> Vineyard:
+             memory: Union[int, str, None] = None, progress: Union[bool, Callable, None] = None,
+             **others) -> Vineyard:
     """The diagrams of a filter for every k of a range, and the vines through them.
 
     points: [n, D], D from 2 to 6.
@@ -114,54 +103,23 @@ def vineyard(points=None, k: Tuple[int, int] = (1, 2), filter: str = "knn", max_
         points themselves.
     simplices, steps: in place of points a filtered complex and its values at each step, [s, m]; ``by_vertex``: [s, v],
         values of the vertices alone.
+    others: options of the mesh by the engine's names, as of :func:`netmesh.persist`.
     """
-    if simplices is not None:
-        return _of_values(simplices, steps, by_vertex, max_degree, memory, progress)
-    if points is None:
+    if simplices is None and points is None:
         raise InvalidArgument("points: give points, or simplices and steps", "points")
-    row = filter_row(filter)
-    if row.has_vineyard and row.source == c.NETMESH_SOURCE_MESH:
-        from ._mesh import mesh
-        made = mesh(points, tau, purpose="persist", seed=seed, memory=memory, progress=progress)
-        with made:
-            return made.vineyard(k, filter, max_degree, values=values or "certified", progress=progress)
-    read = points_of(points)
-    session = Session(memory, progress)
-    request = requested(c.netmesh_points_vineyard_request, read[2], row.filter)
-    request.dim = read[2]
-    request.monitor = session.monitor
-    request.filter = row.filter
-    request.values = choice(values or "certified", "values", VALUES)
-    request.k_first, request.k_last = _range(k)
-    if max_degree is not None:
-        request.max_degree = whole(max_degree, "max_degree", 0)
-    put_points(request, read)
-    return _run(session, request, lib.netmesh_plan_points_vineyard, lib.netmesh_points_vineyard)
-
-
-def _run(session, request, plan, call):
+    if simplices is None:
+        session = Session(memory, progress)
+        read = points_of(points)
+        request = request_of(session, read)
+        fill(session, dict(asked(k, filter, max_degree, values), tau=tau, seed=seed, **known("vineyard", others)))
+    else:
+        session = Session(memory, progress, rows="simplices", renamed={"entries": "steps", "step_count": "steps"})
+        request = request_of(session)
+        fill(session, dict(filter="simplices", max_degree=max_degree, vines=True, **known("vineyard", others)))
+        put_simplices(session, simplices, doubles(steps, "steps", 2), by_vertex)
     at = ctypes.addressof(request)
     try:
-        session.run(plan(at), lambda: session.call(call, session.context, at))
+        session.run(lib.netmesh_plan(at), lambda: session.call(lib.netmesh_persist, session.context, at))
         return Vineyard(session)
     finally:
         session.end()
-
-
-def _of_values(simplices, steps, by_vertex, max_degree, memory, progress):
-    vertices, starts = flat_simplices(simplices)
-    entries = doubles(steps, "steps", 2)
-    session = Session(memory, progress, rows="simplices", renamed={"entries": "steps", "step_count": "steps"})
-    request = requested(c.netmesh_value_vineyard_request)
-    request.monitor = session.monitor
-    if max_degree is not None:
-        request.max_degree = whole(max_degree, "max_degree", 0, c.NETMESH_DEGREE_MAX)
-    request.vertices, request.starts = vertices.ctypes.data, starts.ctypes.data
-    request.entries = entries.ctypes.data
-    request.simplex_count, request.vertex_count = len(starts) - 1, len(vertices)
-    request.step_count = len(entries)
-    request.by_vertex = bool(by_vertex)
-    due = int((np.diff(starts.astype(np.int64)) == 1).sum()) if by_vertex else len(starts) - 1
-    if entries.shape[1] != due:
-        raise InvalidArgument("steps: rows of %d values, where %d are due" % (entries.shape[1], due), "steps")
-    return _run(session, request, lib.netmesh_plan_value_vineyard, lib.netmesh_value_vineyard)

@@ -1,12 +1,12 @@
 """What goes wrong: an exception for each status of the library, all of them an :class:`Error`.
 
 Each has ``argument``, the name of the argument that it is about, and ``row``, the row of it, from 0 on; ``None`` where
-there is none.
+there is none. ``cloud`` is the number of the cloud of :func:`netmesh.persist_all`.
 """
 from typing import Optional
 
 from . import _declarations as c
-from ._library import lib
+from ._library import OPTION_NAMES, lib
 
 __all__ = ["Error", "InvalidArgument", "OutOfMemory", "Cancelled", "NotFinite", "OutOfRange", "Flat", "TooClose",
            "NoResult", "CheckFailed", "FloatingPointMode", "InternalError", "NotAComplex", "NotBuilt"]
@@ -19,6 +19,7 @@ class Error(Exception):
         super().__init__(message)
         self.argument = argument
         self.row = row
+        self.cloud: Optional[int] = None
 
 
 class InvalidArgument(Error, ValueError):
@@ -85,14 +86,15 @@ _CLASSES = {
     c.NETMESH_INTERNAL: InternalError, c.NETMESH_NOT_A_COMPLEX: NotAComplex, c.NETMESH_NOT_BUILT: NotBuilt,
 }
 
-# Fields of requests whose arguments are called something else here.
-_ARGUMENTS = {
-    "dim": "points", "point_count": "points", "point_format": "points", "point_stride_bytes": "points",
-    "tight_eps": "eps", "focus_ratio": "focus", "focus_from": "focus", "focus_to": "focus", "k_first": "k",
-    "k_last": "k", "relative_error": "error", "cage_kind": "cages", "pairs_a": "a", "pairs_b": "b",
-    "numbers": "distances", "entries": "values", "entry_count": "distances", "evaluate": "function",
-    "vertices": "simplices", "starts": "simplices", "simplex_count": "simplices", "sizes": "size",
+# Fields of requests that are called something else here, by the table of options or by their own name.
+ARGUMENTS = {
+    "cycles": "representatives", "focus_ratio": "focus", "focus_from": "focus", "focus_to": "focus", "k_last": "k",
+    "sizes": "size", "relative_error": "error", "pairs_a": "a", "pairs_b": "b", "entries": "values",
+    "evaluate": "function",
 }
+# Those of a source: the argument whose rows are read.
+_OF_SOURCES = ("dim", "count", "format", "stride_bytes", "numbers", "entry_count", "vertices", "starts",
+               "simplex_count")
 _FAULTS = {
     c.NETMESH_FAULT_SIZE: "has no vertices or more than 32", c.NETMESH_FAULT_TOO_MANY: "is one of too many",
     c.NETMESH_FAULT_VERTEX_TWICE: "has a vertex twice",
@@ -123,12 +125,13 @@ def error_of(status, detail, rows="points", renamed=None):
         else:
             text = "%s: %s" % (_place(argument, row), text)
     elif status in (c.NETMESH_INVALID_ARGUMENT, c.NETMESH_NOT_BUILT):
-        field = lib.netmesh_field_text(detail.field).decode()
-        argument = dict(_ARGUMENTS, **(renamed or {})).get(field, field) if detail.field else None
-        if field in ("sizes", "size_at_inputs", "numbers") or (field == "entries" and rows == "distances"):
-            row = detail.index_a
-        if field == "entries" and rows == "distances":
+        field = OPTION_NAMES.get(detail.field) or lib.netmesh_field_text(detail.field).decode()
+        argument = {**ARGUMENTS, **(renamed or {})}.get(field, field) if detail.field else None
+        of_distances = field == "entries" and rows == "distances"
+        if field in _OF_SOURCES or of_distances:
             argument = rows
+        if field in ("sizes", "size_at_inputs", "numbers") or of_distances:
+            row = detail.index_a
         text = "%s: %s" % (_place(argument, row), said or text) if argument else said or text
     elif status == c.NETMESH_OUT_OF_MEMORY:
         argument = "memory"

@@ -36,6 +36,25 @@ export interface DiagramOptions {
     /** A cycle for each bar. */
     representatives?: boolean;
 }
+/** How a mesh is made; options that have the names of the engine's table. */
+export interface MeshRules {
+    /** The aspect ratio of cells, above 2. */
+    tau?: number;
+    method?: 'svr' | 'netmesh' | 'thesis' | 'refine' | 'certificate';
+    finish?: boolean;
+    wholeCells?: boolean;
+    /** Radius of the ball that is meshed over that of the smallest one that holds the points. */
+    domain_factor?: number;
+    /** Of the method refine: spacing of its boundary net over the diameter of the points. */
+    net_spacing?: number;
+    /** No cell reaches farther than this times the distance to the second nearest input. */
+    size_eps?: number;
+    /** No cell reaches farther than this, and size_growth times its vertex's distance to the nearest input. */
+    size_at_inputs?: number;
+    size_growth?: number;
+    /** Measures every intermediate mesh. */
+    audit?: 'location' | 'quality' | ('location' | 'quality')[];
+}
 /** A function of x, Float64Array [D], of the filter "function". */
 export interface FunctionOptions {
     /** With |f(x) - f(y)| <= lipschitz |x - y|, and at least `cut` outside of a ball around the points. */
@@ -53,9 +72,9 @@ export interface MeshPersistOptions extends DiagramOptions, FunctionOptions {
     /** Where each true birth and death surely is. */
     bounds?: boolean;
 }
-export interface PersistOptions extends PointOptions, Omit<MeshPersistOptions, 'filter'> {
+export interface PersistOptions extends PointOptions, MeshRules, Omit<MeshPersistOptions, 'filter'> {
     filter?: Filter;
-    /** The certified ratio to refine to, above sqrt 2. */
+    /** The certified ratio to refine to, 1.4143 or more. */
     ratio?: number;
     /** A better ratio at radii between two bounds: [ratio, from, to], with `fit` [from, to]; "auto": where bars are
      * undecided, until each is surely real or surely not `longerThan` times its birth, or `memory` is full. */
@@ -68,21 +87,18 @@ export interface PersistOptions extends PointOptions, Omit<MeshPersistOptions, '
     error?: number;
     eps?: number;
     theta?: number;
-    tau?: number;
-    method?: 'svr' | 'netmesh' | 'refine';
-    finish?: boolean;
-    wholeCells?: boolean;
+    /** Of the filter rips: a radius. */
+    threshold?: number;
+    /** Of the filter alpha: its triangulation is kept, which takes more memory. */
+    keep_mesh?: boolean;
 }
-export interface MeshOptions extends PointOptions {
-    /** The aspect ratio of cells, above 2. */
-    tau?: number;
-    method?: 'svr' | 'netmesh' | 'refine';
+export interface MeshOptions extends PointOptions, MeshRules {
+    /** What it is for: itself, a diagram ("complete"), the filter "tight". */
     purpose?: 'mesh' | 'persist' | 'tight';
+    /** Of purpose "tight" its accuracy, else `size_eps`. */
     eps?: number;
     ratio?: number;
     focus?: [number, number, number];
-    finish?: boolean;
-    wholeCells?: boolean;
 }
 export interface DelaunayOptions extends PointOptions { purpose?: 'mesh' | 'persist' }
 export interface RipsOptions extends RunOptions, DiagramOptions {
@@ -134,6 +150,7 @@ export interface VineyardOptions extends Omit<MeshVineyardOptions, 'filter'>, Po
     filter?: 'knn' | 'kdistance' | 'barycentric-cech' | 'barycentric-rips';
     /** Of the mesh of knn and kdistance. */
     tau?: number;
+    method?: 'svr' | 'refine' | 'certificate';
     /** In place of points: a complex, its values at each step, and whether these are of its vertices alone. */
     simplices?: ArrayLike<number>[];
     steps?: (Float64Array | number[])[];

@@ -1,29 +1,17 @@
 // netmesh for JavaScript: typed arrays in, typed arrays out. Each call runs in an instance of its own, whose memory
 // goes with it; a mesh keeps its instance. No dependency.
 
-const OPTIONS = ['dim', 'points', 'format', 'filter', 'values', 'k', 'kLast', 'maxDegree', 'ratio', 'focus', 'from',
-    'to', 'tau', 'method', 'finish', 'eps', 'theta', 'seed', 'keepZeroPairs', 'bounds', 'representatives', 'wholeCells',
-    'purpose', 'threshold', 'layout', 'degree', 'isLog', 'order', 'error', 'countA', 'countB', 'watched', 'longerThan',
-    'byError', 'lipschitz', 'distanceFactor', 'cut', 'verticesAt', 'startsAt', 'entriesAt', 'simplices', 'vertexCount',
-    'stepCount', 'byVertex'];
-const FACTS = ['source', 'purpose', 'hasEps', 'hasTheta', 'hasGoal', 'hasRepresentatives', 'needsK', 'needsFunction',
-    'clipsCells', 'hasValues', 'hasVineyard'];
 const STAGES = ['none', 'sort', 'delaunay', 'refine', 'certify', 'filter', 'gradient', 'reduce', 'check', 'analyse'];
 const STATUSES = ['ok', 'invalid-argument', 'out-of-memory', 'cancelled', 'not-finite', 'out-of-range', 'flat',
     'too-close', 'no-result', 'check-failed', 'floating-point', 'internal', 'not-a-complex', 'not-built'];
-const METHODS = { svr: 0, netmesh: 1, refine: 2 };
-const PURPOSES = { mesh: 0, persist: 1, tight: 2 };
-const VALUES = { certified: 0, thesis: 1 };
-const SOURCE = { mesh: 1, delaunay: 2, scales: 3, points: 4 };
-const ARGUMENTS = { dim: 'points', point_count: 'points', max_degree: 'maxDegree', focus_ratio: 'focus',
-    focus_from: 'focus', focus_to: 'focus', tight_eps: 'eps', numbers: 'distances', pairs_a: 'a', pairs_b: 'b',
-    relative_error: 'error', longer_than: 'longerThan', distance_factor: 'distanceFactor', k_first: 'k', k_last: 'k',
-    whole_cells: 'wholeCells', simplex_count: 'simplices', vertices: 'simplices', starts: 'simplices',
-    entries: 'values', step_count: 'steps' };
+// What an error is about where it has another name here than in the engine.
+const ARGUMENTS = { dim: 'points', point_count: 'points', focus_ratio: 'focus', focus_from: 'focus', focus_to: 'focus',
+    cycles: 'representatives', numbers: 'distances', pairs_a: 'a', pairs_b: 'b', relative_error: 'error', k_last: 'k',
+    simplex_count: 'simplices', vertices: 'simplices', starts: 'simplices', entries: 'values', step_count: 'steps' };
 const OF_ROWS = ['not-finite', 'out-of-range', 'too-close', 'not-a-complex'];
 const FAULTS = ['', 'no vertices, or more than 32', 'more simplices of its dimension than can be numbered',
     'a vertex twice', 'is there already', 'a face is not there', 'a face enters later'];
-const FIT_RATIO = 4, LONGER_THAN = 1.5;
+const LONGER_THAN = 1.5;  // of focus: "auto"
 const PAGE = 65536, PAIR_BYTES = 24, LARGEST_PAGES = 65536;
 
 /** Anything that is refused or cannot be done. `status` says what, `argument` and `row` what it is about. */
@@ -38,17 +26,15 @@ export class NetmeshError extends Error {
 }
 
 const refuse = (argument, why) => { throw new NetmeshError('invalid-argument', `${argument}: ${why}`, argument); };
-const choose = (table, value, argument) => Object.hasOwn(table, value) ? table[value]
-    : refuse(argument, `${value} is none of ${Object.keys(table).join(', ')}`);
-const positive = (value, argument) => typeof value === 'number' && value > 0 && Number.isFinite(value) ? value
-    : refuse(argument, 'must be a finite number above 0');
-const finite = (value, argument) => typeof value === 'number' && Number.isFinite(value) ? value
-    : refuse(argument, 'must be a finite number');
+const choose = (words, value, argument) => words.has(value) ? words.get(value)
+    : refuse(argument, `${value} is none of ${[...words.keys()].join(', ')}`);
 const whole = (value, argument, least, most) => Number.isInteger(value) && value >= least && value <= most ? value
     : refuse(argument, `must be a whole number from ${least} to ${most}`);
+const PURPOSES = new Map([['mesh', null], ['persist', 'complete'], ['tight', 'tight']]);  // filters of meshes
+const isGiven = value => value !== undefined && value !== null && value !== false;
+const inEngine = name => name === 'representatives' ? 'cycles' : name.replace(/[A-Z]/g, c => `_${c.toLowerCase()}`);
 
-/** Bytes of the module: from a URL, a Response,
-    bytes or a compiled module; by default netmesh.wasm beside this file. */
+/** The module: from a URL, a Response, bytes or a compiled module; by default netmesh.wasm beside this file. */
 async function compiled(source) {
     source = await (source ?? new URL('./netmesh.wasm', import.meta.url));
     if (source instanceof WebAssembly.Module) return source;
@@ -65,7 +51,8 @@ async function compiled(source) {
 
 // An instance of the module and one job in it.
 class Job {
-    constructor(module, progress) {
+    constructor({ module, table }, progress) {
+        this.table = table;
         this.progress = progress;
         this.failure = null;
         const poll = (stage, done, total, vertices, cells) => {
@@ -99,11 +86,38 @@ class Job {
         this.exports = new WebAssembly.Instance(module, { netmesh: { poll, evaluate } }).exports;
         this.memory = this.exports.memory;
         this.inputEnd = this.exports.input();
-        this.set({ seed: 1, watched: progress ? 1 : 0, maxDegree: 6, k: 1, threshold: Infinity });
     }
-    set(options) {
-        const at = new Float64Array(this.memory.buffer, this.exports.options(), OPTIONS.length);
-        for (const [name, value] of Object.entries(options)) at[OPTIONS.indexOf(name)] = Number(value);
+    // A request with these options, in place of the last one; what is none of the table's is for others.
+    ask(options, names = {}) {
+        const at = this.exports.fresh(this.progress ? 1 : 0);
+        this.names = { ...names };
+        for (const [name, value] of Object.entries(options)) {
+            const row = this.table[inEngine(name)];
+            if (!row || !isGiven(value)) continue;
+            if (!(row.name in ARGUMENTS)) this.names[row.name] ??= name;
+            row.put(new DataView(this.memory.buffer, at + row.offset), value, this.argument(row.name));
+        }
+    }
+    // The rows of one of the engine's tables, as words of 32 bits.
+    rowsOf(name, ...of) {
+        const rows = [];
+        for (let at; (at = this.exports[name](...of, rows.length)) !== 0;)
+            rows.push(new Uint32Array(this.memory.buffer, at, 10).slice());
+        return rows;
+    }
+    // Figures of the last job by their paths; those that say nothing are left out.
+    report() {
+        const figures = {};
+        for (const [, type, path, at, isArray, count, applies, , , text] of this.rowsOf('figure')) {
+            if (!applies) continue;
+            const view = new DataView(this.memory.buffer);
+            const values = Array.from({ length: count }, (_, i) => type <= 2 ? view.getUint32(at + 4 * i, true)
+                : type === 4 ? view.getFloat64(at + 8 * i, true) : view.getBigUint64(at + 8 * i, true));
+            figures[this.text(path)] = type === 6 ? this.text(text)
+                : type === 5 ? values[0].toString(16).padStart(16, '0')
+                : isArray ? values.map(Number) : Number(values[0]);
+        }
+        return figures;
     }
     text(at) {
         const all = new Uint8Array(this.memory.buffer);
@@ -143,21 +157,19 @@ class Job {
             this.end = begin + bytes;
             made = status === 0;
             // "auto" does not choose by how large the block happens to be.
-            const isSmall = STATUSES[status] === 'out-of-memory' || (name === 'auto' && made && this.exports.gave_up());
+            const isSmall = made ? this.report()['diagram.why'] === 'memory' : STATUSES[status] === 'out-of-memory';
             if (this.failure || !isSmall || memory !== undefined || bytes >= limit) return this.done(status);
             bytes = Math.min(limit, 2 * bytes);
         }
     }
-    // A diagram on a mesh may need more memory than the plan had: the mesh is made again in twice as much.
-    persist(memory, call = 'persist') {
-        const name = this.exports.is_mesh() ? 'mesh' : 'delaunay';
+    // A diagram of the mesh that is there may need more memory: the mesh is made again in twice as much.
+    persist(memory) {
         for (;;) {
             try {
-                this.go(call);
-                return;
+                return this.go('persist_here');
             } catch (error) {
                 if (error.status !== 'out-of-memory' || memory !== undefined) throw error;
-                this.run(name, 2 * (this.end - this.inputEnd));
+                this.run('mesh_again', 2 * (this.end - this.inputEnd));
             }
         }
     }
@@ -171,20 +183,25 @@ class Job {
         }
         if (status === 0) return;
         const kind = STATUSES[status] ?? 'internal';
-        let said = this.text(this.exports.message()) || this.text(this.exports.status_text(status));
-        const field = this.text(this.exports.field());
-        const ofRow = OF_ROWS.includes(kind) || (kind === 'invalid-argument' && field === 'numbers');
-        const argument = ofRow && field !== 'numbers' ? (kind === 'not-a-complex' ? 'simplices' : this.rows)
-            : kind === 'out-of-memory' ? 'memory' : kind === 'flat' ? 'points'
-            : field ? ARGUMENTS[field] ?? field : null;
-        const row = ofRow ? this.exports.row() : null;
-        if (kind === 'not-a-complex') said = `${FAULTS[this.exports.fault()]}${this.ofStep()}`;
-        if (argument === 'steps') said += this.ofStep();
+        const view = new DataView(this.memory.buffer, this.exports.detail());
+        const message = view.getUint32(40, true), step = Number(view.getBigUint64(48, true));
+        const about = view.getUint32(8, true), option = Object.values(this.table).find(row => row.field === about);
+        const field = option?.name ?? (about && this.text(this.exports.netmesh_field_text(about)));
+        let said = message ? this.text(message) : this.text(this.exports.netmesh_status_text(status));
+        const ofStep = step > 0 ? `, at step ${step}` : '';
+        const argument = kind === 'not-a-complex' ? 'simplices' : OF_ROWS.includes(kind) ? this.rows
+            : kind === 'out-of-memory' ? 'memory' : kind === 'flat' ? 'points' : field ? this.argument(field) : null;
+        const row = OF_ROWS.includes(kind) || field === 'numbers' ? Number(view.getBigUint64(16, true)) : null;
+        if (kind === 'not-a-complex') said = FAULTS[view.getUint32(12, true)] + ofStep;
+        if (argument === 'steps') said += ofStep;
         const place = argument === null ? '' : row === null ? `${argument}: ` : `${argument}, row ${row}: `;
         throw new NetmeshError(kind, place + said, argument, row);
     }
-    ofStep() { return this.exports.step() > 0 ? `, at step ${this.exports.step()}` : ''; }
-    // Arrays that an export writes behind the block: read([Float64Array, 6], [Uint8Array, 3]), null for none.
+    // What a field of the engine's is called by the caller.
+    argument(field) {
+        return this.names?.[field] ?? ARGUMENTS[field] ?? field.replace(/_(.)/g, (_, c) => c.toUpperCase());
+    }
+    // Arrays that a call of arrays.h writes behind the block: read(name, its numbers, [Float64Array, 6]), null: none.
     read(name, first, ...wanted) {
         let at = Math.ceil(this.end / 16) * 16;
         const places = wanted.map(want => {
@@ -194,12 +211,8 @@ class Job {
             return here;
         });
         if (!this.grow(at)) this.outOfMemory();
-        this.done(this.exports[name](...first, ...places));
+        this.done(this.exports[`netmesh_array_${name}`](this.exports.context(), ...first, ...places));
         return wanted.map((want, i) => want && new want[0](this.memory.buffer, places[i], want[1]).slice());
-    }
-    fingerprint() {
-        const half = name => (this.exports[name]() >>> 0).toString(16).padStart(8, '0');
-        return half('fingerprint_high') + half('fingerprint_low');
     }
 }
 
@@ -254,30 +267,31 @@ export class Diagram {
     static from({ fields, intervals, starts }) { return new Diagram(fields, intervals, starts); }
 }
 
-function diagramOf(job, filter, options) {
-    const starts = [0];
-    for (let k = 0; k < job.exports.degrees(); ++k) starts.push(starts[k] + job.exports.pairs(k));
+function diagramOf(job) {
+    const report = job.report(), starts = [0];
+    for (const pairs of report['diagram.pairs']) starts.push(starts.at(-1) + pairs);
     const count = starts.at(-1);
-    const [intervals] = job.read('read_pairs', [count], [Float64Array, 2 * count]);
-    const fields = { filter, certifiedRatio: job.exports.certified_ratio(),
-        certifiedError: job.exports.certified_error(), fingerprint: job.fingerprint(),
-        peakBytes: job.exports.peak_bytes(),
-        why: job.text(job.exports.why()), bounds: null, representatives: null };
-    if (options.bounds) {
-        const [numbers, certain] = job.read('read_bounds', [count], [Float64Array, 5 * count], [Uint8Array, count]);
+    const [intervals] = job.read('pairs', [BigInt(count)], [Float64Array, 2 * count], null);
+    const fields = { filter: filterOf(report['diagram.filter']), certifiedRatio: report['diagram.certified_ratio'] ?? 0,
+        certifiedError: report['diagram.certified_error'] ?? 0, fingerprint: report.fingerprint,
+        peakBytes: report['memory.peak_bytes'], why: job.text(job.exports.why()), bounds: null,
+        representatives: null };
+    if (report['diagram.certain']) {
+        const [numbers, certain] = job.read('bounds', [BigInt(count)], [Float64Array, 5 * count], [Uint8Array, count]);
         fields.bounds = { numbers, certain };
     }
-    if (options.representatives) {
-        const [begins] = job.read('read_cycle_starts', [count], [BigUint64Array, count + 1]);
+    if (report['diagram.representatives']) {
+        const [begins] = job.read('cycle_starts', [BigInt(count)], [BigUint64Array, count + 1]);
         fields.representatives = [];
         for (let k = 0; k + 1 < starts.length; ++k)
             for (let i = starts[k]; i < starts[k + 1]; ++i) {
-                const n = Number(begins[i + 1] - begins[i]);
-                fields.representatives.push(job.read('read_cycle', [i, k, n], [Int32Array, n * (k + 1)])[0]);
+                const n = begins[i + 1] - begins[i], places = Number(n) * (k + 1);
+                fields.representatives.push(job.read('cycle', [BigInt(i), k, n], [Int32Array, places], null)[0]);
             }
     }
     return new Diagram(fields, intervals, starts);
 }
+const filterOf = name => name === 'none' ? '' : name;
 
 /** Diagrams over a range of k or over the steps of a filtration, and the vines through them: points of vines, sorted by
  * vine and k. Each k's points are that k's diagram. */
@@ -288,14 +302,12 @@ export class Vineyard {
     diagram(k) {
         whole(k, 'k', ...this.k);
         const at = [...this.ks.keys()].filter(i => this.ks[i] === k), x = this.intervals;
-        at.sort((i, j) => this.degrees[i] - this.degrees[j] || x[2 * i] - x[2 * j] || x[2 * i + 1] - x[2 * j + 1]
-            || 0);
+        at.sort((i, j) => this.degrees[i] - this.degrees[j] || x[2 * i] - x[2 * j] || x[2 * i + 1] - x[2 * j + 1] || 0);
         const starts = [0];
         for (let degree = 0; degree <= this.maxDegree; ++degree)
             starts.push(starts[degree] + at.filter(i => this.degrees[i] === degree).length);
-        return new Diagram({ filter: this.filter, certifiedRatio: this.ratios[k - this.k[0]],
-            certifiedError: 0, fingerprint: '', peakBytes: this.peakBytes, why: '',
-            bounds: null, representatives: null },
+        return new Diagram({ filter: this.filter, certifiedRatio: this.ratios[k - this.k[0]], certifiedError: 0,
+            fingerprint: '', peakBytes: this.peakBytes, why: '', bounds: null, representatives: null },
         Float64Array.from(at.flatMap(i => [x[2 * i], x[2 * i + 1]])), starts);
     }
     /** The path of one vine: { ks, intervals }. */
@@ -309,36 +321,44 @@ export class Vineyard {
     static from(fields) { return new Vineyard(fields); }
 }
 
-function vineyardOf(job, filter) {
-    const count = job.exports.vine_points(), fact = job.exports.vine_fact;
-    const [vines, degrees, ks, intervals] = job.read('read_vines', [count], [Int32Array, count], [Int32Array, count],
+function vineyardOf(job) {
+    const report = job.report(), of = name => report[`vineyard.${name}`], count = of('points');
+    const [vines, degrees, ks, intervals] = job.read('vines', [BigInt(count)], [Int32Array, count], [Int32Array, count],
         [Int32Array, count], [Float64Array, 2 * count]);
-    const k = [fact(0), fact(1)];
-    return new Vineyard({ filter, k, count: job.exports.vines(), maxDegree: fact(2), vines, degrees, ks, intervals,
+    const k = [of('k_first'), of('k_last')];
+    return new Vineyard({ filter: filterOf(of('filter')), k, count: of('vines'), maxDegree: of('max_degree'), vines,
+        degrees, ks, intervals,
         ratios: Float64Array.from({ length: k[1] - k[0] + 1 }, (_, i) => job.exports.vine_ratio(k[0] + i)),
-        fingerprint: job.fingerprint(), peakBytes: job.exports.peak_bytes() });
+        fingerprint: report.fingerprint, peakBytes: report['memory.peak_bytes'] });
 }
 
 // With a second coordinate, as the engine's points have two at least.
 const planar = read => read.dim > 1 ? read : { ...read, dim: 2,
     array: Float64Array.from({ length: 2 * read.count }, (_, i) => i % 2 ? 0 : read.array[i / 2]) };
 
-const rangeOf = k => {
-    if (!Array.isArray(k) || k.length !== 2) refuse('k', '[first, last]');
-    return { k: whole(k[0], 'k', 1, 2 ** 28), kLast: whole(k[1], 'k', k[0], 2 ** 28) };
-};
+const rangeOf = (k = [1, 2]) => k.length === 2 ? { k: k[0], k_last: k[1] } : refuse('k', '[first, last]');
 
-// A function of the caller's and what is known of it; sets it in the job.
-function setFunction(job, dim, options) {
-    if (typeof options.function !== 'function') refuse('function', 'the filter function needs one');
-    job.function = options.function;
+// The request's function of x[dim], where one of these is given: what is missing the engine says.
+const OF_FUNCTION = ['function', 'lipschitz', 'cut', 'distanceFactor'];
+function putFunction(job, dim, options) {
+    if (!OF_FUNCTION.some(name => isGiven(options[name]))) return;
+    const { function: f, lipschitz = NaN, cut = NaN, distanceFactor = 0 } = options;
+    if (isGiven(f) && typeof f !== 'function') refuse('function', 'not a function');
+    job.function = f;
     job.dim = dim;
-    job.set({ lipschitz: finite(options.lipschitz, 'lipschitz'), cut: finite(options.cut, 'cut'),
-        distanceFactor: options.distanceFactor === undefined ? 0
-            : positive(options.distanceFactor, 'distanceFactor') });
+    job.exports.set_function(isGiven(f) ? 1 : 0, lipschitz, distanceFactor, cut);
+}
+// The numbers of a focus by their names in the engine.
+function focusOf({ focus, fit, longerThan }) {
+    if (!isGiven(focus)) return {};
+    if (focus === 'auto') return { fit: true, bounds: true, longer_than: longerThan ?? LONGER_THAN };
+    const names = fit ? ['focus_from', 'focus_to'] : ['focus_ratio', 'focus_from', 'focus_to'];
+    if (!Array.isArray(focus) || focus.length !== names.length)
+        refuse('focus', '"auto" for a diagram, [ratio, from, to], or with fit [from, to]');
+    return Object.fromEntries(names.map((name, i) => [name, focus[i]]));
 }
 
-// Simplices one after the other, to the input; how many have one vertex.
+// Simplices one after the other, to the input: what the engine is told of them.
 function putSimplices(job, simplices) {
     if (!Array.isArray(simplices) || !simplices.every(s => typeof s?.length === 'number'))
         refuse('simplices', 'not lists of vertices');
@@ -348,357 +368,250 @@ function putSimplices(job, simplices) {
     let at = 0;
     for (const simplex of simplices)
         for (const v of simplex) vertices[at++] = whole(v, 'simplices', 0, 2 ** 32 - 1);
-    job.set({ verticesAt: job.put(vertices), startsAt: job.put(starts), simplices: simplices.length,
-        vertexCount: vertices.length });
     job.rows = 'simplices';
-    return simplices.filter(s => s.length === 1).length;
+    return { at: [job.put(vertices), job.put(starts)], counts: [simplices.length, vertices.length] };
 }
 const numbersOf = (values, argument) => {
     if (values instanceof Float64Array) return values;
     if (!Array.isArray(values) || !values.every(v => typeof v === 'number')) refuse(argument, 'not numbers');
     return Float64Array.from(values);
 };
-const complexDegree = options => options.maxDegree === undefined ? 31 : whole(options.maxDegree, 'maxDegree', 0, 31);
 
 /** A Delaunay triangulation or quality mesh, and the instance that it lives in. */
 export class Mesh {
     #job;
-    #filters;
     #arrays = {};
     #memory;
-    constructor(job, dim, filters, memory) {
+    constructor(job, dim, memory) {
+        const report = job.report();
         this.#job = job;
         this.#memory = memory;
-        this.#filters = filters;
         this.dim = dim;
-        this.vertexCount = job.exports.vertices();
-        this.inputCount = job.exports.inputs();
-        this.cellCount = job.exports.cells();
-        this.isMesh = job.exports.is_mesh() !== 0;
-        this.aspectRatioMax = job.exports.aspect_ratio();
+        this.vertexCount = report['mesh.vertices'];
+        this.inputCount = report['mesh.inputs'];
+        this.cellCount = report['mesh.cells'];
+        this.isMesh = 'mesh.domain' in report;
+        this.aspectRatioMax = report['mesh.aspect_ratio_max'] ?? 0;
     }
-    get fingerprint() { return this.#job.fingerprint(); }
+    get fingerprint() { return this.#job.report().fingerprint; }
     /** Float64Array [v, D], inputs first. */
-    get vertices() { return this.#array('vertices'); }
+    get vertices() { return this.#ofVertices()[0]; }
     /** Uint8Array [v]: 0 an input, 1 a Steiner point, 2 exempt from quality. */
-    get markers() { return this.#array('markers'); }
+    get markers() { return this.#ofVertices()[1]; }
     /** Int32Array [c, D + 1]. */
-    get cells() { return this.#array('cells'); }
+    get cells() { return this.#ofCells()[0]; }
     /** Int32Array [c, D + 1]: the cell opposite each vertex, -1 outside. */
-    get neighbours() { return this.#array('neighbours'); }
+    get neighbours() { return this.#ofCells()[1]; }
     /** Float64Array [v] after persist on a mesh: of each vertex, a radius. */
     get values() {
-        return this.isMesh && this.#job.exports.degrees() > 0
-            ? this.#job.read('read_vertices', [this.vertexCount], null, null, [Float64Array, this.vertexCount])[2]
-                : null;
+        const made = this.isMesh && 'diagram.pairs' in this.#job.report(), v = this.vertexCount;
+        return made ? this.#job.read('vertices', [this.dim, BigInt(v)], null, null, [Float64Array, v])[2] : null;
     }
     get domain() {
-        const at = i => this.#job.exports.domain(i);
-        return this.isMesh ? { centre: Float64Array.from({ length: this.dim }, (_, i) => at(i)),
-            radius: at(this.dim) } : null;
+        const domain = this.#job.report()['mesh.domain'];
+        return domain ? { centre: Float64Array.from(domain.slice(0, this.dim)), radius: domain[this.dim] } : null;
     }
-    #array(name) {
-        if (!(name in this.#arrays)) {
-            const v = this.vertexCount, c = this.cellCount * (this.dim + 1);
-            if (name === 'vertices' || name === 'markers')
-                [this.#arrays.vertices, this.#arrays.markers] = this.#job.read('read_vertices', [v],
-                    [Float64Array, v * this.dim], [Uint8Array, v], null);
-            else
-                [this.#arrays.cells, this.#arrays.neighbours] = this.#job.read('read_cells', [this.cellCount],
-                    [Int32Array, c], [Int32Array, c]);
-        }
-        return this.#arrays[name];
+    #ofVertices() {
+        const v = this.vertexCount;
+        return this.#arrays.vertices ??= this.#job.read('vertices', [this.dim, BigInt(v)], [Float64Array, v * this.dim],
+            [Uint8Array, v], null);
+    }
+    #ofCells() {
+        const c = this.cellCount, array = [Int32Array, c * (this.dim + 1)];
+        return this.#arrays.cells ??= this.#job.read('cells', [this.dim, BigInt(c)], array, array);
     }
     /** The diagram of a filter on this mesh ("complete", "basic", "knn", "kdistance", "tight") or triangulation. */
     persist(options = {}) {
-        const name = options.filter ?? (this.isMesh ? 'complete' : 'alpha');
-        const filter = choose(this.#filters, name, 'filter');
-        if (filter.needsFunction) setFunction(this.#job, this.dim, options);
-        this.#job.set({ filter: filter.number, values: choose(VALUES, options.values ?? 'certified', 'values'),
-            k: whole(options.k ?? 1, 'k', 1, 2 ** 28), maxDegree: whole(options.maxDegree ?? this.dim - 1,
-                'maxDegree', 0, 30),
-            keepZeroPairs: options.keepZeroPairs ?? 0, bounds: options.bounds ?? 0,
-            representatives: options.representatives ?? 0 });
+        this.#job.ask({ filter: this.isMesh ? 'complete' : 'alpha',
+            ...known('meshPersist', options, this.#job.table) });
+        putFunction(this.#job, this.dim, options);
         this.#job.persist(this.#memory);
-        return diagramOf(this.#job, name, options);
+        return diagramOf(this.#job);
     }
     /** The diagrams of "knn" or "kdistance" for k from options.k[0] to options.k[1] on this mesh, and the vines through
      * them. */
     vineyard(options = {}) {
-        known('meshVineyard', options);
-        const name = options.filter ?? 'knn', filter = choose(this.#filters, name, 'filter');
-        if (!filter.hasVineyard || filter.source !== SOURCE.mesh) refuse('filter', `${name} has no vineyard on a mesh`);
-        this.#job.set({ filter: filter.number, values: choose(VALUES, options.values ?? 'certified', 'values'),
-            maxDegree: whole(options.maxDegree ?? this.dim - 1, 'maxDegree', 0, 30), ...rangeOf(options.k ?? [1, 2]) });
-        this.#job.persist(this.#memory, 'vineyard');
-        return vineyardOf(this.#job, name);
+        const given = known('meshVineyard', options, this.#job.table);
+        this.#job.ask({ filter: 'knn', ...given, ...rangeOf(given.k), vines: true });
+        this.#job.persist(this.#memory);
+        return vineyardOf(this.#job);
     }
     /** Checks the mesh anew, exactly, by code that shares nothing with what made it; throws "check-failed". */
     check() { this.#job.go('check'); }
 }
 
-const KNOWN = {
-    persist: ['filter', 'dim', 'maxDegree', 'k', 'ratio', 'focus', 'eps', 'theta', 'values', 'tau', 'method', 'finish',
-        'wholeCells', 'keepZeroPairs', 'bounds', 'representatives', 'seed', 'memory', 'progress', 'function',
-        'lipschitz', 'cut', 'error', 'distanceFactor', 'fit', 'longerThan'],
-    homology: ['maxDegree', 'keepZeroPairs', 'representatives', 'memory', 'progress'],
-    vineyard: ['dim', 'k', 'filter', 'maxDegree', 'values', 'tau', 'seed', 'simplices', 'steps', 'byVertex', 'memory',
-        'progress'],
-    meshVineyard: ['k', 'filter', 'maxDegree', 'values'],
-    mesh: ['dim', 'tau', 'method', 'purpose', 'eps', 'ratio', 'focus', 'wholeCells', 'finish', 'seed', 'memory',
-        'progress'],
-    delaunay: ['dim', 'purpose', 'seed', 'memory', 'progress'],
-    rips: ['dim', 'distances', 'threshold', 'maxDegree', 'keepZeroPairs', 'representatives', 'memory', 'progress'],
+// What the calls take beside members of the engine's request, and which of these they do not take.
+const TAKEN = {
+    persist: ['dim', 'focus', ...OF_FUNCTION], meshPersist: OF_FUNCTION, homology: [],
+    vineyard: ['dim', 'simplices', 'steps', 'byVertex'], meshVineyard: [], mesh: ['dim', 'purpose', 'focus'],
+    delaunay: ['dim', 'purpose', 'seed'], rips: ['dim', 'distances'],
     bottleneck: ['degree', 'log'], wasserstein: ['degree', 'order', 'error'],
 };
-function known(call, options) {
+const OF_VINES = ['k_last', 'vines'];
+const NOT_TAKEN = { vineyard: OF_VINES, meshVineyard: OF_VINES, rips: ['filter'], homology: ['filter', 'vines'],
+    mesh: ['k', ...OF_VINES, 'max_degree', 'keep_zero_pairs', 'bounds', 'cycles', 'fit', 'keep_mesh'] };
+const RUN = ['memory', 'progress'], NO_REQUEST = ['delaunay', 'bottleneck', 'wasserstein'];
+// What is given of a call's options.
+function known(call, options, table) {
+    const isOfRequest = name => !NO_REQUEST.includes(call) && name in table && !NOT_TAKEN[call]?.includes(name);
     for (const name of Object.keys(options))
-        if (!KNOWN[call].includes(name)) refuse(name, `not an option of ${call}`);
+        if (!TAKEN[call].includes(name) && !RUN.includes(name) && !isOfRequest(inEngine(name)))
+            refuse(name, `not an option of ${call}`);
     if (options.progress !== undefined && typeof options.progress !== 'function') refuse('progress', 'not a function');
     if (options.memory !== undefined) whole(options.memory, 'memory', 1, 2 ** 32);
+    return Object.fromEntries(Object.entries(options).filter(([, value]) => isGiven(value)));
 }
 
-// What goes with either filter of "auto"; everything else asks for a mesh.
-const OF_EITHER = ['filter', 'dim', 'maxDegree', 'keepZeroPairs', 'bounds', 'representatives', 'seed', 'memory',
-    'progress'];
+// The engine's table of options: { name: { name, field, offset, put(view, value, argument) } }.
+function tableOf(job) {
+    const table = {}, request = job.exports.fresh(0);
+    job.rowsOf('option').forEach(([, type, field, offset, name, rangeAt, , , object], i) => {
+        const words = new Map(job.rowsOf('option_word', i).map(([, value, word, of]) => [job.text(word), of || value]));
+        const range = job.text(rangeAt), by = new DataView(job.memory.buffer, request + offset);
+        const isOpenAt0 = type === 2 ? by.getUint32(0) === 0 : type === 4 && by.getFloat64(0, true) === 0;
+        const put = (view, value, argument) => {
+            // 0 would say that nothing is asked for.
+            if (value === 0 && isOpenAt0 && !range.startsWith('0')) refuse(argument, `must be ${range}`);
+            if (type === 3) return view.setBigUint64(0, BigInt(whole(value, argument, 0, 2 ** 53)), true);
+            if (type === 4 && typeof value !== 'number') refuse(argument, 'not a number');
+            if (type === 4) return view.setFloat64(0, value, true);
+            view.setUint32(0, type === 1 ? (value ? object || 1 : 0)
+                : type === 2 ? whole(value, argument, 0, 2 ** 32 - 2)
+                : [value].flat().reduce((all, word) => all | choose(words, word, argument), 0), true);
+        };
+        table[job.text(name)] = { name: job.text(name), field, offset, put };
+    });
+    return table;
+}
 
 /** The library in this thread. */
 export class Netmesh {
-    #module;
-    #filters = {};
+    #library;
+    #onMeshes = new Set();
     constructor(module) {
-        this.#module = module;
-        const job = new Job(module);
-        if (job.exports.options_count() !== OPTIONS.length) throw new Error('netmesh.wasm is of another version');
-        this.version = job.text(job.exports.version());
-        for (let i = 0; job.exports.filter_name(i) !== 0; ++i) {
-            const filter = { number: job.exports.filter_number(i) };
-            FACTS.forEach((fact, which) => { filter[fact] = job.exports.filter_fact(i, which); });
-            this.#filters[job.text(job.exports.filter_name(i))] = filter;
+        const job = new Job({ module });
+        this.#library = { module, table: tableOf(job) };
+        this.version = job.text(job.exports.netmesh_version_text());
+        this.filters = [];
+        for (const [, , , isOnMesh, , , , name] of job.rowsOf('filter')) {
+            this.filters.push(job.text(name));
+            if (isOnMesh) this.#onMeshes.add(job.text(name));
         }
     }
-    get filters() { return Object.keys(this.#filters); }
-
     #job(points, options) {
-        const job = new Job(this.#module, options.progress);
-        job.put(points.array);
-        job.set({ dim: points.dim, points: points.count, format: points.array instanceof Float32Array,
-            seed: whole(options.seed ?? 1, 'seed', 0, 2 ** 53) });
+        const job = new Job(this.#library, options.progress);
+        const at = job.put(points.array), isFloat = points.array instanceof Float32Array ? 1 : 0;
+        job.askOfPoints = (...asked) => {
+            job.ask(...asked);
+            job.exports.set_points(at, points.count, points.dim, isFloat);
+        };
         return job;
     }
 
     persist(points, options = {}) {
-        known('persist', options);
-        const read = pointsOf(points, options.dim);
-        if ((options.filter ?? 'auto') !== 'auto') return this.#persist(read, options, options.filter);
-        const isGiven = name => options[name] !== undefined && options[name] !== false;
-        if (Object.keys(options).every(name => OF_EITHER.includes(name) || !isGiven(name)))
-            return this.#chosen(read, options);
-        return this.#persist(read, options, 'complete');
+        const given = known('persist', options, this.#library.table);
+        return this.#persist(pointsOf(points, given.dim), { ...given, ...focusOf(given) });
     }
-    // By the filter that the engine chooses.
-    #chosen(read, options) {
-        const job = this.#job(read, options);
-        job.set({ maxDegree: whole(options.maxDegree ?? read.dim - 1, 'maxDegree', 0, 30),
-            keepZeroPairs: options.keepZeroPairs ?? 0, bounds: options.bounds ?? 0,
-            representatives: options.representatives ?? 0 });
-        job.run('auto', job.exports.plan_auto(), options.memory);
-        const taken = job.exports.filter_taken();
-        return diagramOf(job, this.filters.find(name => this.#filters[name].number === taken), options);
-    }
-    #persist(read, options, name) {
-        const filter = choose(this.#filters, name, 'filter');
-        const onMesh = filter.source === SOURCE.mesh, byScales = filter.source === SOURCE.scales;
-        const reads = { k: filter.needsK, eps: filter.hasEps, theta: filter.hasTheta, values: filter.hasValues,
-            ratio: onMesh || byScales, tau: onMesh || byScales, method: onMesh, finish: onMesh, focus: onMesh,
-            wholeCells: onMesh, representatives: filter.hasRepresentatives, fit: onMesh, longerThan: onMesh,
-            function: filter.needsFunction, lipschitz: filter.needsFunction, cut: filter.needsFunction,
-            error: filter.needsFunction, distanceFactor: filter.needsFunction };
-        for (const [option, isRead] of Object.entries(reads))
-            if (!isRead && options[option] !== undefined && options[option] !== false) refuse(option,
-                `not for the filter ${name}`);
-        const job = this.#job(read, options);
-        const onPoints = filter.source === SOURCE.points;
-        const byError = filter.needsFunction && (options.error !== undefined || Boolean(options.fit));
-        const values = choose(VALUES, options.values ?? (byError ? 'thesis' : 'certified'), 'values');
-        const given = Object.fromEntries(['ratio', 'tau', 'eps', 'theta', 'error'].filter(o => options[o] !== undefined)
-            .map(o => [o, positive(options[o], o)]));
-        job.set({ filter: filter.number, values, k: whole(options.k ?? 1, 'k', 0, 2 ** 28),
-            maxDegree: whole(options.maxDegree ?? (onPoints ? 1 : read.dim - 1), 'maxDegree', 0, 30),
-            keepZeroPairs: options.keepZeroPairs ?? 0, bounds: options.bounds ?? 0,
-            representatives: options.representatives ?? 0, threshold: options.threshold ?? Infinity, ...given });
-        if (filter.needsFunction) setFunction(job, read.dim, options);
-        const fits = onMesh || byScales ? this.#settle(job, filter, options, given, values, read.dim) : false;
-        if (fits) {
-            job.run('fit', 0, options.memory);
-        } else if (onMesh) {
-            job.run('mesh', job.exports.plan_mesh(), options.memory);
-            job.persist(options.memory);
-        } else if (byScales) {
-            job.run('scales', job.exports.plan_scales(), options.memory);
-        } else if (onPoints) {
-            job.run('points', job.exports.plan_points(), options.memory);
-        } else if (options.representatives) {
-            job.set({ purpose: PURPOSES.persist });
-            job.run('delaunay', job.exports.plan_delaunay(), options.memory);
-            job.persist(options.memory);
-        } else {
-            job.run('alpha', job.exports.plan_alpha(), options.memory);
-        }
-        return diagramOf(job, name, { ...options, bounds: options.bounds || options.focus === 'auto' });
-    }
-    // What was left open, as the command-line tool settles it. Returns whether the best that fits is to be found.
-    #settle(job, filter, options, given, values, dim) {
-        const { fit = false, focus, longerThan } = options;
-        const byMethod = options.method !== undefined || Boolean(options.finish);
-        const byScales = filter.source === SOURCE.scales, automatic = focus === 'auto';
-        if (fit && options.memory === undefined) refuse('fit', 'needs memory, the size to fit in');
-        if (automatic && options.memory === undefined) refuse('focus', '"auto" needs memory, the size to fit in');
-        if (automatic && fit) refuse('fit', 'finds the best ratio, focus: "auto" which bars are real');
-        if (longerThan !== undefined && !automatic) refuse('longerThan', 'goes with focus: "auto"');
-        if (fit && given.error) refuse('error', 'fit finds the least one');
-        const fitsError = fit && filter.needsFunction && !byMethod;
-        const open = filter.hasEps && !given.eps && !given.ratio && !fit && !byMethod;
-        const defaultRatio = Math.sqrt(2 + job.exports.default_tau());
-        let ratio = given.ratio;
-        if (dim >= 4 && open && values === 0)
-            ratio = defaultRatio * (1 + 3 * (filter.hasTheta ? given.theta ?? 1 / 9 : 0));
-        const byGoal = filter.hasGoal || (filter.hasEps && ratio !== undefined);
-        const refines = !byScales && !byMethod && (fit ? !filter.hasEps && !filter.needsFunction
-            : values === 0 && Boolean(byGoal));
-        if (ratio !== undefined && !refines && !byScales) refuse('ratio', 'for filters refined by the certificate');
-        if (automatic && !(refines && filter.hasGoal)) refuse('focus', '"auto" is for the filter complete');
-        if (fit && !refines && !fitsError) refuse('fit', 'for filters on a mesh but tight, without method');
-        if (refines) ratio ??= fit ? FIT_RATIO : defaultRatio;
-        const numbers = focus === undefined || automatic ? [] : [...focus];
-        if (numbers.length > 0 && (!refines || numbers.length !== (fit ? 2 : 3)))
-            refuse('focus', '"auto", [ratio, from, to], or with fit [from, to], of a refined filter');
-        numbers.forEach(x => finite(x, 'focus'));
-        const [from, to] = numbers.slice(-2);
-        job.set({ method: choose(METHODS, options.method ?? 'svr', 'method'), finish: options.finish ?? 0,
-            ratio: fitsError ? 0 : ratio ?? 0, focus: numbers.length === 3 ? numbers[0] : 0, from: from ?? 0,
-            to: to ?? 0, byError: fitsError,
-            longerThan: automatic ? positive(longerThan ?? LONGER_THAN, 'longerThan') : 0,
-            bounds: automatic || (options.bounds ?? 0), purpose: refines ? PURPOSES.persist : filter.purpose,
-            wholeCells: options.wholeCells || !(refines && filter.clipsCells) });
-        return fit || automatic;
+    #persist(read, given) {
+        const job = this.#job(read, given), { filter = 'auto' } = given;
+        const ask = filter => {
+            job.askOfPoints({ ...given, filter });
+            putFunction(job, read.dim, given);
+        };
+        ask(filter);
+        // What "auto" does not read is of a mesh.
+        if (filter === 'auto' && ('values' in given || job.exports.settle() !== 0)) ask('complete');
+        if (given.fit && given.memory === undefined)
+            refuse(given.focus === 'auto' ? 'focus' : 'fit', 'needs memory, the size to fit in');
+        job.run('persist', job.exports.plan(), given.memory);
+        return given.vines ? vineyardOf(job) : diagramOf(job);
     }
     mesh(points, options = {}) {
-        known('mesh', options);
-        const read = pointsOf(points, options.dim);
-        const job = this.#job(read, options);
-        const numbers = Object.fromEntries(['tau', 'eps', 'ratio'].filter(o => options[o] !== undefined)
-            .map(o => [o, positive(options[o], o)]));
-        const [focus, from, to] = options.focus ?? [0, 0, 0];
-        job.set({ ...numbers, focus, from, to, method: choose(METHODS, options.method ?? 'svr', 'method'),
-            purpose: choose(PURPOSES, options.purpose ?? 'mesh', 'purpose'), finish: options.finish ?? 0,
-            wholeCells: options.wholeCells ?? 0 });
-        job.run('mesh', 1.5 * job.exports.plan_mesh(), options.memory);
-        return new Mesh(job, read.dim, this.#filters, options.memory);
+        const given = known('mesh', options, this.#library.table), { purpose, eps } = given;
+        const read = pointsOf(points, given.dim), job = this.#job(read, given);
+        const asked = { method: 'ratio' in given ? 'certificate' : 'svr', ...given, ...focusOf(given) };
+        if (purpose !== undefined) asked.filter = choose(PURPOSES, purpose, 'purpose');
+        const ofSizes = eps !== undefined && asked.filter !== 'tight';
+        if (ofSizes) Object.assign(asked, { eps: null, size_eps: eps });
+        job.askOfPoints(asked, ofSizes ? { size_eps: 'eps' } : {});
+        return this.#made(job, read.dim, given);
     }
     delaunay(points, options = {}) {
-        known('delaunay', options);
-        const read = pointsOf(points, options.dim);
-        const job = this.#job(read, options);
-        job.set({ purpose: choose({ mesh: 0, persist: 1 }, options.purpose ?? 'persist', 'purpose') });
-        job.run('delaunay', 1.5 * job.exports.plan_delaunay(), options.memory);
-        return new Mesh(job, read.dim, this.#filters, options.memory);
+        const given = known('delaunay', options), { seed, purpose = 'persist' } = given;
+        const read = pointsOf(points, given.dim), job = this.#job(read, given);
+        const filter = choose(new Map([['persist', 'alpha'], ['mesh', null]]), purpose, 'purpose');
+        job.askOfPoints({ seed, filter, method: 'delaunay' });
+        return this.#made(job, read.dim, given);
+    }
+    #made(job, dim, { memory }) {
+        job.run('mesh', 1.5 * job.exports.plan_mesh(), memory);
+        return new Mesh(job, dim, memory);
     }
     /** The diagram of any filtered complex: lists of vertices, and when each simplex enters. */
     homology(simplices, values, options = {}) {
-        known('homology', options);
-        const job = new Job(this.#module, options.progress);
-        putSimplices(job, simplices);
-        const entries = numbersOf(values, 'values');
-        if (entries.length !== simplices.length)
-            refuse('values', `${entries.length} numbers for ${simplices.length} simplices`);
-        job.set({ entriesAt: job.put(entries), maxDegree: complexDegree(options),
-            keepZeroPairs: options.keepZeroPairs ?? 0, representatives: options.representatives ?? 0 });
-        job.rows = 'values';
-        job.run('homology', job.exports.plan_homology(), options.memory);
-        return diagramOf(job, '', options);
+        const given = known('homology', options, this.#library.table);
+        return diagramOf(this.#complex(simplices, [values], 'values', given));
+    }
+    #complex(simplices, rows, argument, given) {
+        const job = new Job(this.#library, given.progress), { at, counts } = putSimplices(job, simplices);
+        const due = given.byVertex ? simplices.filter(s => s.length === 1).length : simplices.length;
+        const entries = new Float64Array(rows.length * due);
+        rows.forEach((row, i) => {
+            const numbers = numbersOf(row, argument);
+            if (numbers.length !== due) refuse(argument, `row ${i} has ${numbers.length} numbers, ${due} are due`);
+            entries.set(numbers, i * due);
+        });
+        job.rows = argument;
+        job.ask({ ...given, filter: 'simplices' });
+        job.exports.set_simplices(...at, job.put(entries), ...counts, given.vines ? rows.length : 0,
+            given.byVertex ? 1 : 0);
+        job.run('persist', job.exports.plan(), given.memory);
+        return job;
     }
     /** The diagrams of a filter for every k of a range, or of a complex (`simplices`) at every step of its values, and
      * the vines through them. */
     vineyard(points, options = {}) {
-        known('vineyard', options);
-        if ((points == null) === (options.simplices === undefined)) refuse('points', 'give points or simplices');
-        if (points == null) return this.#filtrations(options);
-        const name = options.filter ?? 'knn', filter = choose(this.#filters, name, 'filter');
-        if (filter.hasVineyard && filter.source === SOURCE.mesh) {
-            const { simplices, steps, byVertex, tau, dim, seed, memory, progress, ...rest } = options;
-            const shared = { tau, dim, seed, memory, progress };
-            for (const name of Object.keys(shared)) if (shared[name] === undefined) delete shared[name];
-            return this.mesh(points, { ...shared, purpose: 'persist' }).vineyard(rest);
+        const given = known('vineyard', options, this.#library.table), { simplices, steps } = given;
+        if ((points == null) === (simplices === undefined)) refuse('points', 'give points or simplices');
+        if (points == null) {
+            if (!Array.isArray(steps) || steps.length === 0) refuse('steps', 'rows of numbers, one a step');
+            return vineyardOf(this.#complex(simplices, steps, 'steps', { ...given, vines: true }));
         }
-        if (filter.source !== SOURCE.points || !filter.needsK) refuse('filter', `${name} has no vineyard`);
-        if (options.tau !== undefined) refuse('tau', `not for the filter ${name}`);
-        const job = this.#job(pointsOf(points, options.dim), options);
-        job.set({ filter: filter.number, values: choose(VALUES, options.values ?? 'certified', 'values'),
-            maxDegree: whole(options.maxDegree ?? 1, 'maxDegree', 0, 29), ...rangeOf(options.k ?? [1, 2]) });
-        job.run('nested', job.exports.plan_nested(), options.memory);
-        return vineyardOf(job, name);
-    }
-    #filtrations(options) {
-        const job = new Job(this.#module, options.progress);
-        const vertices = putSimplices(job, options.simplices);
-        const due = options.byVertex ? vertices : options.simplices.length;
-        if (!Array.isArray(options.steps) || options.steps.length === 0) refuse('steps', 'rows of numbers, one a step');
-        const entries = new Float64Array(options.steps.length * due);
-        options.steps.forEach((step, i) => {
-            const row = numbersOf(step, 'steps');
-            if (row.length !== due) refuse('steps', `row ${i} has ${row.length} values, where ${due} are due`);
-            entries.set(row, i * due);
-        });
-        job.set({ entriesAt: job.put(entries), stepCount: options.steps.length, byVertex: options.byVertex ?? 0,
-            maxDegree: complexDegree(options) });
-        job.rows = 'steps';
-        job.run('filtrations', job.exports.plan_filtrations(), options.memory);
-        return vineyardOf(job, '');
+        const asked = { filter: 'knn', ...given, ...rangeOf(given.k), vines: true };
+        if (this.#onMeshes.has(asked.filter) && !('ratio' in asked)) asked.method ??= 'svr';
+        return this.#persist(pointsOf(points, given.dim), asked);
     }
     rips(points, options = {}) {
-        known('rips', options);
-        const { distances, threshold = Infinity } = options;
+        const given = { ...known('rips', options, this.#library.table), filter: 'rips' }, { distances } = given;
         if ((points == null) === (distances === undefined)) refuse('points', 'give points or distances');
-        if (typeof threshold !== 'number') refuse('threshold', 'not a number');
-        const common = { maxDegree: whole(options.maxDegree ?? 1, 'maxDegree', 0, 30),
-            keepZeroPairs: options.keepZeroPairs ?? 0, representatives: options.representatives ?? 0 };
-        const read = distances === undefined ? pointsOf(points, options.dim) : null;
-        if (read) return this.#persist(planar(read), options, 'rips');
-        const { array, count } = this.#square(distances);
-        const job = new Job(this.#module, options.progress);
-        job.put(array);
-        job.set({ points: count, layout: 0, threshold, ...common });
-        job.run('distances', job.exports.plan_distances(), options.memory);
-        return diagramOf(job, 'rips', options);
-    }
-    #square(distances) {
-        const array = distances instanceof Float64Array ? distances
-            : Array.isArray(distances) ? Float64Array.from(distances.flat()) : refuse('distances',
-                'not numbers [n, n]');
+        if (distances === undefined) return this.#persist(planar(pointsOf(points, given.dim)), given);
+        const array = numbersOf(Array.isArray(distances) ? distances.flat() : distances, 'distances');
         const count = Math.round(Math.sqrt(array.length));
-        if (count * count !== array.length || count === 0) refuse('distances', `${array.length} numbers are no [n, n]`);
-        return { array, count };
+        if (count * count !== array.length) refuse('distances', `${array.length} numbers are no [n, n]`);
+        const job = new Job(this.#library, given.progress);
+        job.ask(given);
+        job.exports.set_distances(job.put(array), count);
+        job.run('persist', job.exports.plan(), given.memory);
+        return diagramOf(job);
     }
 
     /** The bottleneck distance of two diagrams, or of bars Float64Array [m, 2]. */
     bottleneck(a, b, options = {}) {
         known('bottleneck', options);
-        const [value, exponent] = this.#compare('bottleneck', a, b, { isLog: options.log ?? 0 }, options.degree);
+        const [value, exponent] = this.#compare('bottleneck', a, b, options.degree, options.log ? 1 : 0);
         return options.log && Number.isFinite(value) ? Math.log(value) + exponent * Math.LN2 : value;
     }
     /** The Wasserstein distance, between `lower` and `value`, which is proven; `value` is at most 1 + `error` times
      *  `lower`. Bounds that stay farther apart are an error with status "internal", as that is a defect. */
     wasserstein(a, b, options = {}) {
         known('wasserstein', options);
-        const set = { order: whole(options.order ?? 1, 'order', 1, 16), error: positive(options.error ?? 0.001,
-            'error') };
-        const [value, lower] = this.#compare('wasserstein', a, b, set, options.degree);
+        const { degree, order = 1, error = 0.001 } = options;
+        if (typeof error !== 'number') refuse('error', 'not a number');
+        const [value, lower] = this.#compare('wasserstein', a, b, degree, whole(order, 'order', 0, 2 ** 32 - 1), error);
         return { value, lower };
     }
-    #compare(name, a, b, set, degree) {
-        const pairs = [barsOf(a, 'a'), barsOf(b, 'b')];
-        const job = new Job(this.#module);
+    #compare(name, a, b, degree, ...how) {
+        const pairs = [barsOf(a, 'a'), barsOf(b, 'b')], job = new Job(this.#library);
         const bytes = new Uint8Array(PAIR_BYTES * (pairs[0].length + pairs[1].length));
         const view = new DataView(bytes.buffer);
         pairs.flat().forEach((bar, i) => {
@@ -707,10 +620,9 @@ export class Netmesh {
             view.setFloat64(PAIR_BYTES * i + 8, bar.birth, true);
             view.setFloat64(PAIR_BYTES * i + 16, bar.death, true);
         });
-        job.put(bytes);
-        job.set({ countA: pairs[0].length, countB: pairs[1].length, ...set,
-            degree: degree === undefined ? 2 ** 32 - 1 : whole(degree, 'degree', 0, 1000) });
-        job.run(name, Math.max(1, job.exports[`plan_${name}`]()));
+        const which = degree === undefined ? 2 ** 32 - 1 : whole(degree, 'degree', 0, 2 ** 32 - 2);
+        const plan = job.exports[`plan_${name}`](job.put(bytes), pairs[0].length, pairs[1].length, which, ...how);
+        job.run(name, Math.max(1, plan));
         return new Float64Array(job.memory.buffer, job.exports.results(), 2).slice();
     }
 }
@@ -723,13 +635,10 @@ function barsOf(diagram, argument) {
     } else if (!(diagram instanceof Diagram)) {
         refuse(argument, 'neither a Diagram nor a Float64Array [m, 2]');
     }
-    bars.forEach(({ birth, death }, i) => {
-        if (!Number.isFinite(birth) || !(death >= birth))
-            throw new NetmeshError('invalid-argument',
-                `${argument}, row ${i}: births are finite, deaths not before them`,
-                argument, i);
-    });
-    return bars;
+    const row = bars.findIndex(({ birth, death }) => !Number.isFinite(birth) || !(death >= birth));
+    if (row < 0) return bars;
+    throw new NetmeshError('invalid-argument', `${argument}, row ${row}: a birth is not finite, or a death before it`,
+        argument, row);
 }
 
 /** Loads the library into this thread. */
@@ -764,25 +673,20 @@ export async function loadWorker(source) {
         worker.onmessage = event => take(event.data);
         worker.onerror = event => fail(new Error(event.message));
     }
-    const call = (name, ...values) => new Promise((resolve, reject) => {
-        const id = ++number, options = values.at(-1);
-        const { progress, ...rest } = options ?? {};
+    const call = (name, values, options) => new Promise((resolve, reject) => {
+        const id = ++number, { progress, ...rest } = options;
         if (typeof rest.function === 'function')
             refuse('function', 'functions do not cross to a worker: call load() in it');
         waiting.set(id, { resolve, reject, progress });
         if (inNode) worker.ref();
-        const sent = values.slice(0, -1).map(value => value instanceof Diagram ? value.toObject() : value);
+        const sent = values.map(value => value instanceof Diagram ? value.toObject() : value);
         worker.postMessage({ id, name, values: [...sent, rest], watched: Boolean(progress), module });
     });
+    const arities = { persist: 1, rips: 1, homology: 2, vineyard: 1, mesh: 1, delaunay: 1, bottleneck: 2,
+        wasserstein: 2 };
     return {
-        persist: (points, options = {}) => call('persist', points, options),
-        rips: (points, options = {}) => call('rips', points, options),
-        homology: (simplices, values, options = {}) => call('homology', simplices, values, options),
-        vineyard: (points, options = {}) => call('vineyard', points, options),
-        mesh: (points, options = {}) => call('mesh', points, options),
-        delaunay: (points, options = {}) => call('delaunay', points, options),
-        bottleneck: (a, b, options = {}) => call('bottleneck', a, b, options),
-        wasserstein: (a, b, options = {}) => call('wasserstein', a, b, options),
+        ...Object.fromEntries(Object.entries(arities).map(([name, count]) => [name,
+            (...values) => call(name, values.slice(0, count), values[count] ?? {})])),
         /** Stops what is on its way: it is rejected as "cancelled", and the worker is gone. */
         terminate: () => {
             fail(new NetmeshError('cancelled', 'the worker was stopped'));

@@ -30,7 +30,7 @@ void ours_delaunay(Trial& trial, int dim, const inputs::Points& points) {
 
 void ours_mesh(Trial& trial, const inputs::Points& points, double tau) {
     Session session(3);
-    session.request.tau = tau;
+    session.request.mesh.tau = tau;
     trial.start();
     session.reserve(block_bytes);
     demand(session.mesh_in_block(points), session);
@@ -47,9 +47,9 @@ void ours_mesh(Trial& trial, const inputs::Points& points, double tau) {
 
 void ours_persist(Trial& trial, int dim, const inputs::Points& points, double tau) {
     Session session(dim);
-    session.request.tau = tau;
+    session.request.mesh.tau = tau;
     session.reserve(block_bytes);
-    demand(session.mesh_in_block(points, NETMESH_PURPOSE_PERSIST), session);
+    demand(session.mesh_in_block(points, &netmesh_filter_complete), session);
     const double mesh_bytes = static_cast<double>(session.report().memory.used_bytes);
     trial.start();
     demand(session.persist(), session);
@@ -66,8 +66,7 @@ void ours_alpha(Trial& trial, int dim, const inputs::Points& points) {
     Session session(dim);
     trial.start();
     session.reserve(block_bytes);
-    const netmesh_alpha_request request = session.alpha_request(points);
-    demand(netmesh_persist_alpha(session.context, &request), session);
+    demand(session.persist(session.alpha_request(points)), session);
     trial.stop();
     trial.figure(simplices, static_cast<double>(session.report().diagram.simplices));
     trial.figure(arena_bytes, static_cast<double>(session.report().memory.peak_bytes));

@@ -114,7 +114,7 @@ template <int D> void persist(Trial& trial, const inputs::Points& points, double
     std::vector<std::array<std::uint32_t, D + 1>> cells;
     {
         Session session(D);
-        session.request.tau = tau;
+        session.request.mesh.tau = tau;
         if (session.mesh_and_persist(points) != NETMESH_OK) std::exit(1);
         for (const netmesh_vertex& vertex : session.vertices()) {
             t.push_back(vertex.value);

@@ -356,7 +356,7 @@ void judge_form(const DiagramFile& diagram, const std::string& json, int top, Ve
     same("pairs", pairs);
     same("essential", essential);
     same("certified_ratio", {diagram.ratio()});
-    same("from", {diagram.number("certified-from", 0)});
+    same("certified_from", {diagram.number("certified-from", 0)});
     if (json_text(json, "diagram", "reference") != "\"" + diagram.text("reference") + "\"")
         wrong("the report has another `reference` than the file");
     if (diagram.has("bounds")) same("certain", real);

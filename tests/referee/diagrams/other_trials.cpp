@@ -61,8 +61,10 @@ void try_fits(const Tool& tool, const DiagramSettings& settings, const PointSet&
         judge_ratio(diagram, truth, way.top, &verdict);
         judge_scales(diagram, truth, way.top, &verdict);
         judge_bounds(diagram, truth, way.top, &verdict);
-        const std::vector<double> focus = json_numbers(json_text(outcome.message, "diagram", "focus"));
-        const double ratio = has_scales && focus.size() == 1 ? focus[0] : diagram.ratio();
+        const std::vector<double> focus = json_numbers(json_text(outcome.message, "diagram", "certified_focus"));
+        if (has_scales && focus.size() != 1)
+            return fail(tool, settings, whole, "the report has no certified_focus", account);
+        const double ratio = has_scales ? focus[0] : diagram.ratio();
         if (ratio > best)
             verdict.add("fit", "a larger block certifies " + exact_text(ratio) + ", a smaller one " + exact_text(best));
         best = ratio;

@@ -32,7 +32,7 @@ TEST_CASE("persist: tight, and scale by scale") {
     CHECK(result.err == "");
     CHECK(result.exit == 0);
     CHECK(number_in(result.out, "certified_ratio") <= 1.3 * 1.5);
-    CHECK(number_in(result.out, "extended_ball_needed") == 2);
+    CHECK(number_in(result.out, "separation_needed") == 2);
     CHECK(folder.run("check s.pers --points q.csv --filter scales --theta .1").exit == 0);
     CHECK(folder.run("check s.pers --points p.csv --filter scales --theta .1").exit == 7);
     for (const char* line :

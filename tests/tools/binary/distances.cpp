@@ -129,7 +129,7 @@ TEST_CASE("a threshold for points cuts their diagram, and leaves distances of an
           "0 0 inf\n0 0 inf\n");
     CHECK(bars_of(folder.run("persist - --filter rips --threshold 1e305 -q", "0 0\n1e305 0\n").out) ==
           "0 0 5e+304\n0 0 inf\n");
-    CHECK(folder.run("persist p.csv --threshold 1").says("--threshold goes with --filter rips or --distances"));
+    CHECK(folder.run("persist p.csv --threshold 1").says("--threshold 1: of the filter rips alone"));
 }
 
 TEST_CASE("points of any number of columns, for rips alone") {

@@ -172,6 +172,50 @@ TEST_CASE("--top and --min-persistence choose bars, cycles with them, and leave 
     CHECK(bars_of(folder.run("homology k.txt --top 2 --quiet").out) == "0 0 3\n0 0 inf\n");
 }
 
+TEST_CASE("--least: bars at least so long, and how many there were") {
+    const Folder folder;
+    REQUIRE(folder.run("sample torus -n 400 --noise .1 -o p.csv").exit == 0);
+    const std::string all = bars_of(folder.run("persist p.csv --filter alpha -q").out);
+    std::istringstream lines(all);
+    std::string due;
+    std::size_t kept = 0;
+    for (std::string line; std::getline(lines, line);) {
+        double degree, birth;
+        std::string death;
+        std::istringstream(line) >> degree >> birth >> death;
+        if (std::strtod(death.c_str(), nullptr) - birth < 0.125) continue;
+        due += line + "\n";
+        kept++;
+    }
+    REQUIRE(kept > 5);
+    REQUIRE(kept + 5 < lines_in(all));
+    const std::string head =
+        "# a choice of " + std::to_string(kept) + " of " + std::to_string(lines_in(all)) + " bars, --least 0.125\n";
+    CHECK(folder.run("persist p.csv --filter alpha -q --least 0.125").out == head + due);
+    CHECK(folder.run("persist p.csv --pieces 4 -q --least 0.125").out == head + due);
+    CHECK(bars_of(folder.run("persist p.csv --filter alpha -q --min-persistence 0.125").out) == due);
+    REQUIRE(folder.run("persist p.csv --filter alpha -q --least 0.125 -o d.npy").exit == 0);
+    const std::string array = folder.read("d.npy");
+    CHECK(array.find("'shape': (" + std::to_string(kept) + ", 3)") != std::string::npos);
+    CHECK(array.size() == 128 + kept * 24);
+    for (const char* const wrong : {"-1", "-0.5", "nan", "inf", "x", "''"}) {
+        const Result result = folder.run(std::string("persist p.csv --least ") + wrong);
+        CHECK(result.exit == 2);
+        CHECK(result.says("must be a finite number, 0 or more"));
+    }
+}
+
+TEST_CASE("the longest bars of each degree are the first of those that are as long") {
+    const Folder folder;
+    folder.write("k.txt", "0 0\n1 0\n2 0\n3 0\n4 1\n0 1 2\n1 2 2\n2 3 5\n3 4 3\n");
+    const std::string all = bars_of(folder.run("homology k.txt -q").out);
+    CHECK(all == "0 0 2\n0 0 2\n0 0 5\n0 0 inf\n0 1 3\n");
+    CHECK(bars_of(folder.run("homology k.txt -q --top 3").out) == "0 0 2\n0 0 5\n0 0 inf\n");
+    CHECK(bars_of(folder.run("homology k.txt -q --top 4").out) == "0 0 2\n0 0 2\n0 0 5\n0 0 inf\n");
+    CHECK(bars_of(folder.run("homology k.txt -q --top 4 --least 2.5").out) == "0 0 5\n0 0 inf\n");
+    CHECK(bars_of(folder.run("homology k.txt -q --top 9").out) == all);
+}
+
 TEST_CASE("several inputs write several outputs") {
     const Folder folder;
     for (const char* name : {"a", "b"})

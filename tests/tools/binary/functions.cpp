@@ -148,10 +148,10 @@ TEST_CASE(
         CHECK_MESSAGE(result.says(why), result.err);
     };
     bad("p.txt --values-at v.txt" + how, "goes with a mesh, MESH.node");
-    bad("m.node --values-at v.txt --tau 3" + how, "--tau does not go with --values-at");
-    bad("m.node --values-at v.txt --error .1" + how, "--error does not go with --values-at");
-    bad("m.node --values-at v.txt --fit --memory 1M" + how, "--fit does not go with --values-at");
-    bad("m.node --values-at v.txt --method svr" + how, "--method does not go with --values-at");
+    bad("m.node --values-at v.txt --tau 3" + how, "--tau 3: the mesh is made already");
+    bad("m.node --values-at v.txt --error .1" + how, "--error .1: the mesh is made already");
+    bad("m.node --values-at v.txt --fit --memory 1M" + how, "--fit: fit is for points");
+    bad("m.node --values-at v.txt --method svr" + how, "--method svr: the mesh is made already");
     bad("m.node --values-at v.txt", "go with --filter function");
     REQUIRE(folder.run("delaunay p.txt -o t.node --quiet").exit == 0);
     bad("t.node --values-at v.txt" + how, "t.node: no mesh with a domain");

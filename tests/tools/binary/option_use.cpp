@@ -15,12 +15,16 @@ namespace {
 using Words = std::map<std::string, std::string>;
 
 // A value of each option that none of the commands below takes by default.
-const Words values = {{"--min-persistence", "1.5"},
+const Words values = {{"--least", "1.5"},
+                      {"--min-persistence", "1.5"},
                       {"--top", "1"},
                       {"--columns", "2,1"},
                       {"--delimiter", "'|'"},
                       {"--skip", "2"},
                       {"-n", "20"},
+                      {"--pieces", "2"},
+                      {"--jobs", "2"},
+                      {"--scratch", "pieces"},
                       {"--dim", "5"},
                       {"--tau", "3.3"},
                       {"--eps", ".3"},
@@ -136,7 +140,8 @@ std::vector<Base> bases() {
         Words own = {{"--filter", "knn"}};
         // The only bar of this function tells nothing of choices and values.
         if (filter.needs_function != 0)
-            own.insert({{"--cut", "-.05"}, {"--min-persistence", ""}, {"--top", ""}, {"--values", ""}});
+            own.insert(
+                {{"--cut", "-.05"}, {"--least", ""}, {"--min-persistence", ""}, {"--top", ""}, {"--values", ""}});
         // One scale is all that these points have; tests/tools/binary/accuracy.cpp has more.
         if (filter.has_theta != 0) own["--theta"] = "";
         list.push_back(
@@ -224,6 +229,6 @@ TEST_CASE("seeds change what is random, and are refused where nothing is") {
         CAPTURE(line);
         const Result result = folder.run(line);
         CHECK(result.exit == 2);
-        CHECK(result.says("--seed does nothing here: filter "));
+        CHECK(result.says("--seed 7: of triangulations and meshes that are made; leave it out"));
     }
 }

@@ -5,6 +5,7 @@
 #include <functional>
 #include <sstream>
 
+#include "netmesh.h"
 #include "run.hpp"
 
 namespace {
@@ -207,9 +208,10 @@ TEST_CASE("provenance: the head, line by line") {
     CHECK(folder.run("persist p.txt --quiet --filter kdistance --k 2 --tau 3 --seed 5 -o d.pers").exit == 0);
     const std::string text = folder.read("d.pers");
     const std::string head = text.substr(0, text.find("# domain"));
-    CHECK(head == "# netmesh diagram 1: degree birth death\n# version 0.2.0\n# filter kdistance\n# k 2\n"
-                  "# values certified\n# method svr\n# tau 3\n# max-degree 1\n# seed 5\n# dim 2\n# points 5\n"
-                  "# duplicates 1\n" +
+    CHECK(head == "# netmesh diagram 1: degree birth death\n# version " + std::string(netmesh_version_text()) +
+                      "\n# filter kdistance\n# k 2\n"
+                      "# values certified\n# method svr\n# tau 3\n# max-degree 1\n# seed 5\n# dim 2\n# points 5\n"
+                      "# duplicates 1\n" +
                       head.substr(head.find("# input ")));
     const std::size_t ratio = text.find("# certified-ratio ");
     CHECK(ratio != std::string::npos);
@@ -404,7 +406,7 @@ TEST_CASE("provenance: the function and the error of a diagram are checked") {
     refused("--function 'x' --lipschitz 4 --cut 0 --fit --memory 1M --from 1 --to 2", "--from");
     refused("--function 'x' --lipschitz 4 --cut 0 --fit --memory 1M --method svr", "--fit");
     refused("--function 'x' --lipschitz 4 --cut 0 --fit --memory 1M --values certified", "--values thesis");
-    refused("--function 'x' --lipschitz 4 --cut -9 --error .1 --values certified", "--error");
+    refused("--function 'x' --lipschitz 4 --cut -9 --error .1 --values certified", "--values certified: error is for");
     CHECK(folder.run("persist p.txt --cut 4").says("go with --filter function"));
     CHECK(folder.run("persist p.txt --filter function --function 'x*x + y*y - 1' --lipschitz 3 --cut 0 --error 1e-30")
               .exit == 3);
@@ -476,10 +478,12 @@ TEST_CASE("provenance: options that contradict the file, and heads that cannot b
     refused(with_head(text, "certified-ratio", ""), "1", "lacks the line \"# certified-ratio\"");
     refused(with_head(text, "version", "# k 2"), number("version"), "contradicts the other lines");
     refused(with_head(text, "filter", "# filter basic"), number("ratio"), "contradicts the other lines");
-    refused(with_head(text, "filter", "# filter frob"), number("filter"), "the filters are");
+    refused(with_head(text, "filter", "# filter frob"), number("filter"), "there are auto, complete");
     refused(with_head(text, "tau", "# tau 2"), number("tau"), "above 2");
-    refused(with_head(text, "ratio", "# ratio 2\n# focus 1.5\n# from 1\n# to .5"), "1", "A below B");
-    refused(with_head(text, "ratio", "# ratio 2\n# from 1"), "1", "lacks the line \"# focus\"");
+    refused(with_head(text, "ratio", "# ratio 2\n# focus 1.5\n# from 1\n# to .5"),
+            std::to_string(line_with(text, "# ratio") + 3), "not 0 < focus_from < focus_to");
+    refused(with_head(text, "ratio", "# ratio 2\n# from 1"), std::to_string(line_with(text, "# ratio") + 1),
+            "focus_ratio is not between 1 and ratio");
     refused(with_head(text, "ratio", "# ratio 2\n# focus auto"), std::to_string(line_with(text, "# ratio") + 1),
             "contradicts the other lines");
     refused(with_head(text, "duplicates", "# duplicates 30"), number("duplicates"), "fewer of them are duplicates");

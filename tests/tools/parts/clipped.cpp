@@ -63,9 +63,7 @@ MeshFiles files_by(const std::vector<std::string>& words, const PointCloud& poin
     Options options;
     REQUIRE(parse_options(words, &options).good());
     Session session(options, points.dim);
-    const auto make = [&](Session& s) {
-        return options.command == Command::delaunay ? make_triangulation(s, options, points) : make_mesh(s, points);
-    };
+    const auto make = [&](Session& s) { return make_mesh(s, points); };
     REQUIRE(session.run(0, points, make).good());
     return files_of(EngineMesh(session.engine()));
 }
@@ -85,7 +83,7 @@ std::vector<int> dimensions(int most) {
     for (int dim = 2; dim <= most; dim++) {
         const PointCloud points = points_in(static_cast<std::uint32_t>(dim), 8, chance);
         Session session(options, points.dim);
-        const auto make = [&](Session& s) { return make_triangulation(s, options, points); };
+        const auto make = [&](Session& s) { return make_mesh(s, points); };
         if (dim < 4 || session.run(0, points, make).good()) served.push_back(dim);
     }
     return served;
@@ -464,7 +462,7 @@ TEST_CASE("clipped: the engine's bars are those of a plain reduction of the nerv
             REQUIRE(
                 parse_options({"persist", "p.txt", "--quiet", "--ratio", dim < 4 ? "2.1" : "2.3"}, &options).good());
             Session session(options, d);
-            const auto make = [&](Session& s) { return persist_as_asked(s, options, points); };
+            const auto make = [&](Session& s) { return persist_as_asked(s, points); };
             REQUIRE(session.run(0, points, make).good());
             const MeshFiles files = files_of(EngineMesh(session.engine()));
             CHECK(files.node.clipped);

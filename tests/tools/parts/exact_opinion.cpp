@@ -119,7 +119,7 @@ struct Made {
         making.insert(making.begin(), {"persist", "p.txt", "--quiet", "--filter"});
         CHECK(parse_options(making, &options).good());
         Session session(options, points.dim);
-        REQUIRE(session.run(0, points, [&](Session& s) { return persist_as_asked(s, options, points); }).good());
+        REQUIRE(session.run(0, points, [&](Session& s) { return persist_as_asked(s, points); }).good());
         run.engine = session.engine().report();
         run.checked.emplace();
         file.name = "d.pers";
@@ -264,9 +264,9 @@ TEST_CASE("exact opinion: the engine's triangulation and the nerve of balls have
         Made made({"alpha"}, cloud);
         bool is_too_large = true;
         Session session(made.options, cloud.dim);
-        REQUIRE(session.run(0, cloud, [&](Session& s) { return make_triangulation(s, made.options, cloud); }).good());
+        REQUIRE(session.run(0, cloud, [&](Session& s) { return make_mesh(s, cloud); }).good());
         const MeshFiles files = files_of(EngineMesh(session.engine()));
-        const std::uint32_t top = *made.options.max_degree;
+        const std::uint32_t top = made.options.request.max_degree;
         const SimplexList sets = complex_of_points(cloud, false, top + 1);
         made.file.bars = bars_by(sets, top);
         const Outcome outcome =

@@ -13,8 +13,8 @@ TEST_CASE("report: JSON of the filter function has values for units, and always 
     engine.input.dim = 2;
     RunReport run;
     run.options = &options;
-    for (const netmesh_filter filter : {NETMESH_FILTER_FUNCTION, NETMESH_FILTER_COMPLETE, NETMESH_FILTER_ALPHA,
-                                        NETMESH_FILTER_KDISTANCE, NETMESH_FILTER_SCALES}) {
+    for (const netmesh_filter_id filter : {NETMESH_FILTER_FUNCTION, NETMESH_FILTER_COMPLETE, NETMESH_FILTER_ALPHA,
+                                           NETMESH_FILTER_KDISTANCE, NETMESH_FILTER_SCALES}) {
         CAPTURE(filter);
         const bool is_function = filter == NETMESH_FILTER_FUNCTION;
         engine.diagram.filter = filter;

@@ -138,12 +138,12 @@ TEST_CASE("cages in a node file and in fields of a vtu") {
         const Outcome outcome = parse_node("# domain 0 0 1\n" + std::string(remark) + "\n1 2 0 1\n0 0 0 0\n", &other);
         CHECK(outcome.exit == Exit::data);
     }
-    CHECK(node.cage_kind == NETMESH_CAGES_COMPACT);
-    square.cage_kind = NETMESH_CAGES_THESIS;
+    CHECK(!node.has_thesis_cages);
+    square.has_thesis_cages = true;
     const std::string thesis = text_of(write_node, square);
     CHECK(thesis.find("# tau 3\n# cages thesis\n# cage 2 0.125\n") != std::string::npos);
     REQUIRE(parse_node(thesis, &node).good());
-    CHECK(node.cage_kind == NETMESH_CAGES_THESIS);
+    CHECK(node.has_thesis_cages);
     for (const char* remark : {"# cages", "# cages large", "# cages thesis 2"}) {
         NodeFile other;
         CHECK(parse_node("# domain 0 0 1\n" + std::string(remark) + "\n1 2 0 1\n0 0 0 0\n", &other).exit == Exit::data);

@@ -200,7 +200,7 @@ struct Made {
     explicit Made(const std::vector<std::string>& arguments, const PointCloud& points = two_rings()) {
         CHECK(parse_options(arguments, &options).good());
         Session session(options, points.dim);
-        CHECK(session.run(0, points, [&](Session& s) { return persist_as_asked(s, options, points); }).good());
+        CHECK(session.run(0, points, [&](Session& s) { return persist_as_asked(s, points); }).good());
         const Engine& engine = session.engine();
         run.engine = engine.report();
         run.checked.emplace();
@@ -245,8 +245,8 @@ struct Made {
     }
     // One of whose value nothing is open: its cell lies in the ball, where cells are clipped.
     std::size_t some_vertex() const {
-        const CellOpinion opinion =
-            cell_opinion(files, choice_of(options), options.k.value_or(1), run.engine->diagram.certified_ratio);
+        const CellOpinion opinion = cell_opinion(files, choice_of(options), std::max(options.request.k, 1u),
+                                                 run.engine->diagram.certified_ratio);
         std::size_t v = opinion.values.size() / 2;
         while (v > 0 && opinion.values[v].most > opinion.values[v].least * (1 + 1e-12L)) v--;
         CHECK(v > 0);
@@ -287,7 +287,8 @@ TEST_CASE("opinion: what the engine made is confirmed; forged values, ratios and
         CHECK(good.exit == Exit::done);
         CHECK(made.run.checked->size() == 3);
         const bool whole = std::find(making.begin(), making.end(), "--whole-cells") != making.end();
-        if (filter_of(made.options) == NETMESH_FILTER_COMPLETE && refines_by_certificate(made.options))
+        if (filter_of(made.options) == NETMESH_FILTER_COMPLETE &&
+            made.options.request.mesh.method == &netmesh_method_certificate)
             CHECK(made.files.node.clipped == !whole);
 
         double& value = made.files.node.attributes[made.some_vertex()];
@@ -456,7 +457,7 @@ TEST_CASE("opinion: of a function, an error that is too small and forged values 
 namespace {
 
 // What the function takes at sampled places of each vertex's cell, in the ball where cells are clipped to it.
-std::vector<CellRange> sampled_cells(const MeshFiles& files, netmesh_filter filter, std::uint32_t k) {
+std::vector<CellRange> sampled_cells(const MeshFiles& files, netmesh_filter_id filter, std::uint32_t k) {
     const NodeFile& node = files.node;
     const FilteredFunction function(node, filter, k);
     const std::vector<double>& x = node.cloud.coordinates;
@@ -507,8 +508,8 @@ TEST_CASE("opinion: forged ratios by scale") {
         if (making.back() != "--bounds") continue;
         CAPTURE(making[0]);
         Made made(command(making));
-        const netmesh_filter filter = filter_of(made.options);
-        const std::uint32_t k = made.options.k.value_or(1);
+        const netmesh_filter_id filter = filter_of(made.options);
+        const std::uint32_t k = std::max(made.options.request.k, 1u);
         const std::vector<CellRange> sampled = sampled_cells(made.files, filter, k);
         const auto number = [](const std::string& text, const std::string& name) {
             return std::strtod(text.c_str() + text.find(" " + name + " ") + name.size() + 2, nullptr);
@@ -613,7 +614,8 @@ TEST_CASE("opinion: places of cells nearly use the certified ratio up") {
         CAPTURE(making[1 % making.size()]);
         const Made made(command(making));
         const double c = made.run.engine->diagram.certified_ratio;
-        const CellOpinion opinion = cell_opinion(made.files, choice_of(made.options), made.options.k.value_or(1), c);
+        const CellOpinion opinion =
+            cell_opinion(made.files, choice_of(made.options), std::max(made.options.request.k, 1u), c);
         double used = 1;
         for (std::size_t v = 0; v < opinion.values.size(); v++) {
             const double t = static_cast<double>(opinion.values[v].least);

@@ -4,6 +4,7 @@
 
 #include "tools/closest.hpp"
 #include "tools/io/numbers.hpp"
+#include "tools/requests.hpp"
 #include "tools/session.hpp"
 
 using namespace netmesh::tool;
@@ -36,17 +37,17 @@ bool names(const std::string& message, const std::string& argument) {
 
 TEST_CASE("options before and behind positionals, with = and without") {
     for (const auto& line : std::vector<std::vector<std::string>>{
-             {"persist", "p.txt", "--tau", "3.08", "-o", "p.pers", "--filter=alpha", "--json"},
-             {"persist", "--tau=3.08", "--json", "-o", "p.pers", "p.txt", "--filter", "alpha"},
-             {"--json", "--tau=3.08", "persist", "--filter=alpha", "-o", "p.pers", "--", "p.txt"}}) {
+             {"persist", "p.txt", "--tau", "3.08", "-o", "p.pers", "--filter=basic", "--json"},
+             {"persist", "--tau=3.08", "--json", "-o", "p.pers", "p.txt", "--filter", "basic"},
+             {"--json", "--tau=3.08", "persist", "--filter=basic", "-o", "p.pers", "--", "p.txt"}}) {
         const Options options = good(line);
         CHECK(options.command == Command::persist);
         CHECK(options.positionals == std::vector<std::string>{"p.txt"});
-        CHECK(*options.tau == 3.08);
+        CHECK(options.request.mesh.tau == 3.08);
         CHECK(options.out == "p.pers");
-        CHECK(*options.filter == NETMESH_FILTER_ALPHA);
+        CHECK(options.request.filter == &netmesh_filter_basic);
         CHECK(options.json);
-        CHECK(options.seed == 1);
+        CHECK(options.request.seed == 1);
     }
 }
 
@@ -76,6 +77,16 @@ TEST_CASE("sizes of memory") {
 TEST_CASE("numbers out of range name their argument") {
     for (const char* eps : {"0", "-1", "inf", "nan", "x", ""})
         CHECK(names(fault({"mesh", "p", "--eps", eps}), "--eps"));
+    // A size of cells, or what a filter promises: each has its own range.
+    const std::string above = "must be above 0", half = "in (0, 1/2]";
+    CHECK(names(fault({"mesh", "p", "--eps", "0"}), above));
+    CHECK(names(fault({"size", "--dim", "3", "--points", "9", "--eps", "0"}), above));
+    CHECK(names(fault({"check", "m.node", "--eps", "0"}), above));
+    CHECK(names(fault({"persist", "p", "--filter", "tight", "--eps", "0"}), half));
+    CHECK(names(fault({"size", "--dim", "3", "--points", "9", "--filter", "tight", "--eps", "0.7"}), "(0, 1/2]"));
+    CHECK(good({"mesh", "p", "--eps", "0.75"}).request.mesh.sizes.eps == 0.75);
+    CHECK(good({"size", "--dim", "3", "--points", "9", "--eps", "0.75"}).request.mesh.sizes.eps == 0.75);
+    CHECK(good({"size", "--dim", "3", "--points", "9", "--eps", "0.5", "--filter", "tight"}).request.goal.eps == 0.5);
     for (const char* size : {"0", "-1", "inf", "1,-1", "1,", ",1", "1,2,3", "x", ""})
         CHECK(names(fault({"mesh", "p", "--cell-size", size}), "--cell-size"));
     for (const char* factor : {"0.9", "8.1", "nan", "x", ""})
@@ -86,7 +97,7 @@ TEST_CASE("numbers out of range name their argument") {
     for (const char* seed : {"-1", "1.5", "x", "", "18446744073709551616"}) {
         CHECK(names(fault({"mesh", "p", "--seed", seed}), "--seed"));
     }
-    CHECK(good({"mesh", "p", "--seed", "18446744073709551615"}).seed == UINT64_MAX);
+    CHECK(good({"mesh", "p", "--seed", "18446744073709551615"}).request.seed == UINT64_MAX);
     for (const char* degree : {"-1", "x", "1.0", ""}) {
         CHECK(names(fault({"persist", "p", "--max-degree", degree}), "--max-degree"));
     }
@@ -107,32 +118,34 @@ TEST_CASE("methods, filters and values that this version has not") {
     good({"mesh", "p", "--method", "svr"});
     good({"mesh", "p", "--method", "refine"});
     good({"mesh", "p", "--method", "netmesh", "--finish"});
-    CHECK(names(fault({"mesh", "p", "--finish"}), "--finish goes with --method netmesh"));
+    CHECK(names(fault({"mesh", "p", "--finish"}), "--finish: this method does not read it"));
     CHECK(names(fault({"persist", "p", "--method", "netmesh"}), "--finish"));
     for (const char* const size : {"--eps", "--cell-size"}) {
         CHECK(names(fault({"mesh", "p", "--method", "netmesh", size, ".4"}),
-                    "--eps and --cell-size go with --method netmesh only where --finish removes the cages"));
+                    std::string(size) + " .4: a mesh with cages is not over-refined; set finish"));
         good({"mesh", "p", "--method", "netmesh", "--finish", size, ".4"});
     }
-    CHECK(!good({"mesh", "p", "--method", "netmesh"}).cages);
-    CHECK(good({"mesh", "p", "--method", "netmesh", "--cages", "compact"}).cages == NETMESH_CAGES_COMPACT);
-    CHECK(good({"mesh", "p", "--method", "netmesh", "--cages", "thesis", "--tau", "3.4", "--finish"}).cages ==
-          NETMESH_CAGES_THESIS);
+    CHECK(good({"mesh", "p", "--method", "netmesh"}).request.mesh.method == &netmesh_method_netmesh);
+    CHECK(good({"mesh", "p", "--method", "netmesh", "--cages", "compact"}).request.mesh.method ==
+          &netmesh_method_netmesh);
+    CHECK(good({"mesh", "p", "--method", "netmesh", "--cages", "thesis", "--tau", "3.4", "--finish"})
+              .request.mesh.method == &netmesh_method_thesis);
     good({"size", "--dim", "4", "--points", "5", "--method", "netmesh", "--cages", "thesis"});
     const auto thesis_fault = [](std::vector<std::string> more) {
         more.insert(more.begin(), {"mesh", "p", "--method", "netmesh", "--cages", "thesis"});
         return fault(more);
     };
-    CHECK(names(thesis_fault({"--tau", "3.3"}), "--cages thesis needs a --tau of at least 3.4"));
+    CHECK(names(thesis_fault({"--tau", "3.3"}), "--tau 3.3: cages of the thesis need a tau of at least 3.4"));
     for (const char* const located : {"location", "all"})
-        CHECK(names(thesis_fault({"--audit", located}), "--audit location does not go with --cages thesis"));
+        CHECK(names(thesis_fault({"--audit", located}),
+                    std::string("--audit ") + located + ": an audit of location is for meshes of svr and netmesh"));
     good({"mesh", "p", "--method", "netmesh", "--cages", "thesis", "--audit", "quality"});
-    CHECK(names(thesis_fault({"--finish", "--eps", ".4"}), "do not go with --cages thesis"));
+    CHECK(names(thesis_fault({"--finish", "--eps", ".4"}), "--eps .4: this method does not read it"));
     CHECK(names(fault({"mesh", "p", "--cages", "thesis"}), "--cages goes with --method netmesh"));
     CHECK(names(fault({"mesh", "p", "--method", "netmesh", "--cages", "large"}), "there are compact and thesis"));
     CHECK(names(fault({"persist", "p", "--method", "netmesh", "--finish", "--cages", "thesis"}), "--cages"));
     CHECK(names(fault({"size", "--dim", "5", "--points", "5", "--method", "netmesh", "--cages", "thesis"}),
-                "--cages thesis is for D = 2, 3 and 4"));
+                "--cages thesis: there are cages of the thesis up to D = 4"));
     for (const char* spacing : {"0", "0.015", "8.1", "nan", "x", ""})
         CHECK(names(fault({"mesh", "p", "--method", "refine", "--net", spacing}), "--net"));
     for (const char* theta : {"0", "1.1", "-1", "x", ""})
@@ -140,9 +153,9 @@ TEST_CASE("methods, filters and values that this version has not") {
     CHECK(names(fault({"delaunay", "p", "--theta", ".5"}), "--theta goes with --pace"));
     CHECK(names(fault({"mesh", "p", "--weighted-cells", "f"}), "--weighted-cells goes with --method netmesh"));
     CHECK(names(fault({"mesh", "p", "--method", "netmesh", "--finish", "--weighted-cells", "f"}), "--weighted-cells"));
-    CHECK(names(fault({"mesh", "p", "--net", "1"}), "--net goes with --method refine"));
-    CHECK(names(fault({"mesh", "p", "--method", "refine", "--domain", "2"}),
-                "--domain does not go with --method refine"));
+    CHECK(names(fault({"mesh", "p", "--net", "1"}), "--net 1: this method does not read it"));
+    CHECK(
+        names(fault({"mesh", "p", "--method", "refine", "--domain", "2"}), "--domain 2: this method does not read it"));
     CHECK(names(fault({"mesh", "p", "--method", "frob"}), "--method frob"));
     for (const char* filter : {"frob", "cechs"}) {
         CHECK(names(fault({"persist", "p", "--filter", filter}), "complete, basic, alpha"));
@@ -155,8 +168,10 @@ TEST_CASE("filters are those of the library's table") {
     netmesh::for_each_filter([&](const netmesh_filter_info& info) {
         CAPTURE(info.name);
         offered++;
-        CHECK(good({"persist", "p", "--filter", info.name}).filter == info.filter);
-        CHECK(std::string(filter_name(info.filter)) == info.name);
+        std::vector<std::string> line = {"persist", "p", "--filter", info.name};
+        if (info.needs_function != 0) line.insert(line.end(), {"--function", "x", "--lipschitz", "1", "--cut", "0"});
+        CHECK(good(line).request.filter == info.filter);
+        CHECK(std::string(filter_name(info.id)) == info.name);
         CHECK(names(help_text(Command::persist), std::string(info.name)));
     });
     CHECK(offered == 12);
@@ -172,8 +187,8 @@ TEST_CASE("the options of a function") {
     CHECK(options.function->text() == "x*y - 1");
     CHECK(options.lipschitz == 2);
     CHECK(options.cut == -0.5);
-    CHECK(options.error == 0.25);
-    CHECK(choice_of(options).values == NETMESH_VALUES_THESIS);
+    CHECK(options.request.goal.error == 0.25);
+    CHECK(settled(options, 2).request.values == NETMESH_VALUES_THESIS);
     CHECK(names(fault({"persist", "p", "--function", "x +"}), "--function x +: column 4: "));
     for (const char* text : {"-1", "inf", "nan", "x", ""})
         CHECK(names(fault({"persist", "p", "--lipschitz", text}), "--lipschitz"));
@@ -246,7 +261,7 @@ TEST_CASE("help and version") {
     CHECK(help_text(Command::persist).find("--filter F") != std::string::npos);
     CHECK(help_text(Command::mesh).find("--filter") == std::string::npos);
     CHECK(help_text(Command::sample).find("clifford") != std::string::npos);
-    CHECK(version_text() == "netmesh 0.2.0\n");
+    CHECK(version_text() == std::string("netmesh ") + netmesh_version_text() + "\n");
 }
 
 TEST_CASE("edits between words, and which word is meant") {

@@ -128,7 +128,7 @@ std::string some_diagram(std::uint64_t seed) {
     report.mesh.aspect_ratio_max = 1.2345678e-9;
     report.diagram.certified_ratio = seed % 4 == 0 ? 1 : 1 + 3 * random.uniform();
     report.diagram.certified_from = seed % 3 == 0 ? 1.234e-7 : 0;
-    report.diagram.filter = static_cast<netmesh_filter>(seed / 3 % NETMESH_FILTER_FUNCTION + 1);
+    report.diagram.filter = static_cast<netmesh_filter_id>(seed / 3 % NETMESH_FILTER_FUNCTION + 1);
     const bool is_complex = seed % 11 == 3, is_function = seed % 5 == 2 && !is_complex;
     if (is_complex) {
         report.input.dim = 0;
@@ -188,10 +188,9 @@ std::string some_mesh(std::uint64_t seed) {
     for (std::size_t i = 0; i < dim * (3 + seed % 20); i++) points.push_back(random.uniform());
     std::vector<double> block((16u << 20) / sizeof(double));
     netmesh::Engine engine(block.data(), block.size() * sizeof(double));
-    netmesh::requests::Mesh request(dim);
-    request.points = points.data();
-    request.point_count = points.size() / dim;
-    if (seed % 4 == 0) request.method = NETMESH_METHOD_HIERARCHY;
+    netmesh::Request request;
+    request.set_points(dim, points);
+    request.mesh.method = seed % 4 == 0 ? &netmesh_method_netmesh : &netmesh_method_svr;
     REQUIRE(engine.mesh(request) == NETMESH_OK);
     TextWriter out;
     write_mesh_picture(EngineMesh(engine), dim == 2 && seed % 3 == 0, out);
@@ -447,10 +446,10 @@ TEST_CASE("pictures of meshes: each edge once, each Voronoi edge once, a legend 
     const std::vector<double> points = {0, 0, 1, 0, .5, .8, -.5, .8, -1, 0, -.5, -.8, .5, -.8};
     std::vector<double> block((8u << 20) / sizeof(double));
     netmesh::Engine engine(block.data(), block.size() * sizeof(double));
-    netmesh::requests::Delaunay delaunay(2);
-    delaunay.points = points.data();
-    delaunay.point_count = 7;
-    REQUIRE(engine.delaunay(delaunay) == NETMESH_OK);
+    netmesh::Request request;
+    request.set_points(2, points);
+    request.mesh.method = &netmesh_method_delaunay;
+    REQUIRE(engine.mesh(request) == NETMESH_OK);
     const auto picture_of = [&](bool voronoi) {
         TextWriter out;
         write_mesh_picture(EngineMesh(engine), voronoi, out);
@@ -473,11 +472,8 @@ TEST_CASE("pictures of meshes: each edge once, each Voronoi edge once, a legend 
     // The one closed cell: out-radius over distance to the second nearest input is between 1/2 and 1.
     CHECK(cells.find("fill=\"#d6e4f0\"/>\n<path") != std::string::npos);
 
-    netmesh::requests::Mesh mesh(2);
-    mesh.points = points.data();
-    mesh.point_count = 7;
-    mesh.method = NETMESH_METHOD_HIERARCHY;
-    REQUIRE(engine.mesh(mesh) == NETMESH_OK);
+    request.mesh.method = &netmesh_method_netmesh;
+    REQUIRE(engine.mesh(request) == NETMESH_OK);
     const std::string whole = picture_of(false);
     for (const char* words : {"7 inputs", ">domain<", "edges that end at the boundary"})
         CHECK_MESSAGE(whole.find(words) != std::string::npos, words);

@@ -55,7 +55,7 @@ TEST_CASE("report of a run that has no engine result: nulls") {
     const std::string json = json_report(run);
     for (const char* part :
          {"\"schema\": 1", "\"command\": \"size\"", "\"input\": null", "\"mesh\": null", "\"diagram\": null",
-          "\"arena_bytes\": null", "\"plan_bytes\": 4096", "\"predicates\": null", "\"fingerprint\": null"}) {
+          "\"block_bytes\": null", "\"plan_bytes\": 4096", "\"predicates\": null", "\"fingerprint\": null"}) {
         CAPTURE(part);
         CHECK(json.find(part) != std::string::npos);
     }
@@ -95,8 +95,8 @@ TEST_CASE("report of a mesh and its diagram") {
     run.bars = &bars;
     const std::string json = json_report(run);
     for (const char* part :
-         {"\"points\": 10", "\"duplicates\": 1", "\"steiner\": 80", "\"boundary\": 11", "\"domain\": [1, 0, 3]",
-          "\"aspect_ratio_max\": 2.25", "\"pairs\": [9, 2]", "\"certified_ratio\": 2.125", "\"from\": 0.5",
+         {"\"points\": 10", "\"duplicates\": 1", "\"steiner\": 80", "\"exempt\": 11", "\"domain\": [1, 0, 3]",
+          "\"aspect_ratio_max\": 2.25", "\"pairs\": [9, 2]", "\"certified_ratio\": 2.125", "\"certified_from\": 0.5",
           "\"units\": \"radius\"", "\"field\": \"Z/2\"", "\"tie\": 77", "\"fingerprint\": \"fedcba9876543210\"",
           "\"bars\": [[0, 0, null], [1, 0.5, 1]]", "\"filter\": \"basic\"", "\"fingerprint\": \"0000000000001234\""}) {
         CAPTURE(part);
@@ -121,18 +121,19 @@ TEST_CASE("report: what has to be asked for is left out or there as a whole") {
         return json.substr(at, json.find("\"diagram\"") - at);
     };
     CHECK(mesh_of(json_report(run)) ==
-          "\"mesh\": {\n    \"vertices\": 0,\n    \"steiner\": 0,\n    \"boundary\": 0,\n    \"cells\": 0,\n"
+          "\"mesh\": {\n    \"vertices\": 0,\n    \"steiner\": 0,\n    \"exempt\": 0,\n    \"cells\": 0,\n"
           "    \"aspect_ratio_max\": null,\n    \"tau\": null,\n    \"domain\": null\n  },\n  ");
     run.engine->mesh.is_mesh = 1;
-    run.engine->mesh.method = NETMESH_METHOD_HIERARCHY;
+    run.engine->mesh.method = NETMESH_METHOD_NETMESH;
+    run.engine->mesh.hierarchy.present = 1;
     run.engine->mesh.hierarchy.cages = 4;
     run.engine->mesh.touches = 9;
-    run.engine->mesh.certificate.ratio = 2;
+    run.engine->mesh.goal.ratio = 2;
     run.engine->mesh.audit.what = NETMESH_AUDIT_LOCATION;
     run.engine->mesh.audit.rounds = 2;
     run.engine->mesh.audit.load[0] = 7;
     CHECK(mesh_of(json_report(run)) ==
-          "\"mesh\": {\n    \"vertices\": 0,\n    \"steiner\": 0,\n    \"boundary\": 0,\n    \"cells\": 0,\n"
+          "\"mesh\": {\n    \"vertices\": 0,\n    \"steiner\": 0,\n    \"exempt\": 0,\n    \"cells\": 0,\n"
           "    \"aspect_ratio_max\": 0,\n    \"tau\": null,\n    \"ratio\": 2,\n    \"domain\": [0, 0, 0],\n"
           "    \"cages\": 4,\n    \"cages_made\": 0,\n    \"touches\": 9,\n    \"audit\": {\n"
           "      \"location\": {\n        \"load\": [7, 0],\n        \"nets\": 0,\n        \"nets_max\": 0,\n"
