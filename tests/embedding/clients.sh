@@ -2,8 +2,9 @@
 # by find_package and by pkg-config. Reads $cmake, $cc, $cxx and $here, this folder.
 clients() {
     prefix=$1 work=$2
+    version=$("$prefix/bin/netmesh" --version | sed 's/[^0-9.]*\([0-9.]*\).*/\1/')
     "$cmake" -S "$here/installed" -B "$work/build" "-DCMAKE_PREFIX_PATH=$prefix" "-DEXAMPLE=$example" \
-        "-DCMAKE_C_COMPILER=$cc" "-DCMAKE_CXX_COMPILER=$cxx" >>"$work/log"
+        "-DVERSION=$version" "-DCMAKE_C_COMPILER=$cc" "-DCMAKE_CXX_COMPILER=$cxx" >>"$work/log"
     "$cmake" --build "$work/build" >>"$work/log"
     # That of this prefix, and not one that the machine has.
     case $(sed -n 's/^netmesh_DIR:PATH=//p' "$work/build/CMakeCache.txt") in "$prefix"/*) ;; *) exit 1 ;; esac
@@ -19,6 +20,5 @@ clients() {
     "$cc" -std=c11 -pedantic -Wall -Wextra -Werror "$example" $(pkg-config --cflags --libs netmesh) \
         -o "$work/by_pkg_config"
     "$work/by_pkg_config" | grep "H1: born"
-    version=$("$prefix/bin/netmesh" --version | sed 's/[^0-9.]*\([0-9.]*\).*/\1/')
     [ "$(pkg-config --modversion netmesh)" = "$version" ]
 }
