@@ -46,8 +46,15 @@ void read_points_by(Outcome (*parse)(std::string_view, PointCloud*), std::string
 }
 
 void read_atoms(std::string_view content) {
-    for (Outcome (*parse)(std::string_view, PointCloud*) : {parse_pdb_atoms, parse_pqr_atoms, parse_xyz_atoms}) {
-        if (parse != parse_xyz_atoms || is_chemical_xyz(content)) read_points_by(parse, content);
+    for (Outcome (*parse)(std::string_view, bool, PointCloud*) : {parse_pdb_atoms, parse_pqr_atoms, parse_xyz_atoms}) {
+        if (parse == parse_xyz_atoms && !is_chemical_xyz(content)) continue;
+        for (const bool with_radii : {false, true}) {
+            PointCloud cloud;
+            cloud.name = name;
+            const bool good = ended(parse(content, with_radii, &cloud));
+            cloud.dim += with_radii;  // a radius stands behind each place
+            if (good) check_cloud(cloud);
+        }
     }
 }
 

@@ -251,6 +251,14 @@ std::string apply_columns(Options& options, const std::string& text) {
     return parse_columns(text, &options.table.columns);
 }
 
+template <bool are_radii> std::string apply_weights(Options& options, const std::string& text) {
+    if (!options.table.weights.empty() && options.table.are_radii != are_radii)
+        return "goes without " + std::string(are_radii ? "--weights" : "--radii") + ", which says the same otherwise";
+    options.table.weights = text;
+    options.table.are_radii = are_radii;
+    return text.empty() ? "must be a column: a number from 1, or a name of the header" : "";
+}
+
 std::string apply_delimiter(Options& options, const std::string& text) {
     constexpr std::pair<const char*, char> names[] = {{"tab", '\t'},  {"\\t", '\t'},  {"blank", ' '},
                                                       {"space", ' '}, {"comma", ','}, {"semicolon", ';'}};
@@ -341,6 +349,13 @@ const std::vector<OptionEntry>& option_entries() {
         {"--delimiter", points, "C", apply_delimiter,
          "what stands between columns: , ; | tab or blank; commas in numbers are then decimal (told by the file)"},
         {"--skip", points, "N", apply_skip, "lines left out at the top of a table (none but a header)"},
+        {"--radii", delaunay | persist | check, "COLUMN", apply_weights<true>,
+         "balls about the points, of filter alpha: the column of their radii, which grow together; of .pqr radius; of\n"
+         "                    .xyz and .pdb vdw, van der Waals radii by element"},
+        {"--weights", delaunay | persist | check, "COLUMN", apply_weights<false>,
+         "the same by squares of radii, of any sign"},
+        {"--squares", persist | check, nullptr, "squares",
+         "with these: births and deaths are the squares that are added to those of all radii, not roots with a sign"},
         {"-n", sample, "N", apply_count, "number of points"},
         {"--dim", size | sample, "D", apply_dim, "dimension, 2 to 6"},
         {"--points", size, "N", apply_count, "number of points"},
@@ -548,7 +563,9 @@ std::vector<std::string> option_names(netmesh_field field) {
                   {NETMESH_FIELD_K_LAST, "--k"},
                   {NETMESH_FIELD_VINES, "--filter"},
                   {NETMESH_FIELD_CYCLES, "--representatives"},
-                  {NETMESH_FIELD_KEEP_MESH, "--mesh"}};
+                  {NETMESH_FIELD_KEEP_MESH, "--mesh"},
+                  {NETMESH_FIELD_WEIGHTING, "--radii"},
+                  {NETMESH_FIELD_WEIGHTING, "--weights"}};
     std::vector<std::string> names;
     const auto add = [&](const char* name) {
         if (std::find(names.begin(), names.end(), name) == names.end()) names.emplace_back(name);

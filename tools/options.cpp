@@ -218,6 +218,8 @@ Outcome check_together(const Options& options) {
             if (was_given(options, name))
                 return usage_error(std::string(name) + " does not go with --pieces, which keep bars alone");
     }
+    if (!options.table.weights.empty() && goes_by_pieces(options))
+        return usage_error(weights_option(options.table) + " does not go with --pieces, which are of points alone");
     if (options.sparse && !options.distances) return usage_error("--sparse goes with --distances");
     if (r.goal.longer_than > 0 && !options.focus_auto) return usage_error("--longer-than goes with --focus auto");
     if (options.focus_auto && was_given(options, "--fit"))

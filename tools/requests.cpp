@@ -37,6 +37,7 @@ netmesh_request asked_of(const Options& options, std::uint32_t dim) {
     } else if (!persists || options.values_at.empty()) {
         r.points = {nullptr, 1, dim, NETMESH_POINTS_FLOAT64, 0};
     }
+    if (!options.table.weights.empty()) r.weighting = options.table.are_radii ? &netmesh_radii : &netmesh_weights;
     if (options.function || !options.values_at.empty() || (sizes && about(r.filter).needs_function != 0))
         r.function = &any_function;
     if (options.command == Command::delaunay) r.mesh.method = &netmesh_method_delaunay;
@@ -90,11 +91,13 @@ double default_tau(std::uint32_t dim) {
 
 netmesh_request on_points(netmesh_request request, const PointCloud& cloud) {
     request.points = points_of(cloud.dim, cloud.coordinates);
+    if (!cloud.weights.empty()) request.points.weights = cloud.weights.data();
     return request;
 }
 
 netmesh_request on_what_is_there(netmesh_request request) {
     request.points = {};
+    request.weighting = nullptr;
     request.goal = {};
     request.mesh = {};
     request.fit = nullptr;

@@ -59,7 +59,7 @@ Outcome read_diagram(const std::string& path, const Options& options, DiagramFil
     file->bounds = bound_lines(content);
     std::size_t at = 0;
     const Options& made = file->head ? file->head->options : options;
-    const bool any_sign = filter_of(made) == NETMESH_FILTER_FUNCTION;
+    const bool any_sign = filter_of(made) == NETMESH_FILTER_FUNCTION || !made.table.weights.empty();
     const std::string complaint =
         diagram_complaint(file->bars, &at, any_sign, goes_by_distances(made) || may_end_beyond(filter_of(made)));
     if (!complaint.empty()) return file->wrong(file->line_of(at), complaint);
@@ -353,6 +353,10 @@ Options making_of(const Options& options, const DiagramFile& file) {
     made.mesh_path = options.mesh_path;
     made.values_at = options.values_at;
     made.table = options.table;
+    if (file.head) {
+        made.table.weights = file.head->options.table.weights;
+        made.table.are_radii = file.head->options.table.are_radii;
+    }
     made.json = options.json;
     made.quiet = options.quiet;
     made.representatives.clear();

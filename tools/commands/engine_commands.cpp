@@ -202,8 +202,8 @@ std::string point_cycles_complaint(const Engine& engine, const SimplexList& simp
 Outcome check_result(const Engine& engine, const std::vector<Bar>& bars, const SimplexList& complex,
                      const PointCloud& cloud) {
     const netmesh_diagram_report diagram = engine.report().diagram;
-    std::string complaint =
-        diagram_complaint(bars, nullptr, diagram.filter == NETMESH_FILTER_FUNCTION, may_end_beyond(diagram.filter));
+    const bool any_sign = diagram.filter == NETMESH_FILTER_FUNCTION || !cloud.weights.empty();
+    std::string complaint = diagram_complaint(bars, nullptr, any_sign, may_end_beyond(diagram.filter));
     const bool cycles = diagram.representatives != 0;
     const bool by_scales = about(diagram.filter).is_by_scales != 0;
     if (complaint.empty() && cycles && by_scales) complaint = point_cycles_complaint(engine, complex, cloud);

@@ -174,6 +174,15 @@ Outcome judge_alpha_of_points(const DiagramClaim& claim, const PointCloud& point
     return judge_degree_zero(claim, points, why, checked);
 }
 
+Outcome judge_balls(const DiagramClaim& claim, const PointCloud& points, std::vector<std::string>* checked) {
+    const SimplexList sets = nerve_of_balls(points, claim.made.table.are_radii, claim.made.request.squares != 0,
+                                            std::min(claim.made.request.max_degree + 1, points.dim), brute_sets_max);
+    if (sets) return judge_exact(claim, FilteredComplex(*sets), "of the nerve of all balls, by their powers", checked);
+    checked->push_back("no second opinion: there are more than " + counted(brute_sets_max, "set", "sets") +
+                       " of balls; the engine alone made the bars, twice");
+    return {};
+}
+
 // Of all dimensions. By Euler's formula, with a facet of two cells at most: in the plane as many edges as vertices and
 // cells, but for one; in space two facets for each cell, and as many edges as vertices and cells.
 std::size_t least_faces(const MeshFiles& files) {
@@ -208,6 +217,7 @@ Outcome second_opinion_on_points(const DiagramClaim& claim, const PointCloud& po
         run->checked->push_back("no second opinion: the same code ran twice; for filters on a mesh --mesh gives one");
         return {};
     }
+    if (!points.weights.empty()) return judge_balls(claim, points, &*run->checked);
     return filter == NETMESH_FILTER_ALPHA ? judge_alpha_of_points(claim, points, &*run->checked)
                                           : judge_sets(claim, points, &*run->checked);
 }

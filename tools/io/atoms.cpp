@@ -4,6 +4,7 @@
 #include "tools/io/lines.hpp"
 #include "tools/io/numbers.hpp"
 #include "tools/io/points.hpp"
+#include "tools/io/vdw_radii.hpp"
 
 namespace netmesh::tool {
 
@@ -24,7 +25,14 @@ bool is_element(std::string_view word) {
            ((word[0] >= 'A' && word[0] <= 'Z') || (word[0] >= 'a' && word[0] <= 'z'));
 }
 
-Outcome add_atom(const std::array<std::string_view, 3>& words, std::uint64_t line, PointCloud* cloud) {
+std::string_view trimmed(std::string_view text) {
+    const std::vector<std::string_view> words = split_blanks(text);
+    return words.empty() ? std::string_view() : words.size() == 1 ? words[0] : text;
+}
+
+// Behind the places may be a radius.
+template <std::size_t count>
+Outcome add_atom(const std::array<std::string_view, count>& words, std::uint64_t line, PointCloud* cloud) {
     for (const std::string_view word : words) {
         double value;
         if (word.empty()) return line_error(cloud->name, line, "an atom without three coordinates");
@@ -35,9 +43,25 @@ Outcome add_atom(const std::array<std::string_view, 3>& words, std::uint64_t lin
     return {};
 }
 
-std::string_view trimmed(std::string_view text) {
-    const std::vector<std::string_view> words = split_blanks(text);
-    return words.empty() ? std::string_view() : words.size() == 1 ? words[0] : text;
+Outcome add_radius(std::string_view element, std::uint64_t line, PointCloud* cloud) {
+    const double radius = van_der_waals_radius(element);
+    if (radius == 0)
+        return line_error(cloud->name, line,
+                          "no van der Waals radius of " + quoted(element) +
+                              " is known, but those of the main groups (Mantina et al. 2009); take that atom out, or "
+                              "write a table with a column of radii");
+    cloud->coordinates.push_back(radius);
+    return {};
+}
+
+// The element of a line of .pdb: columns 77 and 78, or else the name's, which ends in column 14 and may go on.
+std::string_view element_of_pdb(std::string_view line) {
+    const std::string_view said = line.size() >= 78 ? trimmed(line.substr(76, 2)) : std::string_view();
+    if (!said.empty()) return said;
+    const std::string_view name = line.substr(12, 4);
+    const bool letter = (name[0] >= 'A' && name[0] <= 'Z') || (name[0] >= 'a' && name[0] <= 'z');
+    if (!letter) return name.substr(1, 1);
+    return name[0] == 'H' && name[3] != ' ' ? name.substr(0, 1) : trimmed(name.substr(0, 2));
 }
 
 char lower_case(char c) { return c >= 'A' && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : c; }
@@ -93,7 +117,7 @@ bool is_chemical_xyz(std::string_view content) {
     return named || numbered;
 }
 
-Outcome parse_xyz_atoms(std::string_view content, PointCloud* cloud) {
+Outcome parse_xyz_atoms(std::string_view content, bool with_radii, PointCloud* cloud) {
     LineReader reader(content, false);
     std::string_view line;
     std::uint64_t count = 0;
@@ -116,7 +140,8 @@ Outcome parse_xyz_atoms(std::string_view content, PointCloud* cloud) {
         if (words.size() < 4 || !is_element(words[0]))
             return line_error(cloud->name, reader.number(),
                               "not an atom, `C 1.0 2.0 3.0`; line 1 says that there are " + std::to_string(count));
-        const Outcome outcome = add_atom({words[1], words[2], words[3]}, reader.number(), cloud);
+        Outcome outcome = add_atom<3>({words[1], words[2], words[3]}, reader.number(), cloud);
+        if (outcome.good() && with_radii) outcome = add_radius(words[0], reader.number(), cloud);
         if (!outcome.good()) return outcome;
     }
     if (reader.next_content(&line))
@@ -128,7 +153,7 @@ Outcome parse_xyz_atoms(std::string_view content, PointCloud* cloud) {
     return {};
 }
 
-Outcome parse_pdb_atoms(std::string_view content, PointCloud* cloud) {
+Outcome parse_pdb_atoms(std::string_view content, bool with_radii, PointCloud* cloud) {
     LineReader reader(content, false);
     std::string_view line;
     std::uint64_t models = 0, left_out = 0;
@@ -147,9 +172,10 @@ Outcome parse_pdb_atoms(std::string_view content, PointCloud* cloud) {
             left_out++;
             continue;
         }
-        const Outcome outcome =
-            add_atom({trimmed(line.substr(30, 8)), trimmed(line.substr(38, 8)), trimmed(line.substr(46, 8))},
-                     reader.number(), cloud);
+        Outcome outcome =
+            add_atom<3>({trimmed(line.substr(30, 8)), trimmed(line.substr(38, 8)), trimmed(line.substr(46, 8))},
+                        reader.number(), cloud);
+        if (outcome.good() && with_radii) outcome = add_radius(element_of_pdb(line), reader.number(), cloud);
         if (!outcome.good()) return outcome;
     }
     if (cloud->rows() == 0)
@@ -159,7 +185,7 @@ Outcome parse_pdb_atoms(std::string_view content, PointCloud* cloud) {
     return {};
 }
 
-Outcome parse_pqr_atoms(std::string_view content, PointCloud* cloud) {
+Outcome parse_pqr_atoms(std::string_view content, bool with_radii, PointCloud* cloud) {
     LineReader reader(content, false);
     std::string_view line;
     cloud->dim = 3;
@@ -173,7 +199,9 @@ Outcome parse_pqr_atoms(std::string_view content, PointCloud* cloud) {
         if (end < (has_chain ? 11 : 10) || !is_number(words[end - 1]) || !is_number(words[end - 2]))
             return line_error(cloud->name, reader.number(),
                               "an atom that does not end in x, y, z, charge and radius; with fixed columns it is .pdb");
-        const Outcome outcome = add_atom({words[end - 5], words[end - 4], words[end - 3]}, reader.number(), cloud);
+        const std::string_view x = words[end - 5], y = words[end - 4], z = words[end - 3], radius = words[end - 1];
+        const Outcome outcome = with_radii ? add_atom<4>({x, y, z, radius}, reader.number(), cloud)
+                                           : add_atom<3>({x, y, z}, reader.number(), cloud);
         if (!outcome.good()) return outcome;
     }
     if (cloud->rows() == 0)

@@ -195,13 +195,11 @@ Outcome open_array(std::string_view head, std::uint64_t bytes, const TableOption
                                  std::to_string(array->data_offset + data_bytes) + ")");
     }
     columns->clear();
-    if (options.columns.empty()) {
-        for (std::size_t k = 0; k < array->columns; k++) columns->push_back(k);
-    } else {
-        const std::string wrong_columns = resolve_columns(options.columns, array->columns, {}, columns);
-        if (!wrong_columns.empty()) return wrong(*table, wrong_columns);
-    }
+    for (std::size_t k = 0; k < array->columns && options.columns.empty(); k++) columns->push_back(k);
+    const std::string wrong_columns = choose_columns(options, array->columns, {}, columns);
+    if (!wrong_columns.empty()) return wrong(*table, wrong_columns);
     table->width = columns->size();
+    table->has_weights = !options.weights.empty();
     return {};
 }
 

@@ -5,6 +5,7 @@
 #include "platform/files.hpp"
 #include "platform/interrupt.hpp"
 #include "tools/io/lines.hpp"
+#include "tools/io/numbers.hpp"
 #include "tools/io/point_stream.hpp"
 #include "tools/io/unpack.hpp"
 
@@ -204,15 +205,27 @@ Outcome read_source(const std::string& path, Source* source) {
     return settle(packed, source);
 }
 
-Outcome parse_surface(const Source& source, PointCloud* cloud) {
+// Whether atoms come with radii, which is all that can be had besides places: --radii radius of .pqr, else vdw.
+Outcome check_weights(const Source& source, const TableOptions& options, bool are_atoms) {
+    if (options.weights.empty()) return {};
+    const bool has_own = source.ending == ".pqr";
+    const std::string due = has_own ? "radius" : "vdw";
+    if (are_atoms && options.are_radii && options.weights == due) return {};
+    return usage_error(weights_option(options) + ": " + source.name +
+                       (!are_atoms ? " has no such column; a table or array may have one"
+                        : has_own  ? " has radii of its own: --radii radius"
+                                   : " has elements and no such column: --radii vdw, or a table with a column"));
+}
+
+Outcome parse_surface(const Source& source, bool with_radii, PointCloud* cloud) {
     if (source.ending == ".off") return parse_off_points(source.content, cloud);
     if (source.ending == ".ply") return parse_ply_points(source.content, cloud);
     if (source.ending == ".node") return parse_node_points(source.content, cloud);
     if (source.ending == ".obj") return parse_obj_points(source.content, cloud);
     if (source.ending == ".stl") return parse_stl_points(source.content, cloud);
-    if (source.ending == ".pqr") return parse_pqr_atoms(source.content, cloud);
-    if (source.ending == ".pdb" || source.ending == ".ent") return parse_pdb_atoms(source.content, cloud);
-    return parse_xyz_atoms(source.content, cloud);
+    if (source.ending == ".pqr") return parse_pqr_atoms(source.content, with_radii, cloud);
+    if (source.ending == ".pdb" || source.ending == ".ent") return parse_pdb_atoms(source.content, with_radii, cloud);
+    return parse_xyz_atoms(source.content, with_radii, cloud);
 }
 
 // A list of atoms where a table could be.
@@ -233,10 +246,15 @@ Outcome parse_source(const Source& source, const TableOptions& options, Table* t
     if (source.ending == ".npy") return parse_npy_table(source.content, options, table);
     if (array) return parse_npz_table(source.content, source.array, options, table);
     if (!options.columns.empty()) return usage_error("--columns is for tables and arrays, not for " + source.name);
+    const bool is_surface = source.ending == ".off" || source.ending == ".ply" || source.ending == ".node" ||
+                            source.ending == ".obj" || source.ending == ".stl";
+    Outcome outcome = check_weights(source, options, !is_surface);
+    if (!outcome.good()) return outcome;
     PointCloud cloud;
     cloud.name = source.name;
-    const Outcome outcome = parse_surface(source, &cloud);
-    table->width = cloud.dim;
+    outcome = parse_surface(source, !options.weights.empty(), &cloud);
+    table->has_weights = !options.weights.empty();
+    table->width = cloud.dim + table->has_weights;
     table->values = std::move(cloud.coordinates);
     table->lines = std::move(cloud.lines);
     table->note = std::move(cloud.note);
@@ -272,8 +290,9 @@ Outcome read_points(const std::string& path, const TableOptions& options, PointC
                     std::uint32_t columns_max) {
     *cloud = {};
     Table table;
-    const Outcome outcome = read_table(path, options, &table);
-    return outcome.good() ? take_table(std::move(table), cloud, columns_max) : outcome;
+    Outcome outcome = read_table(path, options, &table);
+    if (outcome.good()) outcome = take_table(std::move(table), cloud, columns_max);
+    return outcome.good() && options.are_radii ? check_radii(*cloud) : outcome;
 }
 
 Outcome PointStream::begin(const Table& table) {
@@ -306,19 +325,38 @@ Outcome open_stream(const std::string& path, const TableOptions& options, std::u
 
 Outcome take_table(Table table, PointCloud* cloud, std::uint32_t columns_max) {
     cloud->name = table.name;
-    if (table.width < dim_min || table.width > columns_max) {
+    const std::size_t width = table.width - table.has_weights;
+    if (width < dim_min || width > columns_max) {
         const std::string complaint =
-            columns_text(table.width) +
+            columns_text(width) + (table.has_weights ? " besides that of weights" : "") +
             (columns_max > dim_max ? "; points have 2 to 65,536 coordinates here" : "; points have 2 to 6 coordinates");
         if (table.lines.empty()) return file_error(table.name, complaint);
-        return line_error(table.name, table.lines[0],
-                          complaint + (table.width < dim_min ? "; --delimiter says what stands between them"
-                                                             : "; --columns chooses some"));
+        return line_error(
+            table.name, table.lines[0],
+            complaint + (width < dim_min ? "; --delimiter says what stands between them" : "; --columns chooses some"));
     }
-    cloud->dim = static_cast<std::uint32_t>(table.width);
+    cloud->dim = static_cast<std::uint32_t>(width);
+    if (table.has_weights) {
+        std::vector<double>& values = table.values;
+        const std::size_t rows = table.rows();
+        cloud->weights.reserve(rows);
+        for (std::size_t i = 0; i < rows; i++) {
+            cloud->weights.push_back(values[i * table.width + width]);
+            for (std::size_t k = 0; k < width; k++) values[i * width + k] = values[i * table.width + k];
+        }
+        values.resize(rows * width);
+    }
     cloud->coordinates = std::move(table.values);
     cloud->lines = std::move(table.lines);
     cloud->note = std::move(table.note);
+    return {};
+}
+
+Outcome check_radii(const PointCloud& cloud) {
+    for (std::size_t i = 0; i < cloud.weights.size(); i++)
+        if (cloud.weights[i] < 0)
+            return cloud.fault(i, "radius " + number_text(cloud.weights[i]) +
+                                      "; radii are 0 or more, --weights takes squares of any sign");
     return {};
 }
 

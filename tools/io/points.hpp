@@ -18,6 +18,7 @@ struct PointCloud {
     std::string name;                  // the file as the user wrote it, <stdin> for "-"
     std::uint32_t dim = 0;             // 2..6; more where these were asked for
     std::vector<double> coordinates;   // [rows][dim], finite, no -0.0
+    std::vector<double> weights;       // [rows], radii or weights; empty: none
     std::vector<std::uint64_t> lines;  // physical line of each row, counted from 1; empty for binary formats
     std::string note;                  // what was left out or understood; empty when nothing
 
@@ -46,8 +47,10 @@ Outcome read_table(const std::string& path, const TableOptions& options, Table* 
 // Distances: an array of NumPy, of one axis or two, into *table, the content of anything else into *text. The table's
 // name is set in both cases.
 Outcome read_numbers(const std::string& path, Table* table, std::string* text);
-// A table as points: Exit::data unless it has 2 to `columns_max` columns.
+// A table as points: Exit::data unless it has 2 to `columns_max` columns, besides one of weights.
 Outcome take_table(Table table, PointCloud* cloud, std::uint32_t columns_max = dim_max);
+// Exit::data at the first radius below 0.
+Outcome check_radii(const PointCloud& cloud);
 
 // The formats one by one, on content that is already in memory. cloud->name is used for messages only.
 Outcome parse_text_points(std::string_view content, const TableOptions& options, PointCloud* cloud);
@@ -60,9 +63,10 @@ Outcome parse_ply_points(std::string_view content, PointCloud* cloud);
 Outcome parse_node_points(std::string_view content, PointCloud* cloud);
 Outcome parse_obj_points(std::string_view content, PointCloud* cloud);
 Outcome parse_stl_points(std::string_view content, PointCloud* cloud);
-Outcome parse_xyz_atoms(std::string_view content, PointCloud* cloud);
-Outcome parse_pdb_atoms(std::string_view content, PointCloud* cloud);
-Outcome parse_pqr_atoms(std::string_view content, PointCloud* cloud);
+// With their radii, where these are wanted: of .pqr those of the file, else van der Waals's by element.
+Outcome parse_xyz_atoms(std::string_view content, bool with_radii, PointCloud* cloud);
+Outcome parse_pdb_atoms(std::string_view content, bool with_radii, PointCloud* cloud);
+Outcome parse_pqr_atoms(std::string_view content, bool with_radii, PointCloud* cloud);
 Outcome parse_npy_table(std::string_view content, const TableOptions& options, Table* table);
 // The array of that name, or the only one.
 Outcome parse_npz_table(std::string_view content, const std::string& array, const TableOptions& options, Table* table);

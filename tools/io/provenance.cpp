@@ -28,6 +28,9 @@ constexpr HeadOption head_options[] = {{"filter", "filter"},
                                        {"distances", nullptr},
                                        {"sparse", nullptr},
                                        {"threshold", "threshold"},
+                                       {"radii", nullptr},
+                                       {"weights", nullptr},
+                                       {"squares", "squares"},
                                        {"k", "k"},
                                        {"values", "values"},
                                        {"function", nullptr},
@@ -86,6 +89,8 @@ bool is_said(const Options& options, const std::string& name) {
     if (name == "seed") return is_made || filter.is_by_scales != 0;
     if (name == "distances") return options.distances;
     if (name == "sparse") return options.sparse;
+    if (name == "radii" || name == "weights")
+        return !options.table.weights.empty() && options.table.are_radii == (name == "radii");
     return name == "filter" || name == "max-degree" || is_given(r, find_option(name)->member);
 }
 
@@ -96,6 +101,7 @@ std::string said_value(const Options& options, const HeadOption& option) {
     if (name == "function") return options.function ? options.function->text() : "";
     if (name == "values-at")
         return options.vertex_function ? options.vertex_function->values_fingerprint() : options.values_at;
+    if (name == "radii" || name == "weights") return options.table.weights;
     if (name == "lipschitz") return number_text(options.lipschitz.value_or(0));
     if (name == "cut") return number_text(options.cut.value_or(0));
     return name == "memory" ? std::to_string(options.memory_bytes) : "";

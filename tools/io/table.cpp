@@ -21,7 +21,10 @@ std::string parse_columns(const std::string& text, std::vector<std::string>* col
     return {};
 }
 
-std::string resolve_columns(const std::vector<std::string>& wanted, std::size_t width,
+namespace {
+
+// Columns counted from 0 out of numbers from 1, ranges and names.
+std::string resolve_columns(const std::string& option, const std::vector<std::string>& wanted, std::size_t width,
                             const std::vector<std::string>& names, std::vector<std::size_t>* columns) {
     columns->clear();
     for (const std::string& item : wanted) {
@@ -34,15 +37,39 @@ std::string resolve_columns(const std::vector<std::string>& wanted, std::size_t 
         std::uint64_t from = 0, to = 0;
         const bool good = parse_unsigned(item.substr(0, dash), &from) &&
                           (dash == std::string::npos ? (to = from, true) : parse_unsigned(item.substr(dash + 1), &to));
-        if (!good) return "--columns: there is no column " + quoted(item) + (names.empty() ? ", nor a header" : "");
+        if (!good) return option + ": there is no column " + quoted(item) + (names.empty() ? ", nor a header" : "");
         if (from == 0 || to < from || to > width)
-            return "--columns " + item + ": there are columns 1 to " + std::to_string(width);
+            return option + " " + item + ": there are columns 1 to " + std::to_string(width);
         for (std::uint64_t k = from; k <= to; k++) columns->push_back(static_cast<std::size_t>(k - 1));
     }
     for (std::size_t i = 0; i < columns->size(); i++)
         for (std::size_t j = 0; j < i; j++)
             if ((*columns)[i] == (*columns)[j])
-                return "--columns: column " + std::to_string((*columns)[i] + 1) + " stands there twice";
+                return option + ": column " + std::to_string((*columns)[i] + 1) + " stands there twice";
+    return {};
+}
+
+}  // namespace
+
+std::string weights_option(const TableOptions& options) {
+    return (options.are_radii ? "--radii " : "--weights ") + options.weights;
+}
+
+std::string choose_columns(const TableOptions& options, std::size_t width, const std::vector<std::string>& names,
+                           std::vector<std::size_t>* columns) {
+    const bool named = !options.columns.empty();
+    std::string complaint;
+    if (named) complaint = resolve_columns("--columns", options.columns, width, names, columns);
+    if (!complaint.empty() || options.weights.empty()) return complaint;
+    std::vector<std::size_t> weights;
+    complaint = resolve_columns(options.are_radii ? "--radii" : "--weights", {options.weights}, width, names, &weights);
+    if (!complaint.empty()) return complaint;
+    if (weights.size() != 1) return weights_option(options) + ": is one column";
+    const auto at = std::find(columns->begin(), columns->end(), weights[0]);
+    if (at != columns->end() && named)
+        return weights_option(options) + ": --columns takes the same column for a coordinate";
+    if (at != columns->end()) columns->erase(at);
+    columns->push_back(weights[0]);
     return {};
 }
 
@@ -314,11 +341,11 @@ Outcome TableParser::find_columns() {
         if (found.good() && columns_.size() == width_ && width_ > 2 && lines_.size() > 4 && from_start && counts(true))
             add_note("took column 1, which counts rows, as a coordinate; --columns 2-" + std::to_string(width_) +
                      " leaves it out");
-        return found;
+        if (!found.good() || options_.weights.empty()) return found;
     }
     std::vector<std::string> names = names_;
     if (names.size() + 1 == width_) names.insert(names.begin(), "");
-    const std::string complaint = resolve_columns(options_.columns, width_, names, &columns_);
+    const std::string complaint = choose_columns(options_, width_, names, &columns_);
     return complaint.empty() ? Outcome{} : fault(lines_[0].number, complaint);
 }
 
@@ -397,6 +424,7 @@ Outcome TableParser::explain_field(const TableLine& line, std::size_t column) co
 Outcome TableParser::parse_rows() {
     std::vector<Field> fields;
     table_->width = columns_.size();
+    table_->has_weights = !options_.weights.empty();
     table_->values.reserve(lines_.size() * columns_.size());
     table_->lines.reserve(lines_.size());
     for (const TableLine& line : lines_) {

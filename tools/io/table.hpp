@@ -14,6 +14,8 @@ struct TableOptions {
     char delimiter = 0;                // 0: told by the file; ' ': blanks; with one given, commas in fields are decimal
     std::uint64_t skip = 0;            // physical lines left out at the top
     std::vector<std::string> columns;  // numbers from 1, ranges 2-4, names of the header; none: all
+    std::string weights;               // a column of radii or weights, by number or name; of atoms vdw; empty: none
+    bool are_radii = false;            // these numbers
     bool distances = false;            // of arrays: one axis is taken as one column, and infinity is a number
 };
 
@@ -21,6 +23,7 @@ struct Table {
     std::string name;  // for messages
     std::size_t width = 0;
     std::vector<double> values;        // [rows][width], finite, no -0.0
+    bool has_weights = false;          // the last column is of radii or weights
     std::vector<std::uint64_t> lines;  // physical line of each row; empty for binary formats
     std::string note;                  // what was left out or understood: `skipped header "x,y"`; empty when nothing
 
@@ -51,8 +54,11 @@ bool is_below_doubles(std::string_view number);
 
 // What --columns holds, cut at commas: a complaint, or empty.
 std::string parse_columns(const std::string& text, std::vector<std::string>* columns);
-// Columns counted from 0 out of numbers from 1, ranges and names: a complaint, or empty.
-std::string resolve_columns(const std::vector<std::string>& wanted, std::size_t width,
-                            const std::vector<std::string>& names, std::vector<std::size_t>* columns);
+// The columns that are taken, counted from 0: those of --columns, or those that *columns has, and behind them that of
+// weights. A complaint, or empty.
+std::string choose_columns(const TableOptions& options, std::size_t width, const std::vector<std::string>& names,
+                           std::vector<std::size_t>* columns);
+// "--radii 4"
+std::string weights_option(const TableOptions& options);
 
 }  // namespace netmesh::tool

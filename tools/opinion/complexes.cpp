@@ -1,6 +1,7 @@
 #include "tools/opinion/complexes.hpp"
 
 #include <algorithm>
+#include <cmath>
 #include <set>
 
 #include "tools/opinion/clipped_nerve.hpp"
@@ -140,7 +141,19 @@ std::vector<Place> different_places(const PointCloud& cloud) {
 
 namespace {
 
-// Radii of sets of points from those of their facets, which are in the order of their vertices.
+// The largest of the facets' values, where these are in the order of their vertices.
+double largest_of_facets(const Vertices& set, const std::vector<FilteredSimplex>& facets) {
+    double most = -HUGE_VAL;
+    for (std::size_t i = 0; i < set.size(); i++) {
+        Vertices facet = set;
+        facet.erase(facet.begin() + static_cast<std::ptrdiff_t>(i));
+        const auto before = [](const FilteredSimplex& a, const Vertices& b) { return a.vertices < b; };
+        most = std::max(most, std::lower_bound(facets.begin(), facets.end(), facet, before)->value);
+    }
+    return most;
+}
+
+// Radii of sets of points from those of their facets.
 class SetRadii {
 public:
     SetRadii(const PointCloud& cloud, bool rips) : cloud_(cloud), rips_(rips) {
@@ -158,14 +171,7 @@ public:
             const ExactSphere sphere(corners);
             if (sphere.is_independent() && sphere.is_centred()) return sphere.radius();
         }
-        double most = 0;
-        for (std::size_t i = 0; i < set.size(); i++) {
-            Vertices facet = set;
-            facet.erase(facet.begin() + static_cast<std::ptrdiff_t>(i));
-            const auto before = [](const FilteredSimplex& a, const Vertices& b) { return a.vertices < b; };
-            most = std::max(most, std::lower_bound(facets.begin(), facets.end(), facet, before)->value);
-        }
-        return most;
+        return largest_of_facets(set, facets);
     }
 
 private:
@@ -175,6 +181,55 @@ private:
     bool rips_;
     std::vector<ExactPlace> places_;
 };
+
+// The same of balls. The largest power to the points of a set is convex, and least at a place inside the simplex of
+// those that have it: where that is the set's own orthogonal centre, its value is its own.
+class SetPowers {
+public:
+    SetPowers(const PointCloud& cloud, bool are_radii, bool squares)
+        : dim_(cloud.dim), squares_(squares), places_(exact_places(cloud)) {
+        for (const double w : cloud.weights) weights_.push_back(are_radii ? Exact(w) * Exact(w) : Exact(w));
+    }
+    double operator()(const Vertices& set, const std::vector<FilteredSimplex>& facets) const {
+        if (set.size() <= dim_ + 1) {
+            std::vector<const ExactPlace*> corners;
+            std::vector<Exact> weights;
+            for (const std::uint32_t v : set) corners.push_back(&places_[v]), weights.push_back(weights_[v]);
+            const ExactSphere sphere(corners, weights);
+            if (sphere.is_independent() && sphere.is_centred()) return squares_ ? sphere.square() : sphere.radius();
+        }
+        return largest_of_facets(set, facets);
+    }
+
+private:
+    std::size_t dim_;
+    bool squares_;
+    std::vector<ExactPlace> places_;
+    std::vector<Exact> weights_;
+};
+
+// All sets of up to top + 1 of so many, each at value(set, those of one less).
+template <class Value>
+SimplexList all_sets(std::size_t count, std::uint32_t top, std::size_t most, const Value& value) {
+    if (count_of_sets(count, top + 1) > static_cast<double>(most)) return {};
+    std::vector<FilteredSimplex> list, facets, level;
+    for (std::uint32_t v = 0; v < count; v++) level.push_back({{v}, value({v}, {})});
+    while (!level.empty()) {
+        list.insert(list.end(), level.begin(), level.end());
+        facets.swap(level);
+        level.clear();
+        if (facets[0].vertices.size() > top) break;
+        for (const FilteredSimplex& s : facets) {
+            Vertices set = s.vertices;
+            set.push_back(0);
+            for (std::uint32_t v = s.vertices.back() + 1; v < count; v++) {
+                set.back() = v;
+                level.push_back({set, value(set, facets)});
+            }
+        }
+    }
+    return list;
+}
 
 }  // namespace
 
@@ -202,25 +257,11 @@ double count_of_sets(std::size_t members, std::uint32_t size) {
 
 SimplexList complex_of_points(const PointCloud& given, bool rips, std::uint32_t top, std::size_t most) {
     const PointCloud cloud = different_points(given);
-    if (count_of_sets(cloud.rows(), top + 1) > static_cast<double>(most)) return {};
-    const SetRadii radius(cloud, rips);
-    std::vector<FilteredSimplex> list, facets, level;
-    for (std::uint32_t v = 0; v < cloud.rows(); v++) level.push_back({{v}, 0});
-    while (!level.empty()) {
-        list.insert(list.end(), level.begin(), level.end());
-        facets.swap(level);
-        level.clear();
-        if (facets[0].vertices.size() > top) break;
-        for (const FilteredSimplex& s : facets) {
-            Vertices set = s.vertices;
-            set.push_back(0);
-            for (std::uint32_t v = s.vertices.back() + 1; v < cloud.rows(); v++) {
-                set.back() = v;
-                level.push_back({set, radius(set, facets)});
-            }
-        }
-    }
-    return list;
+    return all_sets(cloud.rows(), top, most, SetRadii(cloud, rips));
+}
+
+SimplexList nerve_of_balls(const PointCloud& cloud, bool are_radii, bool squares, std::uint32_t top, std::size_t most) {
+    return all_sets(cloud.rows(), top, most, SetPowers(cloud, are_radii, squares));
 }
 
 SimplexList nerve_of_sets(const PointCloud& given, std::uint32_t k, bool rips, double factor, std::uint32_t top,

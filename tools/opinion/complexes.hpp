@@ -55,6 +55,12 @@ double count_of_sets(std::size_t members, std::uint32_t size);  // of 1 to `size
 SimplexList complex_of_points(const PointCloud& cloud, bool rips, std::uint32_t top,
                               std::size_t most = opinion_simplices_max);
 
+// All sets of up to top + 1 of the balls of weighted points, equal ones too: each at the least power that a place has
+// to all of them at most, as a square or as its root with its sign. The nerve of the balls, which grow by adding to all
+// weights: hidden balls are inside of others as soon as they are there, so they change no bar.
+SimplexList nerve_of_balls(const PointCloud& cloud, bool are_radii, bool squares, std::uint32_t top,
+                           std::size_t most = opinion_simplices_max);
+
 // All sets of up to top + 1 members, which are the sets of k different points, at the radius of the union of the
 // members, times `factor`, rounded. With Cech radii: places within r of all points of a member are a convex set, and
 // the places within r of k points are the union of these; members have a place in common from the radius of their union

@@ -126,22 +126,8 @@ bool is_odd(double x) {
     return bits % 2 != 0;
 }
 
-}  // namespace
-
-// A double r is the nearest one when the square is between those of the middles from r to its neighbours.
-double nearest_root(const Exact& over, const Exact& under) {
-    if (over.sign() == 0) return 0;
-    int of_over, of_under;
-    double square = over.leading(&of_over) / under.leading(&of_under);
-    int exponent = of_over - of_under;
-    if (exponent % 2 != 0) square *= 2, exponent--;
-    double r = std::min(std::ldexp(std::sqrt(square), exponent / 2), DBL_MAX);
-    const Exact four = over * Exact(4);
-    // The sign of over / under - ((a + b) / 2)^2.
-    const auto side = [&](double a, double b) {
-        const Exact twice = of_double(a) + of_double(b);
-        return compare(four, twice * twice * under);
-    };
+// From r >= 0 near it to the number itself. side(a, b): the sign of it minus the middle of a and b.
+template <class Side> double nearest_from(double r, const Side& side) {
     while (r > 0) {
         const double below = std::nextafter(r, 0);
         const int s = side(below, r);
@@ -155,6 +141,36 @@ double nearest_root(const Exact& over, const Exact& under) {
         r = above;
     }
     return r;
+}
+
+}  // namespace
+
+double nearest_root(const Exact& over, const Exact& under) {
+    if (over.sign() == 0) return 0;
+    int of_over, of_under;
+    double square = over.leading(&of_over) / under.leading(&of_under);
+    int exponent = of_over - of_under;
+    if (exponent % 2 != 0) square *= 2, exponent--;
+    const Exact four = over * Exact(4);
+    // Of squares: over / under against ((a + b) / 2)^2.
+    return nearest_from(std::min(std::ldexp(std::sqrt(square), exponent / 2), DBL_MAX), [&](double a, double b) {
+        const Exact twice = of_double(a) + of_double(b);
+        return compare(four, twice * twice * under);
+    });
+}
+
+double nearest_quotient(const Exact& over, const Exact& under) {
+    if (over.sign() == 0) return 0;
+    if (over.sign() < 0) return -nearest_quotient(-over, under);
+    int of_over, of_under;
+    const double quotient = over.leading(&of_over) / under.leading(&of_under);
+    const Exact two = over + over;
+    return nearest_from(std::min(std::ldexp(quotient, of_over - of_under), DBL_MAX),
+                        [&](double a, double b) { return compare(two, (of_double(a) + of_double(b)) * under); });
+}
+
+double nearest_signed_root(const Exact& over, const Exact& under) {
+    return over.sign() < 0 ? -nearest_root(-over, under) : nearest_root(over, under);
 }
 
 }  // namespace netmesh::tool

@@ -45,5 +45,8 @@ int compare(const Exact& a, const Exact& b);
 // The double nearest to sqrt(over / under), over >= 0, under > 0; of two that are as near the even one, beyond half a
 // unit above the largest one infinity.
 double nearest_root(const Exact& over, const Exact& under);
+// The same of over / under, and of its root with its sign, for over of any sign.
+double nearest_quotient(const Exact& over, const Exact& under);
+double nearest_signed_root(const Exact& over, const Exact& under);
 
 }  // namespace netmesh::tool

@@ -58,15 +58,19 @@ int orientation(const std::vector<const ExactPlace*>& points) {
     return minors(rows, rows.size()).back().sign();
 }
 
-// The centre c is as far from p as from p + v_i: 2 v_i (c - p) = v_i v_i, solved by Cramer's rule. The last column is
-// the right side; where it replaces another one it has to go past those between.
-ExactSphere::ExactSphere(const std::vector<const ExactPlace*>& points) : origin_(*points[0]) {
+// The centre c is as far from p as from p + v_i: 2 v_i (c - p) = v_i v_i, with weights v_i v_i - w_i + w, solved by
+// Cramer's rule. The last column is the right side; where it replaces another one it has to go past those between.
+// The power |c - p|^2 - w is sum x_i v_i (c - p) - w, the half of sum x_i times the right side, less w.
+ExactSphere::ExactSphere(const std::vector<const ExactPlace*>& points, const std::vector<Exact>& weights)
+    : origin_(*points[0]) {
+    const Exact weight = weights.empty() ? Exact() : weights[0];
     const std::size_t n = points.size() - 1;
     for (std::size_t i = 1; i <= n; i++) edges_.push_back(difference(*points[i], origin_));
     std::vector<std::vector<Exact>> rows(n, std::vector<Exact>(n + 1));
     for (std::size_t i = 0; i < n; i++) {
-        squares_.push_back(dot(edges_[i], edges_[i]));
-        rows[i][i] = squares_[i] + squares_[i];
+        const Exact square = dot(edges_[i], edges_[i]);
+        squares_.push_back(weights.empty() ? square : square - weights[i + 1] + weight);
+        rows[i][i] = square + square;
         rows[i][n] = squares_[i];
         for (std::size_t j = 0; j < i; j++) {
             const Exact product = dot(edges_[i], edges_[j]);
@@ -79,7 +83,10 @@ ExactSphere::ExactSphere(const std::vector<const ExactPlace*>& points) : origin_
     for (std::size_t i = 0; i < n; i++) {
         const Exact& replaced = minor[all ^ std::size_t{1} << i];
         coordinates_.push_back((n - 1 - i) % 2 == 0 ? replaced : -replaced);
+        power_ = power_ + coordinates_[i] * squares_[i];
     }
+    const Exact of_origin = volume_ * weight;
+    power_ = power_ - of_origin - of_origin;
 }
 
 bool ExactSphere::is_centred() const {
@@ -99,11 +106,8 @@ int ExactSphere::side(const ExactPlace& place) const {
     return compare(volume_ * dot(way, way), ahead + ahead);
 }
 
-// |c - p|^2 = sum x_i v_i (c - p) = sum x_i v_i v_i / 2
-double ExactSphere::radius() const {
-    Exact sum;
-    for (std::size_t i = 0; i < edges_.size(); i++) sum = sum + coordinates_[i] * squares_[i];
-    return nearest_root(sum, volume_ + volume_);
-}
+double ExactSphere::radius() const { return nearest_signed_root(power_, volume_ + volume_); }
+
+double ExactSphere::square() const { return nearest_quotient(power_, volume_ + volume_); }
 
 }  // namespace netmesh::tool
