@@ -176,7 +176,7 @@ Outcome judge_alpha_of_points(const DiagramClaim& claim, const PointCloud& point
 
 Outcome judge_balls(const DiagramClaim& claim, const PointCloud& points, std::vector<std::string>* checked) {
     const SimplexList sets = nerve_of_balls(points, claim.made.table.are_radii, claim.made.request.squares != 0,
-                                            std::min(claim.made.request.max_degree + 1, points.dim), brute_sets_max);
+                                            claim.made.request.max_degree + 1, brute_sets_max);
     if (sets) return judge_exact(claim, FilteredComplex(*sets), "of the nerve of all balls, by their powers", checked);
     checked->push_back("no second opinion: there are more than " + counted(brute_sets_max, "set", "sets") +
                        " of balls; the engine alone made the bars, twice");
