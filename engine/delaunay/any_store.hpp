@@ -86,7 +86,7 @@ public:
         __builtin_memcpy(vertices_ - to * vertex_bytes(dim), vertices_ - from * vertex_bytes(dim), vertex_bytes(dim));
     }
     void exchange_vertices(std::uint32_t a, std::uint32_t b) const {
-        unsigned char kept[vertex_bytes(dimension_max)];
+        unsigned char kept[8 * dimension_max + 24];
         unsigned char *const of_a = vertices_ - a * vertex_bytes(dim), *const of_b = vertices_ - b * vertex_bytes(dim);
         __builtin_memcpy(kept, of_a, vertex_bytes(dim));
         __builtin_memcpy(of_a, of_b, vertex_bytes(dim));

@@ -43,12 +43,12 @@ private:
     int shift_ = 0;
 };
 
-// Lists those of value[0..count), none of them negative, that is_listed(i) says, which may be asked twice, as
+// Lists those of value[0..count), none of them negative unless is_signed, that is_listed(i) says, which may be asked twice, as
 // sort_labelled puts them in order: sorted and label, of room for them. False: out of memory.
-template <class IsListed>
+template <bool is_signed = false, class IsListed>
 bool sort_listed(const double* value, std::uint32_t count, IsListed is_listed, double* sorted, std::uint32_t* label,
                  Arena& arena) {
-    if (!jumps_matter || count < many_values) {
+    if (is_signed || !jumps_matter || count < many_values) {
         std::uint32_t listed = 0;
         for (std::uint32_t i = 0; i < count; ++i) {
             if (!is_listed(i)) continue;
