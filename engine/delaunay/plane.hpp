@@ -127,6 +127,13 @@ private:
     using PlaneCell = PlaneCellOf<W>;
     using PlaneArm = typename Question::Arm;
 
+    // Whether q lies inside of a cell, by the sides of its edges, as far as doubles tell.
+    static bool is_surely_in(const PlaneArm* arm, const double* side) {
+        bool is_in = true;
+        for (std::uint32_t i = 0; i < 3; ++i)
+            is_in = is_in && side[i] > 4 * unit_roundoff * (arm[next[i]].square() + arm[next[next[i]]].square()) + 0x1p-960;
+        return is_in;
+    }
     const double* point(std::uint32_t k) const { return question_.points + Question::numbers * std::size_t{k}; }
     bool has_room(std::size_t cells, std::size_t lines);
     bool refuse_list(std::size_t lines) {
@@ -282,7 +289,8 @@ template <int D, class W> CellId PlaneRun<D, W>::locate() {
                                  question.arm_to(cell.vertex[2])};
         const double side[3] = {cross(arm[1], arm[2]), cross(arm[2], arm[0]), cross(arm[0], arm[1])};
         const double value = arm[0].lift * side[0] + arm[1].lift * side[1] + arm[2].lift * side[2];
-        if (value > question.error_of(arm[0].size(), arm[1].size(), arm[2].size())) return c;
+        const double error = question.error_of(arm[0].size(), arm[1].size(), arm[2].size());
+        if (value > error) return c;
         CellId to = none, outside = none;
         for (std::uint32_t i = 0; i < 3 && to == none; ++i) {
             if (!(side[i] < -4 * unit_roundoff * (arm[next[i]].square() + arm[next[next[i]]].square()) - 0x1p-960))
@@ -294,8 +302,11 @@ template <int D, class W> CellId PlaneRun<D, W>::locate() {
                 outside = beyond.cell();
         }
         if (to == none) {
-            if (undecided_conflict(c)) return c;
+            const bool is_outside = W::has && value < -error;  // surely; else it has only not been decided
+            if (!is_outside && undecided_conflict(c)) return c;
             if (outside != none) return outside;
+            if constexpr (W::has)
+                if (is_outside && is_surely_in(arm, side)) return CellId(none);
             c = walk(c);
             // The cell that q lies in; what is beyond the hull is in conflict.
             if constexpr (W::has)

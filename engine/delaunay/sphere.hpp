@@ -29,11 +29,13 @@ template <int D> inline double power(const Cell<D>& cell, const double* q, doubl
 // the largest weight, so at least the squared distance to each of them, and that is what errors are relative to. A
 // height is three roundings off at most.
 template <int D> inline double power(const Cell<D>& cell, const double* q, double height, double* bound) {
-    double d2 = height;
-    for (int i = 0; i < D; ++i) {
+    const double first = q[0] - cell.centre[0], last = q[D - 1] - cell.centre[D - 1];
+    double d2 = first * first;
+    for (int i = 1; i < D - 1; ++i) {
         const double d = q[i] - cell.centre[i];
         d2 += d * d;
     }
+    d2 += last * last + height;
     *bound = (static_cast<double>(cell.error) + (D + 12) * unit_roundoff) * (d2 + 3 * cell.radius2) + 0x1p-960;
     return d2 - cell.radius2;
 }
