@@ -10,17 +10,6 @@
 namespace netmesh {
 namespace {
 
-void keep_alpha(netmesh_context* context, const DiagramRequest& wanted, const CountedPairs& found) {
-    KeptDiagram& diagram = context->diagram;
-    diagram.present = true;
-    diagram.filter = NETMESH_FILTER_ALPHA;
-    diagram.keeps_zero = wanted.keep_zero;
-    diagram.max_degree = wanted.max_degree;
-    diagram.pairs = Slice<Pair>::of(context->arena, found.pairs.pairs, found.pairs.count);
-    diagram.simplices = found.simplices;
-    diagram.certified_ratio = diagram.certified_ratio_best = 1;
-}
-
 netmesh_status alpha_of_given_points(netmesh_context* context) {
     clear(context);
     const netmesh_request& r = context->request;
@@ -43,11 +32,12 @@ netmesh_status alpha_of_given_points(netmesh_context* context) {
 Complaint settle_alpha(const Settling& s) {
     const bool is_other = s.rules.method != nullptr && !s.rules.method->triangulates();
     return is_other ? Complaint{NETMESH_FIELD_METHOD, "the filter alpha is of a triangulation; leave out the method"}
-                    : settle_mesh_degree(s);
+                    : settle_alpha_of_points(s);
 }
 
 netmesh_status run_alpha(netmesh_context* context) {
     const netmesh_request& r = context->request;
+    if (r.weighting != nullptr) return dispatch(*r.weighting, context);
     const bool of_points = source_of(r) == Source::points;
     if (of_points && r.keep_mesh == 0 && r.cycles == nullptr) return alpha_of_given_points(context);
     if (of_points) {
@@ -57,6 +47,7 @@ netmesh_status run_alpha(netmesh_context* context) {
     const char* missing = missing_cells(context);
     if (missing == nullptr && context->mesh.is_mesh)
         missing = "the alpha filter needs a Delaunay triangulation of the points alone";
+    if (missing == nullptr && context->input.weighting != NETMESH_WEIGHTING_NONE) missing = weighted_cells;
     if (missing != nullptr) return finish(context, Status::no_result, missing);
     // Simplices of anything but a triangulation of the convex hull pair otherwise than those of the points do.
     const KeptFlaw& flaw = context->mesh.flaw;
@@ -94,7 +85,8 @@ using namespace netmesh;
 extern "C" {
 extern const netmesh_filter netmesh_filter_alpha;
 const netmesh_filter netmesh_filter_alpha = {NETMESH_FILTER_ALPHA,
-                                             given::method | given::cycles | given::keep_mesh | given::seed,
+                                             given::method | given::cycles | given::keep_mesh | given::seed |
+                                                 given::weighting | given::squares,
                                              run_alpha,
                                              plan_of_alpha,
                                              settle_alpha,

@@ -171,6 +171,7 @@ netmesh_status netmesh_analyse(netmesh_context* context, const netmesh_analyse_r
     if (!(request.tolerance >= 0)) return refuse(context, NETMESH_FIELD_TOLERANCE, "tolerance is negative");
     if (!has_room(analysis)) return refuse(context, NETMESH_FIELD_RESULT, "analysis is null or its size is not set");
     if (!context->mesh.present) return finish(context, Status::no_result, no_triangulation);
+    if (context->input.weighting != NETMESH_WEIGHTING_NONE) return finish(context, Status::no_result, weighted_cells);
     if ((request.what & NETMESH_ANALYSE_SIZE) != 0 && !context->mesh.is_mesh)
         return finish(context, Status::no_result, "the size analysis needs a mesh");
     Promises promises;
@@ -191,6 +192,7 @@ netmesh_status netmesh_well_paced_order(netmesh_context* context, uint32_t* orde
     if (!usable(context)) return NETMESH_INVALID_ARGUMENT;
     if (order == nullptr) return refuse(context, NETMESH_FIELD_ORDER, "order is null");
     if (!context->mesh.present) return finish(context, Status::no_result, no_triangulation);
+    if (context->input.weighting != NETMESH_WEIGHTING_NONE) return finish(context, Status::no_result, weighted_cells);
     const std::uint32_t inputs = context->input.distinct;
     const ArenaScope scope(context->arena);
     const AnyStore store(static_cast<int>(context->input.dim), context->arena, context->mesh.store);
@@ -208,6 +210,7 @@ netmesh_status netmesh_pace(netmesh_context* context, const uint32_t* order, dou
     if (order == nullptr) return refuse(context, NETMESH_FIELD_ORDER, "order is null");
     if (theta == nullptr) return refuse(context, NETMESH_FIELD_THETAS, "theta is null");
     if (!context->mesh.present) return finish(context, Status::no_result, no_triangulation);
+    if (context->input.weighting != NETMESH_WEIGHTING_NONE) return finish(context, Status::no_result, weighted_cells);
     const std::uint32_t inputs = context->input.distinct;
     const ArenaScope scope(context->arena);
     std::uint8_t* const seen = context->arena.take_low<std::uint8_t>(inputs);

@@ -30,6 +30,7 @@ Status bound_diagram(netmesh_context* context, const netmesh_function* function,
 netmesh_status run_bounds(netmesh_context* context) {
     const netmesh_request& r = context->request;
     if (context->bounds.present) return finish(context, Status::ok);
+    if (context->input.weighting != NETMESH_WEIGHTING_NONE) return finish(context, Status::no_result, weighted_cells);
     netmesh_function function = {};
     if (r.function != nullptr) {
         const Complaint complaint = read_function(r.function, &function);

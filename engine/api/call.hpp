@@ -59,6 +59,9 @@ inline Complaint complaint_about_monitor(const netmesh_monitor& monitor) {
                                                               : Complaint{};
 }
 
+// Of a regular triangulation that the context holds, where there is nothing for those.
+constexpr char weighted_cells[] = "the triangulation that is there has weights, and this is of points without";
+
 // Begins a call: NETMESH_OK and a copy of the request, or the status to return.
 template <class Request>
 [[gnu::noinline]] netmesh_status begin(netmesh_context* context, const Request* from, Request* request) {

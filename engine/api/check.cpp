@@ -223,6 +223,10 @@ extern "C" netmesh_status netmesh_check(netmesh_context* context, const netmesh_
     if ((request.what & ~static_cast<uint32_t>(NETMESH_CHECK_ALL)) != 0)
         return refuse(context, NETMESH_FIELD_WHAT, "unknown checks");
     if (!context->mesh.present) return finish(context, Status::no_result, "there is no triangulation or mesh");
+    if (context->input.weighting != NETMESH_WEIGHTING_NONE &&
+        (request.what & ~(NETMESH_CHECK_COMBINATORIAL | NETMESH_CHECK_GEOMETRIC)) != 0)
+        return refuse(context, NETMESH_FIELD_WHAT,
+                      "with weights the triangulation is not Delaunay; ask for COMBINATORIAL and GEOMETRIC alone");
     Promises promises;
     ErrorSizes sizes;
     const Complaint complaint = read_promises(context, request.promised, context->input.dim, &promises, &sizes);

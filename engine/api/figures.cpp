@@ -70,6 +70,7 @@ template <> struct Figures_of<netmesh_report> {
         ONE("complete", flag, complete, IF(input.present), 0, 0),
         ONE("input.points", uint64, input.points, points, 0, 0),
         ONE("input.duplicates", uint64, input.duplicates, points, 0, 0),
+        ONE("input.hidden", uint64, input.hidden, IF(input.weighting), on_request, 0),
         ONE("input.distinct", uint64, input.distinct, IF(input.present), 0, 0),
         ONE("input.dim", uint32, input.dim, points, 0, 0),
         ONE("input.fingerprint", fingerprint, input.fingerprint, IF(input.present), 0, 0),

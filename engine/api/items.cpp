@@ -65,6 +65,14 @@ netmesh_status netmesh_get_cage(const netmesh_context* context, uint64_t index, 
     return give_item({0, kept->centre, kept->parent, kept->radius}, cage);
 }
 
+netmesh_status netmesh_get_hidden(const netmesh_context* context, uint64_t index, uint64_t* row) {
+    if (!usable(context) || row == nullptr) return NETMESH_INVALID_ARGUMENT;
+    const std::uint32_t* const kept = item_of(context, context->input.present, context->input.hidden, index);
+    if (kept == nullptr) return NETMESH_INVALID_ARGUMENT;
+    *row = *kept;
+    return NETMESH_OK;
+}
+
 netmesh_status netmesh_get_pair(const netmesh_context* context, uint64_t index, netmesh_pair* pair) {
     if (!usable(context)) return NETMESH_INVALID_ARGUMENT;
     const KeptDiagram& diagram = context->diagram;

@@ -127,6 +127,7 @@ netmesh_status fill(netmesh_context* context, const Item* array, Measure&& measu
     if (bytes == 0)
         return refuse(context, NETMESH_FIELD_RESULT, "the array is null or the first one's size is not set");
     if (!context->mesh.present) return finish(context, Status::no_result, "there is no triangulation or mesh");
+    if (context->input.weighting != NETMESH_WEIGHTING_NONE) return finish(context, Status::no_result, weighted_cells);
     return finish(context, measure(bytes));
 }
 
@@ -141,6 +142,7 @@ netmesh_status netmesh_measure_cells(netmesh_context* context, double* ratios, u
     if (!usable(context)) return NETMESH_INVALID_ARGUMENT;
     if (ratios == nullptr || domains == nullptr) return refuse(context, NETMESH_FIELD_RESULT, "an array is null");
     if (!context->mesh.present) return finish(context, Status::no_result, "there is no triangulation or mesh");
+    if (context->input.weighting != NETMESH_WEIGHTING_NONE) return finish(context, Status::no_result, weighted_cells);
     if (!context->mesh.is_mesh) return finish(context, measure_whole_cells(*context, ratios, domains));
     HierarchyQuality quality;
     HierarchyRequest asked = hierarchy_of(*context, domain_of(*context));

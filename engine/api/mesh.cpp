@@ -33,6 +33,18 @@ netmesh_status finish_points(netmesh_context* context, Status status, const Inpu
                                           : fail_and_clear(context, status, text, input.row_a, input.row_b);
 }
 
+}  // namespace
+
+netmesh_status finish_triangulation(netmesh_context* context, const InputReport& input, std::uint32_t hidden,
+                                    Status status) {
+    context->mesh.method = NETMESH_METHOD_DELAUNAY;
+    keep_input(context, context->request.points.dim, input, status);
+    context->input.distinct -= hidden;
+    return finish_points(context, status, input);
+}
+
+namespace {
+
 // Aspect ratio and sizes of a mesh that was just made, as far as it goes.
 Status measure_without_cages(Context& context, const AnyStore& store, HierarchyQuality* quality) {
     *quality = HierarchyQuality{};
@@ -135,9 +147,7 @@ netmesh_status triangulate_points(netmesh_context* context, Allowance* allowance
             allowance->is_spent = !monitor.has_stopped();
             return finish(context, Status::cancelled);
         }
-        context->mesh.method = NETMESH_METHOD_DELAUNAY;
-        keep_input(context, D, input, status);
-        return finish_points(context, status, input);
+        return finish_triangulation(context, input, 0, status);
     });
 }
 
@@ -163,7 +173,7 @@ Complaint settle_triangulation(const Settling&) { return fine(); }
         NETMESH_METHOD_##id, MeshMethod::method, CageKind::cages, reads, mesh, settle};
 
 extern "C" {
-NETMESH_METHOD(delaunay, DELAUNAY, quality, compact, given::method, mesh_by_delaunay, settle_triangulation)
+NETMESH_METHOD(delaunay, DELAUNAY, quality, compact, given::method | given::weighting, mesh_by_delaunay, settle_triangulation)
 NETMESH_METHOD(svr, SVR, quality, compact, of_quality | sized | given::domain_factor,
                (mesh_by<mesh_of_quality, measure_without_cages>), settle_rules)
 NETMESH_METHOD(refine, REFINE, reference, compact, given::method | given::tau | sized | given::net_spacing,

@@ -44,6 +44,8 @@ enum class Want { bounds, cycles, vines, fit };
     PART(vines, vines, VINES, "vines")                                                                                 \
     PART(fit, fit, FIT, "fit")                                                                                         \
     PART(keep_mesh, keep_mesh, KEEP_MESH, "keep_mesh")                                                                 \
+    PART(weighting, weighting, WEIGHTING, "weighting")                                                                 \
+    PART(squares, squares, SQUARES, "squares")                                                                         \
     PART(seed, seed, SEED, "seed")
 
 namespace netmesh {
@@ -102,6 +104,14 @@ struct netmesh_want {
     const netmesh_method* method;  // of fit
 };
 
+// What the numbers behind points.weights are. run: the diagram of the context's request, which is settled, by the filter
+// alpha; mesh: the triangulation alone.
+struct netmesh_weighting {
+    bool are_radii;
+    netmesh_status (*run)(netmesh_context* context);
+    netmesh_status (*mesh)(netmesh_context* context);
+};
+
 namespace netmesh {
 
 // That of a row of the table of filters (filtration/filters.hpp).
@@ -117,6 +127,13 @@ const netmesh_filter* filter_object(std::uint32_t index);
 }
 [[gnu::always_inline]] inline netmesh_status dispatch(const netmesh_want& want, netmesh_context* context) {
     return want.run(context);
+}
+[[gnu::always_inline]] inline netmesh_status dispatch(const netmesh_weighting& weighting, netmesh_context* context) {
+    return weighting.run(context);
+}
+[[gnu::always_inline]] inline netmesh_status dispatch_mesh(const netmesh_weighting& weighting,
+                                                           netmesh_context* context) {
+    return weighting.mesh(context);
 }
 // Within another want.
 [[gnu::always_inline]] inline netmesh_status dispatch_bounds(const netmesh_want& bounds, netmesh_context* context) {

@@ -47,6 +47,7 @@ netmesh_status netmesh_mesh(netmesh_context* context, const netmesh_request* fro
     const TakenRequest taken(context, from, Call::mesh);
     if (taken.status() != NETMESH_OK) return taken.status();
     const netmesh_request& r = context->request;
+    if (r.weighting != nullptr) return dispatch_mesh(*r.weighting, context);
     return dispatch(r.mesh.method != nullptr ? *r.mesh.method : *r.filter->by_tau, context);
 }
 
@@ -68,7 +69,7 @@ netmesh_status netmesh_settle(const netmesh_request* from, netmesh_request* sett
 size_t netmesh_plan(const netmesh_request* from) {
     netmesh_request request;
     if (read_settled(from, false, &request).text != nullptr) return 0;
-    return source_of(request) == Source::context ? 0 : whole_bytes(dispatch_plan(*request.filter, request));
+    return source_of(request) == Source::context ? 0 : whole_bytes(dispatch_plan(*request.filter, request) + weight_bytes(request));
 }
 
 }  // extern "C"

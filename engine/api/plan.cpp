@@ -322,6 +322,6 @@ extern "C" size_t netmesh_plan_mesh(const netmesh_request* from) {
     if (read_struct(from, &request, sizeof request) != NETMESH_FIELD_NONE) return 0;
     if (settle(Call::mesh, 0, &request).text != nullptr) return 0;
     const netmesh_method* const method = request.mesh.method != nullptr ? request.mesh.method : request.filter->by_tau;
-    return whole_bytes(method->triangulates() ? plan_of_triangulation(request.points, false)
+    return whole_bytes(method->triangulates() ? plan_of_triangulation(request.points, false) + weight_bytes(request)
                                               : plan_of_mesh(request, false));
 }

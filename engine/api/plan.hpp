@@ -21,4 +21,9 @@ double plan_of_mesh(const netmesh_request& request, bool with_diagram);
 double plan_of_mesh_diagram(const netmesh_request& request);
 double plan_of_scales(const netmesh_request& request);
 
+// What weights take besides: a number of each point, and what alpha diagrams copy of it.
+inline double weight_bytes(const netmesh_request& r) {
+    return r.weighting != nullptr ? 16 * static_cast<double>(r.points.count) : 0;
+}
+
 }  // namespace netmesh

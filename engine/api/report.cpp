@@ -213,6 +213,9 @@ netmesh_report report_of(const netmesh_context* context) {
     report.input.duplicates = input.duplicates;
     report.input.distinct = input.distinct;
     report.input.fingerprint = input.fingerprint;
+    report.input.hidden = input.hidden.count;
+    report.input.weighting = input.weighting;
+    report.input.squares = input.squares;
     if (context->mesh.present) {
         report_mesh(context, &report.mesh);
         report_predicates(context->mesh.store, &report.predicates);

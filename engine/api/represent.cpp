@@ -22,6 +22,7 @@ netmesh_status run_cycles(netmesh_context* context) {
     if (context->cycles.present) return finish(context, Status::ok);
     if (!context->mesh.present)
         return finish(context, Status::no_result, "the diagram was made without its cycles; give its points once more");
+    if (context->input.weighting != NETMESH_WEIGHTING_NONE) return finish(context, Status::no_result, weighted_cells);
     const std::size_t high = context->arena.high_mark();
     Monitor monitor = monitor_of(context->request.monitor);
     const Watch watch(context->arena, monitor);

@@ -2,6 +2,7 @@
 #pragma once
 #include "api/settle.hpp"
 #include "delaunay/triangulate.hpp"
+#include "homology/persistence.hpp"
 #include "mesh/check/check_domain.hpp"
 
 namespace netmesh {
@@ -48,6 +49,23 @@ const char* missing_mesh(const netmesh_context* context);
 // A triangulation of the request's points in place of what the context held. `allowance` may be null; when it is spent
 // the status is NETMESH_CANCELLED, and what the context holds has to be cleared.
 netmesh_status triangulate_points(netmesh_context* context, Allowance* allowance);
+
+// Ends a call that has triangulated the request's points, or what of them the status says; with weights so many are
+// hidden.
+netmesh_status finish_triangulation(netmesh_context* context, const InputReport& input, std::uint32_t hidden,
+                                    Status status);
+
+// What is kept of a diagram by the filter alpha.
+inline void keep_alpha(netmesh_context* context, const DiagramRequest& wanted, const CountedPairs& found) {
+    KeptDiagram& diagram = context->diagram;
+    diagram.present = true;
+    diagram.filter = NETMESH_FILTER_ALPHA;
+    diagram.keeps_zero = wanted.keep_zero;
+    diagram.max_degree = wanted.max_degree;
+    diagram.pairs = Slice<Pair>::of(context->arena, found.pairs.pairs, found.pairs.count);
+    diagram.simplices = found.simplices;
+    diagram.certified_ratio = diagram.certified_ratio_best = 1;
+}
 
 // The diagrams of the context's request on the triangulation or mesh that the context holds, in place of another one.
 netmesh_status filter_triangulation(netmesh_context* context);

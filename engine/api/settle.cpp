@@ -44,6 +44,27 @@ std::size_t alignment_of(const netmesh_points& points) {
     };
     return points.format == NETMESH_POINTS_FLOAT32 ? alignof(float) : offsetof(AlignedDouble, x);
 }
+// Whether what is said of weights goes together; the numbers themselves are read by the job alone.
+Complaint settle_weights(const Settling& s) {
+    const netmesh_points& p = s.r.points;
+    const bool is_weighted = s.r.weighting != nullptr;
+    if (s.r.squares > 1) return {NETMESH_FIELD_SQUARES, "neither 0 nor 1"};
+    if (s.r.squares != 0 && !is_weighted) return {NETMESH_FIELD_SQUARES, "of points with weights alone; leave it out"};
+    if (p.weights != nullptr && !is_weighted)
+        return {NETMESH_FIELD_WEIGHTING, "weights without a weighting; name netmesh_radii or netmesh_weights"};
+    if (!is_weighted)
+        return p.weight_stride_bytes != 0
+                   ? Complaint{NETMESH_FIELD_WEIGHT_STRIDE_BYTES, "there are no weights; leave it out"}
+                   : fine();
+    if (s.is_promise()) return {NETMESH_FIELD_WEIGHTING, "nothing is promised with weights; leave them out"};
+    if (s.source != Source::points) return {NETMESH_FIELD_WEIGHTING, "weights are of points; give points"};
+    const std::size_t number = p.format == NETMESH_POINTS_FLOAT32 ? sizeof(float) : sizeof(double);
+    const std::size_t stride = p.weight_stride_bytes;
+    return stride != 0 && (stride < number || stride % alignment_of(p) != 0 || stride > SIZE_MAX / 2 / p.count)
+               ? Complaint{NETMESH_FIELD_WEIGHT_STRIDE_BYTES, "less than a number, not aligned as it is, or too large"}
+               : fine();
+}
+
 Complaint settle_source(const Settling& s) {
     const netmesh_points& p = s.r.points;
     if ((p.dim != 0) + (s.r.distances != nullptr) + (s.r.simplices != nullptr) > 1)
@@ -101,7 +122,7 @@ Complaint refuse_rest(const Settling& s) {
     const netmesh_filter* const filter = s.r.filter;
     // What asks for an accuracy of a diagram is of filters alone.
     std::uint32_t read = filter != nullptr ? filter->reads : s.rules.method->reads & ~(given::error | given::eps);
-    if (s.call == Call::mesh) read |= given::of_diagram & ~given::threshold;
+    if (s.call == Call::mesh) read |= given::of_diagram & ~(given::threshold | given::weighting);
     const char* text =
         filter != nullptr ? "this filter does not read it; leave it out" : "this method does not read it; leave it out";
     if (filter != nullptr && s.source == Source::context && s.call == Call::persist) {
@@ -110,6 +131,7 @@ Complaint refuse_rest(const Settling& s) {
     }
     Complaint complaint = refuse_unread(s.r, read, text);
     if (complaint.field == NETMESH_FIELD_THRESHOLD) complaint.text = "of the filter rips alone; leave it out";
+    if (complaint.field == NETMESH_FIELD_WEIGHTING) complaint.text = "of the filter alpha alone; leave out weights";
     if (complaint.field == NETMESH_FIELD_SEED)
         complaint.text = "of triangulations and meshes that are made; leave it out";
     return complaint;
@@ -123,7 +145,7 @@ Complaint settle_flags(const netmesh_request& r) {
                                : r.keep_mesh > 1        ? NETMESH_FIELD_KEEP_MESH
                                                         : NETMESH_FIELD_NONE;
     if (flag != NETMESH_FIELD_NONE) return {flag, "neither 0 nor 1"};
-    if ((r.reserved | r.mesh.reserved) != 0) return {NETMESH_FIELD_REQUEST, "reserved is not 0"};
+    if (r.mesh.reserved != 0) return {NETMESH_FIELD_REQUEST, "reserved is not 0"};
     if (r.mesh.sizes.user != nullptr && r.mesh.sizes.size == nullptr) return {NETMESH_FIELD_SIZES, user_alone};
     return complaint_about_monitor(r.monitor);
 }
@@ -157,6 +179,7 @@ Complaint settle_promise(std::uint32_t held_dim, netmesh_request* request) {
     const Settling s(Call::promise, held_dim, request);
     Complaint complaint = settle_flags(*request);
     if (complaint.text == nullptr) complaint = settle_source(s);
+    if (complaint.text == nullptr) complaint = settle_weights(s);
     if (complaint.text == nullptr) complaint = settle_promised_filter(s);
     if (complaint.text == nullptr) complaint = settle_values(s);
     if (complaint.text == nullptr && is_given(s.goal.theta)) complaint = {NETMESH_FIELD_THETA, "theta is of no mesh"};
@@ -171,6 +194,7 @@ Complaint settle(Call call, std::uint32_t held_dim, netmesh_request* request) {
     if (call == Call::mesh) s.r.bounds = s.r.cycles = s.r.vines = nullptr;  // of a diagram
     Complaint complaint = settle_flags(*request);
     if (complaint.text == nullptr) complaint = settle_source(s);
+    if (complaint.text == nullptr) complaint = settle_weights(s);
     if (complaint.text == nullptr) complaint = settle_filter(s);
     if (complaint.text == nullptr) complaint = settle_values(s);
     if (complaint.text == nullptr && call == Call::persist) complaint = settle_wants(s);
@@ -202,6 +226,14 @@ Complaint settle_mesh_degree(const Settling& s) {
     const std::uint32_t top = (s.dim != 0 ? s.dim : NETMESH_DIM_MAX) - 1;
     if (s.r.max_degree > top) s.r.max_degree = top;
     return fine();
+}
+
+Complaint settle_alpha_of_points(const Settling& s) {
+    if (s.r.weighting != nullptr && s.r.bounds != nullptr)
+        return {NETMESH_FIELD_BOUNDS, "with weights each bar is the exact one, rounded; leave out bounds"};
+    if (s.r.weighting != nullptr && s.r.cycles != nullptr)
+        return {NETMESH_FIELD_CYCLES, "there are no cycles with weights yet; leave them out"};
+    return settle_mesh_degree(s);
 }
 
 Complaint settle_accuracy(const Settling& s) {
@@ -251,6 +283,8 @@ Complaint complaint_about_rows(const netmesh_points& p) {
 
 Complaint complaint_about_coordinates(const netmesh_points& points) {
     if (points.coordinates == nullptr) return {NETMESH_FIELD_POINTS, "points is null"};
+    if (reinterpret_cast<std::uintptr_t>(points.weights) % alignment_of(points) != 0)
+        return {NETMESH_FIELD_WEIGHTS, "weights are not aligned as their format asks"};
     if (reinterpret_cast<std::uintptr_t>(points.coordinates) % alignment_of(points) != 0)
         return {NETMESH_FIELD_POINTS, "points is not aligned as its format asks"};
     return {};

@@ -85,6 +85,13 @@ public:
     void copy_vertex(std::uint32_t from, std::uint32_t to) const {
         __builtin_memcpy(vertices_ - to * vertex_bytes(dim), vertices_ - from * vertex_bytes(dim), vertex_bytes(dim));
     }
+    void exchange_vertices(std::uint32_t a, std::uint32_t b) const {
+        unsigned char kept[8 * dimension_max + 24];
+        unsigned char *const of_a = vertices_ - a * vertex_bytes(dim), *const of_b = vertices_ - b * vertex_bytes(dim);
+        __builtin_memcpy(kept, of_a, vertex_bytes(dim));
+        __builtin_memcpy(of_a, of_b, vertex_bytes(dim));
+        __builtin_memcpy(of_b, kept, vertex_bytes(dim));
+    }
     const double* point(std::uint32_t v) const {
         return reinterpret_cast<const double*>(vertices_ - v * vertex_bytes(dim));
     }

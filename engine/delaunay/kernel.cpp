@@ -5,6 +5,7 @@
 #include "delaunay/planar.hpp"
 #include "delaunay/ridges.hpp"
 #include "delaunay/spatial.hpp"
+#include "predicates/weighted.hpp"
 #include "vocabulary/dimension.hpp"
 
 #ifdef __OPTIMIZE_SIZE__
@@ -55,17 +56,22 @@ template <int D> void link_all(const Store<D>& store, const Cavity& cavity, cons
     }
 }
 
-template <int D>
+template <int D, class W>
 NETMESH_APART void make_sphere(const Store<D>& store, const Cell<D>& inside, const Cell<D>& outside, const double* q,
-                               double error_max, Cell<D>& cell) {
-    if (!pencil_sphere<D>(inside, outside, q, error_max, cell)) solve_cell<D>(store, error_max, cell);
+                               W weights, double error_max, Cell<D>& cell) {
+    if constexpr (W::has) {
+        if (pencil_sphere<D, true>(inside, outside, q, error_max, cell, weights.height(q[D]))) return;
+    } else {
+        if (pencil_sphere<D>(inside, outside, q, error_max, cell)) return;
+    }
+    solve_cell<D>(store, weights, error_max, cell);
 }
 
 // Makes the new cells of a cavity one by one, each a copy of the cell in conflict behind its facet with one vertex
 // replaced, which keeps the orientation. That cell's neighbour across the facet becomes the new cell. end: line 0 of
 // the cavity's list.
-template <int D>
-NETMESH_APART void make_one_by_one(Store<D>& store, const Cavity& cavity, VertexId id, double error_max,
+template <int D, class W>
+NETMESH_APART void make_one_by_one(Store<D>& store, const Cavity& cavity, VertexId id, W weights, double error_max,
                                    CavityLine* end, CellSupply<D>& supply) {
     Cell<D>* const cells = &store.cell(0);
     const double* const q = store.point(id);
@@ -90,7 +96,7 @@ NETMESH_APART void make_one_by_one(Store<D>& store, const Cavity& cavity, Vertex
         if (ghost)
             make_ghost<D>(fresh);
         else
-            make_sphere<D>(store, old, beyond, q, error_max, fresh);
+            make_sphere<D>(store, old, beyond, q, weights, error_max, fresh);
         old.neighbour[i] = FacetId(n, i);
         beyond.neighbour[outer.position()] = FacetId(n, i);
     }
@@ -144,8 +150,8 @@ template <int D, std::uint32_t most>
 
 // make_one_by_one in batches, whose columns stand in the gap below the cavity's list, above a table of ridges. False:
 // the gap is too small for them, and nothing is made.
-template <int D>
-[[gnu::noinline]] bool make_in_batches(Store<D>& store, const Cavity& cavity, VertexId id, double error_max,
+template <int D, class W>
+[[gnu::noinline]] bool make_in_batches(Store<D>& store, const Cavity& cavity, VertexId id, W weights, double error_max,
                                        CavityLine* end, CellSupply<D>& supply) {
     constexpr std::uint32_t batch = 16;
     using Columns = Pencils<D, batch>;
@@ -158,15 +164,21 @@ template <int D>
     for (std::uint32_t left = cavity.facets; left > 0;) {
         const std::uint32_t count = left < batch ? left : batch;
         gather_batch<D>(store, line, count, left, id, *pencils, ridges, supply);
-        pencils->measure(store.point(id), count);
-        pencils->mix(store.point(id), count);
+        if constexpr (W::has) {
+            const double height = weights.height(store.point(id)[D]);
+            pencils->template measure<true>(store.point(id), count, height);
+            pencils->template mix<true>(store.point(id), count, height);
+        } else {
+            pencils->measure(store.point(id), count);
+            pencils->mix(store.point(id), count);
+        }
         for (std::uint32_t b = 0; b < count; ++b, --line) {
             Cell<D>& fresh = store.cell(line->made);
             if (pencils->get(b, error_max * error_max, fresh)) continue;
             if (store.is_ghost(line->made))
                 make_ghost<D>(fresh);
             else
-                solve_cell<D>(store, error_max, fresh);
+                solve_cell<D>(store, weights, error_max, fresh);
         }
         left -= count;
         if ((cavity.facets - left) % 256 == 0) store.arena.pass(256 * (D - 1));  // see make_one_by_one
@@ -208,13 +220,13 @@ template <int D> void make_first_ghost(const CellId* made, const VertexId* v, st
 
 }  // namespace
 
-template <int D> [[gnu::noinline]] bool Kernel<D>::undecided_conflict(CellId c, const double* q, VertexId id) {
+template <int D, class W> [[gnu::noinline]] bool Kernel<D, W>::undecided_conflict(CellId c, const double* q, VertexId id) {
     if constexpr (D > 3) store_.arena.pass(2 * D);  // of thousands of ghosts, about a hull
     const int infinite = store_.ghost_position(c);
     return infinite < 0 ? exact_conflict(c, q, id) : ghost_in_conflict(c, infinite, q, id);
 }
 
-template <int D> bool Kernel<D>::exact_conflict(CellId c, const double* q, VertexId id) {
+template <int D, class W> bool Kernel<D, W>::exact_conflict(CellId c, const double* q, VertexId id) {
     const Cell<D>& cell = store_.cell(c);
     const double* p[D + 1];
     VertexId name[D + 1];
@@ -223,12 +235,16 @@ template <int D> bool Kernel<D>::exact_conflict(CellId c, const double* q, Verte
         name[i] = tie_order_ == TieOrder::of_rows ? VertexId(store_.vertex(cell.vertex[i]).origin) : cell.vertex[i];
     }
     if (tie_order_ == TieOrder::of_rows) id = VertexId(store_.vertex(id).origin);
-    return in_ball_perturbed<D>(p, name, q, id, store_.state.in_ball_counts) == Sign::positive;
+    PredicateCounts& counts = store_.state.in_ball_counts;
+    if constexpr (W::has)
+        return in_power_perturbed<D>(p, name, q, id, this->weights.are_radii, counts) == Sign::positive;
+    else
+        return in_ball_perturbed<D>(p, name, q, id, counts) == Sign::positive;
 }
 
 // A point in the plane of the facet is compared with the ball of the finite cell behind it: both lifted simplices have
 // the same trace in that plane, perturbation included.
-template <int D> bool Kernel<D>::ghost_in_conflict(CellId c, int infinite, const double* q, VertexId id) {
+template <int D, class W> bool Kernel<D, W>::ghost_in_conflict(CellId c, int infinite, const double* q, VertexId id) {
     const Cell<D>& cell = store_.cell(c);
     const double* p[D + 1];
     for (int i = 0; i <= D; ++i) p[i] = i == infinite ? q : store_.point(cell.vertex[i]);
@@ -236,13 +252,13 @@ template <int D> bool Kernel<D>::ghost_in_conflict(CellId c, int infinite, const
     if (side != Sign::zero) return side == Sign::positive;
     const CellId behind = cell.neighbour[infinite].cell();
     double bound;
-    const double value = power<D>(store_.cell(behind), q, &bound);
+    const double value = power_of(behind, q, &bound);
     if (value > bound) return false;
     if (value < -bound) return true;
     return exact_conflict(behind, q, id);
 }
 
-template <int D> [[gnu::cold]] Status Kernel<D>::start(const VertexId* ids) {
+template <int D, class W> [[gnu::cold]] Status Kernel<D, W>::start(const VertexId* ids) {
     if (!store_.has_room(D + 2, 0, 0)) return Status::out_of_memory;
     const double* p[D + 1];
     VertexId v[D + 1];
@@ -263,13 +279,17 @@ template <int D> [[gnu::cold]] Status Kernel<D>::start(const VertexId* ids) {
         store_.vertex(v[i]).cell = made[0];
     }
     first.mark = 0;
-    solve_sphere<D>(p, error_max_, first);
+    if constexpr (W::has)
+        solve_power_sphere<D>(p, this->weights, error_max_, first);
+    else
+        solve_sphere<D>(p, error_max_, first);
     for (std::uint32_t i = 0; i <= D; ++i) make_first_ghost<D>(made, v, i, store_.cell(made[1 + i]));
     store_.state.last_cell = made[0];
     return Status::ok;
 }
 
-template <int D> CellId Kernel<D>::locate(const double* q, VertexId id, CellId from) {
+template <int D, class W> CellId Kernel<D, W>::locate(const double* q, VertexId id, CellId from) {
+    this->look_at(q, D);
     CellId c = from;
     int infinite = store_.ghost_position(c);
     if (infinite >= 0) {
@@ -277,7 +297,7 @@ template <int D> CellId Kernel<D>::locate(const double* q, VertexId id, CellId f
         c = store_.cell(c).neighbour[infinite].cell();
     }
     double bound;
-    double value = power<D>(store_.cell(c), q, &bound);
+    double value = power_of(c, q, &bound);
     for (;;) {
         if (value < -bound) return c;
         const Cell<D>& cell = store_.cell(c);
@@ -285,7 +305,7 @@ template <int D> CellId Kernel<D>::locate(const double* q, VertexId id, CellId f
         for (int i = 0; i <= D; ++i) {
             const CellId n = cell.neighbour[i].cell();
             double n_bound;
-            const double n_value = power<D>(store_.cell(n), q, &n_bound);
+            const double n_value = power_of(n, q, &n_bound);
             if (n_value < value && n_value > -infinity) {
                 next = n;
                 value = n_value;
@@ -298,12 +318,16 @@ template <int D> CellId Kernel<D>::locate(const double* q, VertexId id, CellId f
         ++steps_;
     }
     if (in_conflict(c, q, id)) return c;
-    return walk(q, c);
+    const CellId end = walk(q, c);
+    // The cell that q lies in; what is beyond the hull is in conflict.
+    if constexpr (W::has)
+        if (!in_conflict(end, q, id)) return CellId(none);
+    return end;
 }
 
 // The visibility walk with exact signs: from a cell through any facet that separates it from q. It ends on a Delaunay
 // triangulation, as the exact powers decrease.
-template <int D> CellId Kernel<D>::walk(const double* q, CellId from) {
+template <int D, class W> CellId Kernel<D, W>::walk(const double* q, CellId from) {
     CellId c = from;
     for (;;) {
         const Cell<D>& cell = store_.cell(c);
@@ -328,8 +352,8 @@ constexpr bool asks_ahead = false;
 #else
 constexpr bool asks_ahead = true;
 #endif
-template <int D> bool Kernel<D>::find_cavity(const double* q, VertexId id, CellId first, Cavity* cavity) {
-    if constexpr (D == 2) {
+template <int D, class W> bool Kernel<D, W>::find_cavity(const double* q, VertexId id, CellId first, Cavity* cavity) {
+    if constexpr (is_planar) {
         return PlanarCavity<D>::find(*this, q, id, first, cavity);
     } else {
         const std::uint32_t stamp = store_.new_stamp();
@@ -343,7 +367,7 @@ template <int D> bool Kernel<D>::find_cavity(const double* q, VertexId id, CellI
         bool has_tables = false;
 #ifndef __OPTIMIZE_SIZE__
         if constexpr (D == 3) {
-            SpatialCavity<D>::search(*this, q, id, &progress);
+            SpatialCavity<D, W>::search(*this, q, id, &progress);
             has_tables = progress.searched == progress.cells;
         }
 #endif
@@ -402,9 +426,9 @@ template <int D> bool Kernel<D>::find_cavity(const double* q, VertexId id, CellI
     }
 }
 
-template <int D> void Kernel<D>::fill(const Cavity& cavity, VertexId id) {
+template <int D, class W> void Kernel<D, W>::fill(const Cavity& cavity, VertexId id) {
     NETMESH_ASSERT(cavity.cells > 0 && cavity.facets > D);
-    if constexpr (D == 2) {
+    if constexpr (is_planar) {
         PlanarCavity<D>::fill(*this, cavity, id);
     } else {
         Cell<D>* const cells = &store_.cell(0);
@@ -414,11 +438,11 @@ template <int D> void Kernel<D>::fill(const Cavity& cavity, VertexId id) {
         bool made = false;
 #ifndef __OPTIMIZE_SIZE__
         if constexpr (D == 3)
-            made = SpatialCavity<D>::make_cells(*this, cavity, id, supply);
+            made = SpatialCavity<D, W>::make_cells(*this, cavity, id, supply);
         else
-            made = make_in_batches<D>(store_, cavity, id, error_max_, end, supply);
+            made = make_in_batches<D>(store_, cavity, id, weights_used(), error_max_, end, supply);
 #endif
-        if (!made) make_one_by_one<D>(store_, cavity, id, error_max_, end, supply);
+        if (!made) make_one_by_one<D>(store_, cavity, id, weights_used(), error_max_, end, supply);
         for (std::ptrdiff_t k = 0; k < old_cells; ++k) supply.give_back(end[-k].entry.cell());
         if (vertex_cells_ == VertexCells::kept)
             for (std::ptrdiff_t k = 0; k < facets; ++k)
@@ -426,10 +450,12 @@ template <int D> void Kernel<D>::fill(const Cavity& cavity, VertexId id) {
                     if (v != none) store_.vertex(v).cell = end[-k].made;
         store_.state.last_cell = end[1 - facets].made;
     }
-    NETMESH_VALIDATE_WHOLE(violation_in_use(store_));
+    if constexpr (!W::has) NETMESH_VALIDATE_WHOLE(violation_in_use(store_));
 }
 
-#define NETMESH_INSTANTIATE(D) template class Kernel<D>;
+#define NETMESH_INSTANTIATE(D)                                                                                         \
+    template class Kernel<D>;                                                                                          \
+    template class Kernel<D, Weights>;
 NETMESH_EACH_INSTANCE(NETMESH_INSTANTIATE)
 #undef NETMESH_INSTANTIATE
 #undef NETMESH_APART

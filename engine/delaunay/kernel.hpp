@@ -56,24 +56,45 @@ template <int D> inline void ask_for_neighbours(const Cell<D>* cells, const Cell
 }
 
 // What the kernel does in the plane, see planar.hpp. For D = 2.
-template <int D> class Kernel;
+template <int D, class W> class Kernel;
 template <int D> struct PlanarCavity {
-    static bool find(Kernel<D>& kernel, const double* q, VertexId id, CellId first, Cavity* cavity);
-    static void fill(Kernel<D>& kernel, const Cavity& cavity, VertexId id);
+    static bool find(Kernel<D, NoWeights>& kernel, const double* q, VertexId id, CellId first, Cavity* cavity);
+    static void fill(Kernel<D, NoWeights>& kernel, const Cavity& cavity, VertexId id);
 };
 // What it does in space, see spatial.hpp. The search ends early where tables of it have no room; make_cells then does
 // nothing and returns false. For D = 3.
-template <int D> struct SpatialCavity {
-    static void search(Kernel<D>& kernel, const double* q, VertexId id, CavitySearch* progress);
-    static bool make_cells(Kernel<D>& kernel, const Cavity& cavity, VertexId id, CellSupply<D>& supply);
+template <int D, class W> struct SpatialCavity {
+    static void search(Kernel<D, W>& kernel, const double* q, VertexId id, CavitySearch* progress);
+    static bool make_cells(Kernel<D, W>& kernel, const Cavity& cavity, VertexId id, CellSupply<D>& supply);
 };
 
-template <int D> class Kernel {
+// What the kernel knows of weights, and of the point in question.
+template <class W> struct AskedPoint {
+    void put(const Weights&) {}
+    void look_at(const double*, int) {}
+};
+template <> struct AskedPoint<Weights> {
+    Weights weights;
+    double height = 0;
+    void put(const Weights& all) { weights = all; }
+    void look_at(const double* q, int dim) { height = weights.height(q[dim]); }
+};
+
+// With Weights, a number behind the coordinates of each point, it makes the regular triangulation, the Delaunay one of
+// powers. A point can be in no cell's ball then: it is hidden. And a cavity can hold all cells of a vertex, which is in
+// no cell any more. Both leave no trace; what is hidden once stays hidden, as balls only become emptier.
+template <int D, class W = NoWeights> class Kernel : AskedPoint<W> {
+    // Cavities of points in the plane are trees of cells, but with weights.
+    static constexpr bool is_planar = D == 2 && !W::has;
+
 public:
     // error_max: a new ball whose error bound would exceed this (relative to its radius) is computed afresh. Conflicts
     // are decided exactly whatever it is; corners that results depend on want it small.
     Kernel(Store<D>& store, double error_max, VertexCells vertex_cells, TieOrder tie_order = TieOrder::of_vertices)
         : store_(store), error_max_(error_max), vertex_cells_(vertex_cells), tie_order_(tie_order) {}
+
+    // Of points with weights; before start.
+    void weigh(const Weights& weights) { this->put(weights); }
 
     // Makes the D+1 points with these indices, affinely independent, the first cell with its ghosts. out_of_memory.
     Status start(const VertexId* ids);
@@ -82,14 +103,14 @@ public:
     // what lies strictly beyond its facet, or in the facet's plane and inside the ball of the cell behind it.
     bool in_conflict(CellId c, const double* q, VertexId id) {
         double bound;
-        const double value = power<D>(store_.cell(c), q, &bound);
+        const double value = power_of(c, q, &bound);
         if (!(__builtin_fabs(value) > bound)) return undecided_conflict(c, q, id);
         ++store_.state.in_ball_counts.calls[0];
         return value < 0;
     }
 
     // A cell in conflict with q, found by descending powers from cell `from`; the powers of adjacent balls compare as q
-    // lies to the sides of their common facet, so a local minimum contains q. Expected 2-7 steps from a near start.
+    // lies to the sides of their common facet, so a local minimum contains q. Expected 2-7 steps from a near start. With weights: none when q is hidden.
     CellId locate(const double* q, VertexId id, CellId from);
     // Cells that it has gone on from, in all.
     std::uint64_t steps() const { return steps_; }
@@ -99,7 +120,7 @@ public:
     bool find_cavity(const double* q, VertexId id, CellId first, Cavity* cavity);
     // Its cells, k < cavity.cells, until it is filled.
     CellId cavity_cell(std::uint32_t k) const {
-        if constexpr (D == 2)
+        if constexpr (is_planar)
             return line(k).made;
         else
             return line(k).entry.cell();
@@ -107,7 +128,7 @@ public:
     // Where cell k has the only vertex that no cell before it in the list has; none: where that is not told, as of the
     // first cell and in the plane.
     std::uint32_t cavity_position(std::uint32_t k) const {
-        if constexpr (D == 2)
+        if constexpr (is_planar)
             return none;
         else
             return k == 0 ? std::uint32_t{none} : line(k).entry.position();
@@ -136,7 +157,22 @@ public:
 
 private:
     friend struct PlanarCavity<D>;
-    friend struct SpatialCavity<D>;
+    friend struct SpatialCavity<D, W>;
+
+    // That of the point that was looked at last.
+    double power_of(CellId c, const double* q, double* bound) const {
+        if constexpr (W::has)
+            return power<D>(store_.cell(c), q, this->height, bound);
+        else
+            return power<D>(store_.cell(c), q, bound);
+    }
+    // Weights, or NoWeights.
+    auto weights_used() const {
+        if constexpr (W::has)
+            return this->weights;
+        else
+            return W{};
+    }
 
     CellId walk(const double* q, CellId from);
     bool ghost_in_conflict(CellId c, int infinite, const double* q, VertexId id);
@@ -147,7 +183,7 @@ private:
         return false;
     }
 
-    using Line = std::conditional_t<D == 2, PlanarLine, CavityLine>;
+    using Line = std::conditional_t<is_planar, PlanarLine, CavityLine>;
     Line* list_end() const { return reinterpret_cast<Line*>(store_.list_top()) - 1; }
     Line& line(std::uint32_t k) const { return list_end()[-static_cast<std::ptrdiff_t>(k)]; }
     std::size_t list_capacity() const { return store_.list_capacity() * 4 / sizeof(Line); }

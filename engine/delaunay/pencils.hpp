@@ -30,35 +30,40 @@ template <int D, std::uint32_t most> struct Pencils {
         return static_cast<std::uint32_t>(in.power[k] < error2_max) &
                static_cast<std::uint32_t>(in.radius2[k] > 0x1p-800);
     }
-    // The powers of the first `count` pairs of balls, operation by operation as power() has them.
-    void measure(const double* q, std::uint32_t count) {
-        measure(in, q, count, Axes{});
-        measure(out, q, count, Axes{});
+    // The powers of the first `count` pairs of balls, operation by operation as power() has them. height: with weights
+    // that of q.
+    template <bool weighted = false> void measure(const double* q, std::uint32_t count, double height = 0) {
+        measure<weighted>(in, q, count, height, Axes{});
+        measure<weighted>(out, q, count, height, Axes{});
     }
     // pencil_sphere of the first `count` pairs of balls, operation by operation, into `in`; the square of the error
     // bound, +infinity where the powers are too uncertain, into its powers. Written so that compilers make vectors of
     // it: no branch, no inner loop, no condition before a division.
-    [[gnu::noinline]] void mix(const double* q, std::uint32_t count) { mix(q, count, Axes{}); }
+    template <bool weighted = false> [[gnu::noinline]] void mix(const double* q, std::uint32_t count, double height = 0) {
+        mix<weighted>(q, count, height, Axes{});
+    }
 
 private:
     using Axes = std::make_integer_sequence<int, D>;
 
-    template <int... I>
-    [[gnu::noinline]] static void measure(Ball& ball, const double* q, std::uint32_t count,
+    template <bool weighted, int... I>
+    [[gnu::noinline]] static void measure(Ball& ball, const double* q, std::uint32_t count, double height,
                                           std::integer_sequence<int, I...>) {
+        constexpr int roundings = weighted ? D + 12 : D + 8;
         const double at[D] = {q[I]...};
         for (std::uint32_t k = 0; k < count; ++k) {
             const double d[D] = {(at[I] - ball.centre[I][k])...};
-            const double d2 = sum_of_squares<I...>(d);
-            ball.bound[k] = (ball.error[k] + (D + 8) * unit_roundoff) * (d2 + 3 * ball.radius2[k]) + 0x1p-960;
+            const double d2 = weighted ? height + sum_of_squares<I...>(d) : sum_of_squares<I...>(d);
+            ball.bound[k] = (ball.error[k] + roundings * unit_roundoff) * (d2 + 3 * ball.radius2[k]) + 0x1p-960;
             ball.power[k] = d2 - ball.radius2[k];
         }
     }
     template <int... I> [[gnu::always_inline]] static double sum_of_squares(const double (&d)[D]) {
         return (... + (d[I] * d[I]));
     }
-    template <int... I>
-    [[gnu::always_inline]] void mix(const double* q, std::uint32_t count, std::integer_sequence<int, I...>) {
+    template <bool weighted, int... I>
+    [[gnu::always_inline]] void mix(const double* q, std::uint32_t count, double height,
+                                    std::integer_sequence<int, I...>) {
         constexpr double u = unit_roundoff;
         const double at[D] = {q[I]...};
         for (std::uint32_t k = 0; k < count; ++k) {
@@ -70,7 +75,7 @@ private:
             const double e[D] = {(at[I] - x[I])...};
             const double apart2 = sum_of_squares<I...>(d);
             const double size2 = sum_of_squares<I...>(x);
-            const double radius2 = sum_of_squares<I...>(e);
+            const double radius2 = weighted ? height + sum_of_squares<I...>(e) : sum_of_squares<I...>(e);
             const double in2 = in.error[k] * in.error[k] * in.radius2[k];
             const double out2 = out.error[k] * out.error[k] * out.radius2[k];
             const double w_error = 1.02 * (w * bound_in + v * bound_out) * inverse + 8 * u;

@@ -41,7 +41,7 @@ inline bool circumscribe(const double* q, const PlanarEdge& a, const PlanarEdge&
 // counterclockwise, so no cell is met twice, none has to be marked, and the bounding facets come in their order. Facets
 // that are found and facets that wait number two more than the cells.
 template <int D>
-bool PlanarCavity<D>::find(Kernel<D>& kernel, const double* q, VertexId id, CellId first, Cavity* cavity) {
+bool PlanarCavity<D>::find(Kernel<D, NoWeights>& kernel, const double* q, VertexId id, CellId first, Cavity* cavity) {
     constexpr std::uint32_t next[4] = {1, 2, 0, 0};
     const Store<D>& store = kernel.store_;
     const std::size_t capacity = kernel.list_capacity();
@@ -79,7 +79,7 @@ bool PlanarCavity<D>::find(Kernel<D>& kernel, const double* q, VertexId id, Cell
 // In the plane the facets come counterclockwise, so each new cell (id, a, b) has its neighbours before and after it;
 // and as its ball is solved from its points, which costs no more than from other balls, it can take the place of an old
 // cell at once.
-template <int D> void PlanarCavity<D>::fill(Kernel<D>& kernel, const Cavity& cavity, VertexId id) {
+template <int D> void PlanarCavity<D>::fill(Kernel<D, NoWeights>& kernel, const Cavity& cavity, VertexId id) {
     Store<D>& store = kernel.store_;
     Cell<D>* const cells = &store.cell(0);
     PlanarLine* const end = kernel.list_end();

@@ -7,16 +7,24 @@
 // While it grows, vertices of cells are numbered in the order of insertion, and their coordinates stand in that order:
 // what is near in the plane is near in memory. At the end the points go and every cell becomes one of the store, which
 // takes more than twice the room; it is asked for before a cell is made, so the end cannot fail.
+//
+// With weights cells have a mark, as a cavity with a vertex inside is no tree of cells, and points three numbers.
 #pragma once
 #include "delaunay/sphere.hpp"
 #include "delaunay/store.hpp"
+#include "predicates/weighted.hpp"
 
 namespace netmesh {
 
 // The beginning of a Cell<2>, with numbers in the order of insertion.
-struct PlaneCell {
+template <class W> struct PlaneCellOf {
     VertexId vertex[3];
     FacetId neighbour[3];
+};
+template <> struct PlaneCellOf<Weights> {
+    VertexId vertex[3];
+    FacetId neighbour[3];
+    std::uint32_t mark = 0;  // number of the last cavity that has it, from 1 on
 };
 
 // Line k of a cavity's list, line 0 highest in memory: columns of different lengths.
@@ -31,12 +39,23 @@ struct PlaneLine {
 // in-circle determinant of a ghost is a positive multiple of the orientation of its edge and q.
 struct PlaneArm {
     double x, y, lift;
+    double square() const { return lift; }  // of its length
+    double size() const { return lift; }    // what errors of the lift are relative to
 };
-inline double cross(const PlaneArm& a, const PlaneArm& b) { return a.x * b.y - a.y * b.x; }
+// With weights the lift is the square less the difference of the weights.
+struct WeightedArm {
+    double x, y, lift, length2, sum;
+    double square() const { return length2; }
+    double size() const { return sum; }
+};
+template <class Arm> inline double cross(const Arm& a, const Arm& b) { return a.x * b.y - a.y * b.x; }
 
 // What is asked about a point, by value, so that loops have it in registers.
-struct PlaneQuestion {
-    const double* points;  // [vertex][2]
+template <class W> struct PlaneQuestion;
+template <> struct PlaneQuestion<NoWeights> {
+    using Arm = PlaneArm;
+    static constexpr std::size_t numbers = 2;
+    const double* points;  // [vertex][numbers]
     double x, y;           // q
     double extent2;        // square of the points' extent, or more
     double underflow;      // what in-circle determinants lose to it; +infinity: anything
@@ -51,26 +70,71 @@ struct PlaneQuestion {
     double error_of(double a, double b, double c) const {
         return 11 * unit_roundoff * (a * b + b * c + c * a) + underflow;
     }
+    void ask(const double* q) {
+        x = q[0];
+        y = q[1];
+    }
+};
+// A lift carries two roundings more than without weights, at most, relative to square + |difference of weights|, which
+// takes the place of the lift in the bound; 13 covers that and the bound's own.
+template <> struct PlaneQuestion<Weights> {
+    using Arm = WeightedArm;
+    static constexpr std::size_t numbers = 3;
+    const double* points;
+    double x, y, number;
+    double extent2;  // and more than any difference of weights
+    double underflow;
+    Weights weights;
+
+    WeightedArm arm_to(VertexId v) const {
+        if (v == none) return {0, 0, extent2, 0, extent2};
+        const double* const p = points + 3 * std::size_t{v};
+        const double dx = p[0] - x, dy = p[1] - y, less = weights.difference(number, p[2]), square = dx * dx + dy * dy;
+        return {dx, dy, square + less, square, square + __builtin_fabs(less)};
+    }
+    double error_of(double a, double b, double c) const {
+        return 13 * unit_roundoff * (a * b + b * c + c * a) + underflow;
+    }
+    void ask(const double* q) {
+        x = q[0];
+        y = q[1];
+        number = q[2];
+    }
 };
 
-template <int D> class PlaneRun {
+template <int D, class W = NoWeights> class PlaneRun {
 public:
     explicit PlaneRun(Store<D>& store) : store_(store), arena_(store.arena), state_(store.state) {}
+    // Of points with weights; before open.
+    void weigh(const Weights& weights) { question_.weights = weights; }
 
     // Before the first cell. order[0..count) stands at the low end from `low` on, and is moved. out_of_memory.
     Status open(const std::uint32_t* order, std::size_t low);
     // Makes the first cell, of these vertices, and its ghosts. out_of_memory.
     Status start(const VertexId* ids);
-    // Inserts vertex order[k] and tells how many cells that made; 0 when the first cell has it. False: out of memory,
-    // and nothing has changed.
+    // Inserts vertex order[k] and tells how many cells that made; 0 when the first cell has it or, with weights, when it
+    // is hidden. False: out of memory, and nothing has changed.
     bool insert(std::uint32_t k, std::uint32_t* made);
     // Makes a compact store of it.
     void finish();
 
+    VertexId vertex_at(std::uint32_t k) const { return VertexId(order_[k]); }
+    bool is_in_first_cell(std::uint32_t k) const { return k == first_[0] || k == first_[1] || k == first_[2]; }
+
 private:
     static constexpr std::uint32_t next[4] = {1, 2, 0, 0};
+    using Question = PlaneQuestion<W>;
+    using PlaneCell = PlaneCellOf<W>;
+    using PlaneArm = typename Question::Arm;
 
-    const double* point(std::uint32_t k) const { return question_.points + 2 * std::size_t{k}; }
+    // Whether q lies inside of a cell, by the sides of its edges, as far as doubles tell.
+    static bool is_surely_in(const PlaneArm* arm, const double* side) {
+        bool is_in = true;
+        for (std::uint32_t i = 0; i < 3; ++i)
+            is_in = is_in && side[i] > 4 * unit_roundoff * (arm[next[i]].square() + arm[next[next[i]]].square()) + 0x1p-960;
+        return is_in;
+    }
+    const double* point(std::uint32_t k) const { return question_.points + Question::numbers * std::size_t{k}; }
     bool has_room(std::size_t cells, std::size_t lines);
     bool refuse_list(std::size_t lines) {
         arena_.refuse(lines * sizeof(PlaneLine));
@@ -91,28 +155,35 @@ private:
     const std::uint32_t* order_;
     std::size_t vertices_begin_;  // offset of the last vertex
     std::size_t cells_end_;       // offset up to which cells may reach in the end
-    PlaneQuestion question_;
+    Question question_ = {};
     const double* q_;
     std::uint32_t q_number_;
     std::uint32_t first_[3];  // the vertices of the first cell
     std::ptrdiff_t facets_;   // of the cavity
+    std::ptrdiff_t count_;    // its cells; with weights alone
+    std::uint32_t cavities_ = 0;
 };
 
-template <int D> Status PlaneRun<D>::open(const std::uint32_t* order, std::size_t low) {
+template <int D, class W> Status PlaneRun<D, W>::open(const std::uint32_t* order, std::size_t low) {
     const std::uint32_t count = state_.vertex_count;
     vertices_begin_ = arena_.high_mark();
     std::uint32_t* const kept = arena_.template take_high<std::uint32_t>(count);
     cells_end_ = arena_.high_mark();
-    double* const points = arena_.template take_high<double>(std::size_t{2} * count);
+    double* const points = arena_.template take_high<double>(Question::numbers * count);
     if (kept == nullptr || points == nullptr) return Status::out_of_memory;
-    double least[2] = {infinity, infinity}, most[2] = {-infinity, -infinity};
+    constexpr int numbers = static_cast<int>(Question::numbers);
+    double least[numbers], most[numbers];
+    for (int i = 0; i < numbers; ++i) {
+        least[i] = infinity;
+        most[i] = -infinity;
+    }
     for (std::uint32_t k = 0; k < count;)
         for (const std::uint64_t piece = arena_.piece(k, count, 30); k < piece; ++k) {
             kept[k] = order[k];
             if (k + 16 < count) __builtin_prefetch(store_.point(order[k + 16]));
             const double* const x = store_.point(order[k]);
-            for (int i = 0; i < 2; ++i) {
-                points[2 * std::size_t{k} + static_cast<std::size_t>(i)] = x[i];
+            for (int i = 0; i < numbers; ++i) {
+                points[Question::numbers * std::size_t{k} + static_cast<std::size_t>(i)] = x[i];
                 least[i] = x[i] < least[i] ? x[i] : least[i];
                 most[i] = x[i] > most[i] ? x[i] : most[i];
             }
@@ -120,6 +191,7 @@ template <int D> Status PlaneRun<D>::open(const std::uint32_t* order, std::size_
     const double width = most[0] - least[0], height = most[1] - least[1];
     question_.points = points;
     question_.extent2 = width * width + height * height;
+    if constexpr (W::has) question_.extent2 += question_.weights.difference(most[2], least[2]);
     // With lifts up to 2^240 what underflows adds less than 2^-800, as in planar_stage.hpp.
     question_.underflow = question_.extent2 < 0x1p240 ? 0x1p-790 : infinity;
     order_ = kept;
@@ -131,7 +203,7 @@ template <int D> Status PlaneRun<D>::open(const std::uint32_t* order, std::size_
 }
 
 // Room for that many more cells, now and at the end, and for a list of so many lines?
-template <int D> bool PlaneRun<D>::has_room(std::size_t cells, std::size_t lines) {
+template <int D, class W> bool PlaneRun<D, W>::has_room(std::size_t cells, std::size_t lines) {
     const std::size_t now = cells * sizeof(PlaneCell) + lines * sizeof(PlaneLine) + Arena::alignment;
     const std::size_t last = state_.cells_offset + (state_.cell_slots + cells) * sizeof(Cell<D>) + Arena::alignment;
     const std::size_t in_the_end =
@@ -146,7 +218,7 @@ template <int D> bool PlaneRun<D>::has_room(std::size_t cells, std::size_t lines
     return true;
 }
 
-template <int D> [[gnu::cold]] Status PlaneRun<D>::start(const VertexId* ids) {
+template <int D, class W> [[gnu::cold]] Status PlaneRun<D, W>::start(const VertexId* ids) {
     if (!has_room(4, 0)) return Status::out_of_memory;
     for (int i = 0; i < 3; ++i) {
         std::uint32_t k = 0;
@@ -158,10 +230,10 @@ template <int D> [[gnu::cold]] Status PlaneRun<D>::start(const VertexId* ids) {
     const VertexId v[3] = {VertexId(first_[turn]), VertexId(first_[!turn]), VertexId(first_[2])};
     // Cell 0 is finite; ghost 1 + i lies behind its facet i, and has the facet's vertices exchanged.
     const auto facet = [](std::uint32_t c, std::uint32_t i) { return FacetId(CellId(c), i); };
-    cells_[0] = {{v[0], v[1], v[2]}, {facet(1, 0), facet(2, 1), facet(3, 2)}};
-    cells_[1] = {{none, v[2], v[1]}, {facet(0, 0), facet(3, 1), facet(2, 2)}};
-    cells_[2] = {{v[2], none, v[0]}, {facet(3, 0), facet(0, 1), facet(1, 2)}};
-    cells_[3] = {{v[1], v[0], none}, {facet(2, 0), facet(1, 1), facet(0, 2)}};
+    cells_[0] = PlaneCell{{v[0], v[1], v[2]}, {facet(1, 0), facet(2, 1), facet(3, 2)}};
+    cells_[1] = PlaneCell{{none, v[2], v[1]}, {facet(0, 0), facet(3, 1), facet(2, 2)}};
+    cells_[2] = PlaneCell{{v[2], none, v[0]}, {facet(3, 0), facet(0, 1), facet(1, 2)}};
+    cells_[3] = PlaneCell{{v[1], v[0], none}, {facet(2, 0), facet(1, 1), facet(0, 2)}};
     arena_.extend_low(4 * sizeof(PlaneCell));
     state_.cell_slots = 4;
     state_.cells_created += 4;
@@ -170,7 +242,7 @@ template <int D> [[gnu::cold]] Status PlaneRun<D>::start(const VertexId* ids) {
 }
 
 // The cell's points and their indices, the point in question for infinity; where that is, -1 for a finite cell.
-template <int D> int PlaneRun<D>::collect(CellId c, const double** p, VertexId* ids) const {
+template <int D, class W> int PlaneRun<D, W>::collect(CellId c, const double** p, VertexId* ids) const {
     int infinite = -1;
     for (int i = 0; i < 3; ++i) {
         const VertexId v = cells_[c].vertex[i];
@@ -182,7 +254,7 @@ template <int D> int PlaneRun<D>::collect(CellId c, const double** p, VertexId* 
 }
 
 // As Kernel::in_conflict.
-template <int D> [[gnu::noinline]] bool PlaneRun<D>::undecided_conflict(CellId c) {
+template <int D, class W> [[gnu::noinline]] bool PlaneRun<D, W>::undecided_conflict(CellId c) {
     const double* p[3];
     VertexId ids[3];
     const int infinite = collect(c, p, ids);
@@ -191,13 +263,18 @@ template <int D> [[gnu::noinline]] bool PlaneRun<D>::undecided_conflict(CellId c
         if (side != Sign::zero) return side == Sign::positive;
         collect(cells_[c].neighbour[infinite].cell(), p, ids);
     }
-    return in_ball_perturbed<D>(p, ids, q_, VertexId(order_[q_number_]), state_.in_ball_counts) == Sign::positive;
+    const VertexId id(order_[q_number_]);
+    if constexpr (W::has)
+        return in_power_perturbed<D>(p, ids, q_, id, question_.weights.are_radii, state_.in_ball_counts) ==
+               Sign::positive;
+    else
+        return in_ball_perturbed<D>(p, ids, q_, id, state_.in_ball_counts) == Sign::positive;
 }
 
 // A cell in conflict: from the last cell on through the first edge beyond which q surely lies, until a circle surely
 // contains q. No other edge than the hull's is left then, or the exact walk goes on.
-template <int D> CellId PlaneRun<D>::locate() {
-    const PlaneQuestion question = question_;
+template <int D, class W> CellId PlaneRun<D, W>::locate() {
+    const Question question = question_;
     const PlaneCell* const cells = cells_;
     CellId c = state_.last_cell;
     for (std::uint32_t i = 0; i < 3; ++i)
@@ -212,10 +289,12 @@ template <int D> CellId PlaneRun<D>::locate() {
                                  question.arm_to(cell.vertex[2])};
         const double side[3] = {cross(arm[1], arm[2]), cross(arm[2], arm[0]), cross(arm[0], arm[1])};
         const double value = arm[0].lift * side[0] + arm[1].lift * side[1] + arm[2].lift * side[2];
-        if (value > question.error_of(arm[0].lift, arm[1].lift, arm[2].lift)) return c;
+        const double error = question.error_of(arm[0].size(), arm[1].size(), arm[2].size());
+        if (value > error) return c;
         CellId to = none, outside = none;
         for (std::uint32_t i = 0; i < 3 && to == none; ++i) {
-            if (!(side[i] < -4 * unit_roundoff * (arm[next[i]].lift + arm[next[next[i]]].lift) - 0x1p-960)) continue;
+            if (!(side[i] < -4 * unit_roundoff * (arm[next[i]].square() + arm[next[next[i]]].square()) - 0x1p-960))
+                continue;
             const FacetId beyond = cell.neighbour[i];
             if (cells[beyond.cell()].vertex[beyond.position()] != none)
                 to = beyond.cell();
@@ -223,15 +302,23 @@ template <int D> CellId PlaneRun<D>::locate() {
                 outside = beyond.cell();
         }
         if (to == none) {
-            if (undecided_conflict(c)) return c;
-            return outside != none ? outside : walk(c);
+            const bool is_outside = W::has && value < -error;  // surely; else it has only not been decided
+            if (!is_outside && undecided_conflict(c)) return c;
+            if (outside != none) return outside;
+            if constexpr (W::has)
+                if (is_outside && is_surely_in(arm, side)) return CellId(none);
+            c = walk(c);
+            // The cell that q lies in; what is beyond the hull is in conflict.
+            if constexpr (W::has)
+                if (!undecided_conflict(c)) return CellId(none);
+            return c;
         }
         c = to;
     }
 }
 
 // As Kernel::walk.
-template <int D> [[gnu::noinline]] CellId PlaneRun<D>::walk(CellId from) {
+template <int D, class W> [[gnu::noinline]] CellId PlaneRun<D, W>::walk(CellId from) {
     CellId c = from;
     for (;;) {
         const double* p[3];
@@ -251,10 +338,10 @@ template <int D> [[gnu::noinline]] CellId PlaneRun<D>::walk(CellId from) {
 
 // The search of PlanarCavity::find. Each facet starts where the last bounding one ended: `from` and `to` are the ends
 // of the facet that is crossed next, `edge` their cross product, and only the apex beyond is new.
-template <int D> bool PlaneRun<D>::find_cavity(CellId first) {
+template <int D, class W> bool PlaneRun<D, W>::find_cavity(CellId first) {
     const std::size_t capacity = arena_.bytes_free() / sizeof(PlaneLine);
-    const PlaneQuestion question = question_;
-    const PlaneCell* const cells = cells_;
+    const Question question = question_;
+    PlaneCell* const cells = cells_;
     PlaneLine* const lines = lines_;
     std::uint64_t sure = 0;
     std::ptrdiff_t count = 1, facets = 0, waiting = 2;
@@ -266,23 +353,31 @@ template <int D> bool PlaneRun<D>::find_cavity(CellId first) {
     VertexId a = cells[first].vertex[1], b = cells[first].vertex[2];
     PlaneArm from = question.arm_to(a), to = question.arm_to(b);
     double edge = cross(from, to);
+    if constexpr (W::has) cells[first].mark = ++cavities_;
     for (;;) {
         const FacetId beyond = cells[facet.cell()].neighbour[facet.position()];
         const CellId n = beyond.cell();
+        // Around a vertex inside of the cavity the search comes back to cells that it has been to. Such a facet is
+        // none of its boundary, and the next one starts where it ends, as behind all that was found beyond a facet.
+        bool again = false;
+        if constexpr (W::has) again = cells[n].mark == cavities_;
         const PlaneArm apex = question.arm_to(cells[n].vertex[beyond.position()]);
         // The cell beyond is (to, from, apex).
         const double up = cross(from, apex), down = cross(apex, to);
         const double value = from.lift * down + to.lift * up - apex.lift * edge;
-        const double error = question.error_of(from.lift, to.lift, apex.lift);
+        const double error = question.error_of(from.size(), to.size(), apex.size());
         bool inside = value > 0;
         ++sure;
-        if (__builtin_expect(!(__builtin_fabs(value) > error), 0)) {
+        if (W::has && again) {
+            inside = false;
+        } else if (__builtin_expect(!(__builtin_fabs(value) > error), 0)) {
             inside = undecided_conflict(n);
             --sure;
         }
         if (inside) {
             if (static_cast<std::size_t>(count) + 4 > capacity) return refuse_list(static_cast<std::size_t>(count) + 4);
             const std::uint32_t i = next[beyond.position()];
+            if constexpr (W::has) cells[n].mark = cavities_;
             lines[-count++].made = n;
             lines[-waiting++].waiting = FacetId(n, next[i]);
             facet = FacetId(n, i);
@@ -291,8 +386,10 @@ template <int D> bool PlaneRun<D>::find_cavity(CellId first) {
             edge = up;
             continue;
         }
-        lines[-facets].beyond = beyond;
-        lines[-facets++].start = a;
+        if (!(W::has && again)) {
+            lines[-facets].beyond = beyond;
+            lines[-facets++].start = a;
+        }
         if (waiting == 0) break;
         facet = lines[-(--waiting)].waiting;
         a = b;
@@ -304,17 +401,24 @@ template <int D> bool PlaneRun<D>::find_cavity(CellId first) {
     state_.in_ball_counts.calls[0] += sure;
     arena_.use_gap(static_cast<std::size_t>(count + 3) * sizeof(PlaneLine));
     facets_ = facets;
+    if constexpr (W::has) count_ = count;
     return true;
 }
 
 // As PlanarCavity::fill: each new cell (q, a, b) has its neighbours before and after it.
-template <int D> void PlaneRun<D>::fill() {
+template <int D, class W> void PlaneRun<D, W>::fill() {
     PlaneLine* const lines = lines_;
     const std::ptrdiff_t facets = facets_;
-    lines[2 - facets].made = CellId(state_.cell_slots);
-    lines[1 - facets].made = CellId(state_.cell_slots + 1);
-    arena_.extend_low(2 * sizeof(PlaneCell));
-    state_.cell_slots += 2;
+    // As many cells as before and two more, but two less for each vertex inside: what is left over stays unused.
+    for (std::ptrdiff_t k = facets; W::has && k < count_; ++k) cells_[lines[-k].made].vertex[0] = Store<D>::freed;
+    if (!W::has || facets > count_) {
+        lines[2 - facets].made = CellId(state_.cell_slots);
+        lines[1 - facets].made = CellId(state_.cell_slots + 1);
+        arena_.extend_low(2 * sizeof(PlaneCell));
+        state_.cell_slots += 2;
+    } else {
+        state_.cells_free += static_cast<std::uint32_t>(count_ - facets);
+    }
     state_.cells_created += static_cast<std::uint64_t>(facets);
     CellId before = lines[1 - facets].made, n = lines[0].made;
     VertexId a = lines[0].start;
@@ -323,7 +427,7 @@ template <int D> void PlaneRun<D>::fill() {
         const FacetId beyond = lines[-k].beyond;
         const VertexId b = lines[-after].start;
         const CellId then = lines[-after].made;
-        cells_[n] = {{VertexId(q_number_), a, b}, {beyond, FacetId(then, 2), FacetId(before, 1)}};
+        cells_[n] = PlaneCell{{VertexId(q_number_), a, b}, {beyond, FacetId(then, 2), FacetId(before, 1)}};
         cells_[beyond.cell()].neighbour[beyond.position()] = FacetId(n, 0);
         before = n;
         n = then;
@@ -332,20 +436,21 @@ template <int D> void PlaneRun<D>::fill() {
     state_.last_cell = before;
 }
 
-template <int D> bool PlaneRun<D>::insert(std::uint32_t k, std::uint32_t* made) {
+template <int D, class W> bool PlaneRun<D, W>::insert(std::uint32_t k, std::uint32_t* made) {
     *made = 0;
-    if (k == first_[0] || k == first_[1] || k == first_[2]) return true;
+    if (is_in_first_cell(k)) return true;
     q_number_ = k;
     q_ = point(k);
-    question_.x = q_[0];
-    question_.y = q_[1];
-    if (!find_cavity(locate()) || !has_room(2, static_cast<std::size_t>(facets_) + 1)) return false;
+    question_.ask(q_);
+    const CellId hit = locate();
+    if (W::has && hit == none) return true;
+    if (!find_cavity(hit) || !has_room(2, static_cast<std::size_t>(facets_) + 1)) return false;
     fill();
     *made = static_cast<std::uint32_t>(facets_);
     return true;
 }
 
-template <int D> void PlaneRun<D>::finish() {
+template <int D, class W> void PlaneRun<D, W>::finish() {
     const std::uint32_t count = close_gaps<D>(cells_, state_.cell_slots, arena_);
     // A cell at each vertex, in place of the points: the last one that has it.
     CellId* const cell_at = reinterpret_cast<CellId*>(arena_.at(arena_.high_mark()));
@@ -361,6 +466,7 @@ template <int D> void PlaneRun<D>::finish() {
     arena_.release_low(state_.cells_offset);
     arena_.extend_low(count * sizeof(Cell<D>));
     state_.cell_slots = count;
+    if constexpr (W::has) state_.cells_free = 0;
     state_.last_cell = CellId(0);
     // From the last one on, as a cell of the store ends behind all that are still to be read.
     Cell<D>* const cells = &store_.cell(0);

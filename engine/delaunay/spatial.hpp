@@ -62,8 +62,8 @@ template <int D> SpatialTables* spatial_tables(const Store<D>& store, std::uint3
 // As in kernel.cpp, but without branches, as guesses at what is in conflict cost more than asking cells again that are
 // known: every cell is asked, and lines are overwritten when they were not meant. The cell that the search came from
 // need not be looked at.
-template <int D>
-void SpatialCavity<D>::search(Kernel<D>& kernel, const double* point, VertexId id, CavitySearch* progress) {
+template <int D, class W>
+void SpatialCavity<D, W>::search(Kernel<D, W>& kernel, const double* point, VertexId id, CavitySearch* progress) {
     Store<D>& store = kernel.store_;
     SpatialTables* const tables = spatial_tables<D>(store, 0);
     if (tables == nullptr) return;
@@ -72,9 +72,16 @@ void SpatialCavity<D>::search(Kernel<D>& kernel, const double* point, VertexId i
     const std::uint32_t stamp = progress->stamp;
     double q[D];
     for (int i = 0; i < D; ++i) q[i] = point[i];
+    const AskedPoint<W> asked = kernel;
+    const auto power_at = [&q, &asked](const Cell<D>& cell, double* bound) {
+        if constexpr (W::has)
+            return power<D>(cell, q, asked.height, bound);
+        else
+            return power<D>(cell, q, bound);
+    };
     std::uint64_t decided = 0;
     std::ptrdiff_t count = 1, facets = 0, k = 0;
-    tables->power[0] = power<D>(cells[end[0].entry.cell()], q, &tables->bound[0]);
+    tables->power[0] = power_at(cells[end[0].entry.cell()], &tables->bound[0]);
     for (; k < count; ++k) {
         if ((count > facets ? count : facets) + D + 1 > std::ptrdiff_t{SpatialTables::lines_max}) break;
         const CellId c = end[-k].entry.cell();
@@ -87,7 +94,7 @@ void SpatialCavity<D>::search(Kernel<D>& kernel, const double* point, VertexId i
             const std::uint32_t known = other.mark - stamp;  // 0: in conflict, 1: not, else not met yet
             const std::uint32_t fresh = known > 1;
             double bound;
-            const double value = power<D>(other, q, &bound);
+            const double value = power_at(other, &bound);
             std::uint32_t inside = value < 0;
             decided += fresh;
             if (__builtin_expect(fresh & static_cast<std::uint32_t>(!(__builtin_fabs(value) > bound)), 0)) {
@@ -115,8 +122,8 @@ void SpatialCavity<D>::search(Kernel<D>& kernel, const double* point, VertexId i
 
 // Seen from the new point all triangles of the sphere turn the same way, so each edge is met once in either direction:
 // what stands behind it is written down under one of them and read under the other.
-template <int D>
-bool SpatialCavity<D>::make_cells(Kernel<D>& kernel, const Cavity& cavity, VertexId id, CellSupply<D>& supply) {
+template <int D, class W>
+bool SpatialCavity<D, W>::make_cells(Kernel<D, W>& kernel, const Cavity& cavity, VertexId id, CellSupply<D>& supply) {
     // turn[i]: the positions other than i, so that i and they are an even permutation.
     static constexpr std::uint8_t turn[4][3] = {{1, 2, 3}, {0, 3, 2}, {3, 0, 1}, {2, 1, 0}};
     if (!cavity.has_tables) return false;
@@ -155,7 +162,10 @@ bool SpatialCavity<D>::make_cells(Kernel<D>& kernel, const Cavity& cavity, Verte
             tables->behind[from * SpatialTables::slots + to] = static_cast<std::uint8_t>(4 * k + turn[i][r]);
         }
     }
-    tables->pencils.mix(store.point(id), facets);
+    if constexpr (W::has)
+        tables->pencils.template mix<true>(store.point(id), facets, kernel.height);
+    else
+        tables->pencils.mix(store.point(id), facets);
     std::uint32_t unsolved = 0;
     for (std::uint32_t k = 0; k < facets; ++k) {
         const CavityLine& line = end[-static_cast<std::ptrdiff_t>(k)];
@@ -178,7 +188,7 @@ bool SpatialCavity<D>::make_cells(Kernel<D>& kernel, const Cavity& cavity, Verte
         if (store.is_ghost(n))
             make_ghost<D>(cells[n]);
         else
-            solve_cell<D>(store, error_max, cells[n]);
+            solve_cell<D>(store, kernel.weights_used(), error_max, cells[n]);
     }
     return true;
 }

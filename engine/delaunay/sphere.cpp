@@ -124,6 +124,46 @@ template <int D> void solve_sphere(const double* const* p, double error_max, Cel
         solve_flat_sphere(D, p, shape, ball);
 }
 
+// e_i . x = (|e_i|^2 + w_0 - w_i) / 2. As |c - v|^2 - w is the same of all vertices v, |w_0 - w_i| is at most
+// |e_i| (|c - v_0| + |c - v_i|), so right-hand sides are below 2 R |e_i| in absolute values, R^2 being radius2, where
+// without weights they are below R |e_i|; and four roundings more: the bound of shape_factor with twice its first term.
+template <int D>
+void solve_power_sphere(const double* const* p, const Weights& weights, double error_max, Cell<D>& cell) {
+    constexpr double c[7] = {1, 1, 1, 1.15471, 1.5, 2.14664, 3.33334}, root[7] = {0, 1, 1.42, 1.74, 2, 2.24, 2.45};
+    constexpr int roundings = (D + 1) * (D + 2) / 2 + D + 12;
+    constexpr double shape = 3 * root[D] * roundings * u * (2 * D * c[D - 1] + c[D]);
+    double a[D + 1][D + 1], minors[D + 1];
+    bool plain = true;
+    double lengths2 = 1;
+    for (int i = 0; i < D; ++i) {
+        double square = 0;
+        for (int j = 0; j < D; ++j) {
+            a[j][i] = p[i + 1][j] - p[0][j];
+            square += a[j][i] * a[j][i];
+        }
+        const double twice = square + weights.difference(p[0][D], p[i + 1][D]);
+        a[D][i] = 0.5 * twice;
+        plain = plain && square > edge_square_min && square < edge_square_max && absolute(twice) < edge_square_max;
+        lengths2 *= square;
+    }
+    const Ball ball = {cell.centre, &cell.radius2, &cell.error};
+    if (!plain) return forget_sphere(D, p, ball);
+    minors_of_order<D>(a, minors);
+    const double inverse = 1 / minors[0];
+    double radius2 = weights.height(p[0][D]), size2 = 0;
+    for (int j = 0; j < D; ++j) {
+        cell.centre[j] = p[0][j] + minors[D - j] * ((D - 1 - j) % 2 == 0 ? inverse : -inverse);
+        const double d = p[0][j] - cell.centre[j];
+        radius2 += d * d;
+        size2 += cell.centre[j] * cell.centre[j];
+    }
+    const double error2 = 2.1 * (shape * shape * lengths2 * (inverse * inverse) + 8 * u * u * (size2 / radius2));
+    if (!(error2 < error_max * error_max) || !(radius2 > shortest2) || !(radius2 < infinity))
+        return forget_sphere(D, p, ball);
+    cell.radius2 = radius2;
+    cell.error = static_cast<float>(1.01 * square_root(error2));
+}
+
 template <int D> void recompute_balls(Store<D>& store) {
     for (std::uint32_t c = 0; c < store.state.cell_slots;)
         for (const std::uint64_t piece = store.arena.piece(c, store.state.cell_slots, 70 * D * D); c < piece; ++c) {
@@ -179,6 +219,7 @@ void measure_edges(const AnyStore& store) {
 
 #define NETMESH_INSTANTIATE(D)                                                                                         \
     template void solve_sphere<D>(const double* const*, double, Cell<D>&);                                             \
+    template void solve_power_sphere<D>(const double* const*, const Weights&, double, Cell<D>&);                       \
     template void recompute_balls<D>(Store<D>&);
 NETMESH_EACH_INSTANCE(NETMESH_INSTANTIATE)
 #undef NETMESH_INSTANTIATE

@@ -8,6 +8,7 @@
 #include <cstdint>
 
 #include "delaunay/any_store.hpp"
+#include "predicates/weights.hpp"
 
 namespace netmesh {
 
@@ -21,6 +22,21 @@ template <int D> inline double power(const Cell<D>& cell, const double* q, doubl
         d2 += d * d;
     }
     *bound = (static_cast<double>(cell.error) + (D + 8) * unit_roundoff) * (d2 + 3 * cell.radius2) + 0x1p-960;
+    return d2 - cell.radius2;
+}
+
+// The same with weights, of a point of that height (weights.hpp): radius2 is the power at `centre` of the vertices, less
+// the largest weight, so at least the squared distance to each of them, and that is what errors are relative to. A
+// height is three roundings off at most.
+template <int D> inline double power(const Cell<D>& cell, const double* q, double height, double* bound) {
+    const double first = q[0] - cell.centre[0], last = q[D - 1] - cell.centre[D - 1];
+    double d2 = first * first;
+    for (int i = 1; i < D - 1; ++i) {
+        const double d = q[i] - cell.centre[i];
+        d2 += d * d;
+    }
+    d2 += last * last + height;
+    *bound = (static_cast<double>(cell.error) + (D + 12) * unit_roundoff) * (d2 + 3 * cell.radius2) + 0x1p-960;
     return d2 - cell.radius2;
 }
 
@@ -60,11 +76,27 @@ constexpr float blurred_error = 0x1p-21f;
 // could be proven.
 template <int D> void solve_sphere(const double* const* p, double error_max, Cell<D>& cell);
 
+// With weights: the centre that has equal powers of D+1 points, in doubles alone. Where that is not enough, as of cells
+// that are nearly flat and of sizes far from 1, error is +infinity.
+template <int D>
+void solve_power_sphere(const double* const* p, const Weights& weights, double error_max, Cell<D>& cell);
+
 // That of a cell of `store` by its vertices.
 template <int D> [[gnu::noinline]] void solve_cell(const Store<D>& store, double error_max, Cell<D>& cell) {
     const double* p[D + 1];
     for (int i = 0; i <= D; ++i) p[i] = store.point(cell.vertex[i]);
     solve_sphere<D>(p, error_max, cell);
+}
+
+template <int D>
+[[gnu::noinline]] void solve_cell(const Store<D>& store, const Weights& weights, double error_max, Cell<D>& cell) {
+    const double* p[D + 1];
+    for (int i = 0; i <= D; ++i) p[i] = store.point(cell.vertex[i]);
+    solve_power_sphere<D>(p, weights, error_max, cell);
+}
+template <int D>
+inline void solve_cell(const Store<D>& store, NoWeights, double error_max, Cell<D>& cell) {
+    solve_cell<D>(store, error_max, cell);
 }
 
 // The ball of every cell of a compact store anew, from its vertices alone: what is read off then depends neither on how
@@ -84,18 +116,25 @@ void measure_edges(const AnyStore& store);
 // + v e_out^2. Errors alpha of a and beta of b move w by (v alpha - w beta) / (a + b), exactly so with the true w, v
 // and the computed a + b; the computed w, v are as good with the true a + b, which is 1.02 times smaller at most. Add
 // the rounding of the centre's coordinates: (x + y + z)^2 <= 2.2 x^2 + 2.2 y^2 + 11 z^2.
-template <int D>
+//
+// With weights the same, of a point q of that height: powers at q are those that the two have at its centre.
+template <int D, bool weighted = false>
 inline bool pencil_sphere(const Cell<D>& inside, const Cell<D>& outside, const double* q, double error_max,
-                          Cell<D>& cell) {
+                          Cell<D>& cell, double height = 0) {
     constexpr double u = unit_roundoff;
-    double bound_in, bound_out;
-    const double b = -power<D>(inside, q, &bound_in);
-    const double a = power<D>(outside, q, &bound_out);
+    double a, b, bound_in, bound_out;
+    if constexpr (weighted) {
+        b = -power<D>(inside, q, height, &bound_in);
+        a = power<D>(outside, q, height, &bound_out);
+    } else {
+        b = -power<D>(inside, q, &bound_in);
+        a = power<D>(outside, q, &bound_out);
+    }
     const double sum = a + b;
     if (!(bound_in + bound_out < 0x1p-6 * sum)) return false;
     const double inverse = 1 / sum;
     const double w = a * inverse, v = b * inverse;
-    double apart2 = 0, radius2 = 0, size2 = 0;
+    double apart2 = 0, radius2 = weighted ? height : 0, size2 = 0;
     double centre[D];
     for (int i = 0; i < D; ++i) {
         const double d = inside.centre[i] - outside.centre[i];

@@ -4,6 +4,7 @@
 #include "delaunay/plane.hpp"
 #include "delaunay/spatial_order.hpp"
 #include "numerics/fingerprint.hpp"
+#include "numerics/sort.hpp"
 #include "vocabulary/dimension.hpp"
 
 namespace netmesh {
@@ -21,20 +22,8 @@ constexpr std::uint32_t ahead = 6;
 
 constexpr std::size_t points_max = std::size_t{1} << 28;
 
-// Moves duplicates out: in `order` equal points are neighbours with the smallest index first.
-std::uint32_t remove_duplicates(const AnyStore& store, std::uint32_t* order, std::uint32_t count) {
-    std::uint32_t first = order[0];
-    for (std::uint32_t k = 0; k < count;)
-        for (const std::uint64_t piece = store.arena.piece(k, count, 20); k < piece; ++k) {
-            const std::uint32_t v = order[k];
-            if (ahead > 0 && k + ahead < count) __builtin_prefetch(store.point(order[k + ahead]), 1);
-            const double *const a = store.point(first), *const b = store.point(v);
-            int same = 0;
-            while (same < store.dim && a[same] == b[same]) ++same;
-            const bool duplicate = k > 0 && same == store.dim;
-            if (!duplicate) first = v;
-            store.vertex(v).next = duplicate ? none : VertexId(0);
-        }
+// Takes the vertices whose `next` is none out of the store's and of `order`.
+std::uint32_t drop_marked(const AnyStore& store, std::uint32_t* order, std::uint32_t count) {
     std::uint32_t kept = 0;
     for (std::uint32_t v = 0; v < count;)
         for (const std::uint64_t piece = store.arena.piece(v, count, 6); v < piece; ++v) {
@@ -54,6 +43,23 @@ std::uint32_t remove_duplicates(const AnyStore& store, std::uint32_t* order, std
             ++out;
         }
     return kept;
+}
+
+// Moves duplicates out: in `order` equal points are neighbours with the smallest index first.
+std::uint32_t remove_duplicates(const AnyStore& store, std::uint32_t* order, std::uint32_t count) {
+    std::uint32_t first = order[0];
+    for (std::uint32_t k = 0; k < count;)
+        for (const std::uint64_t piece = store.arena.piece(k, count, 20); k < piece; ++k) {
+            const std::uint32_t v = order[k];
+            if (ahead > 0 && k + ahead < count) __builtin_prefetch(store.point(order[k + ahead]), 1);
+            const double *const a = store.point(first), *const b = store.point(v);
+            int same = 0;
+            while (same < store.dim && a[same] == b[same]) ++same;
+            const bool duplicate = k > 0 && same == store.dim;
+            if (!duplicate) first = v;
+            store.vertex(v).next = duplicate ? none : VertexId(0);
+        }
+    return drop_marked(store, order, count);
 }
 
 bool are_finite(const InputRows& points, std::size_t n, int dim, const Arena& arena, InputReport* input) {
@@ -89,9 +95,10 @@ std::uint64_t copy_points(const InputRows& points, const AnyStore& store) {
 }
 
 // The triangulation by the kernel of meshes. PlaneRun says what each function does.
-template <int D> class KernelRun {
+template <int D, class W = NoWeights> class KernelRun {
 public:
     explicit KernelRun(Store<D>& store) : store_(store), kernel_(store, ball_error_max, VertexCells::ignored) {}
+    void weigh(const Weights& weights) { kernel_.weigh(weights); }
     Status open(const std::uint32_t* order, std::size_t low) {
         const std::uint32_t count = store_.state.vertex_count;
         vertices_begin_ = store_.arena.high_mark();
@@ -114,10 +121,10 @@ public:
             __builtin_prefetch(next + D - 1);
         }
         *made = 0;
-        for (const VertexId w : first_)
-            if (v == w) return true;
+        if (is_in_first_cell(k)) return true;
         const double* const q = store_.point(v);
         const CellId hit = kernel_.locate(q, v, store_.state.last_cell);
+        if (W::has && hit == none) return true;
         Cavity cavity;
         if (!kernel_.find_cavity(q, v, hit, &cavity) || !kernel_.can_fill(cavity, 0)) return false;
         kernel_.fill(cavity, v);
@@ -125,18 +132,28 @@ public:
         return true;
     }
     void finish() {
+        // Vertices of the first cell have it still.
+        if constexpr (W::has)
+            for (int i = 0; i <= D; ++i) store_.vertex(first_[i]).cell = none;
         store_.compact(store_.state.cells_offset);
         store_.arena.release_high(vertices_begin_);
+    }
+    VertexId vertex_at(std::uint32_t k) const { return VertexId(order_[k]); }
+    bool is_in_first_cell(std::uint32_t k) const {
+        for (const VertexId w : first_)
+            if (vertex_at(k) == w) return true;
+        return false;
     }
 
 private:
     Store<D>& store_;
-    Kernel<D> kernel_;
+    Kernel<D, W> kernel_;
     const std::uint32_t* order_;
     std::size_t vertices_begin_;  // offset of the last vertex
     VertexId first_[D + 1];       // the vertices of the first cell
 };
-template <int D> using TriangulationRun = std::conditional_t<D == 2, PlaneRun<D>, KernelRun<D>>;
+template <int D, class W = NoWeights>
+using TriangulationRun = std::conditional_t<D == 2, PlaneRun<D, W>, KernelRun<D, W>>;
 
 // Before so many points nothing is given up: what they share is chance.
 constexpr std::uint64_t sample_least = 16;
@@ -153,6 +170,133 @@ bool is_spent(const StoreState& state, std::uint64_t points, Allowance* allowanc
     allowance->cells_made = state.cells_created;
     allowance->is_spent = allowance->is_dear || state.cell_slots - state.cells_free > allowance->cells_max;
     return allowance->is_spent;
+}
+
+// ---- with weights ----
+
+// Are they finite, and radii not negative? Else the row in question.
+bool are_weights(const WeightRows& weights, std::size_t n, const Arena& arena, InputReport* input,
+                 HiddenPoints* hidden) {
+    for (std::size_t i = 0; i < n;)
+        for (const std::uint64_t piece = arena.piece(i, n, 8); i < piece; ++i) {
+            double number;
+            const bool finite = weights.rows.read(i, 1, &number);
+            if (finite && !(weights.are_radii && number < 0)) continue;
+            input->row_a = i;
+            hidden->has_weight = !finite;
+            hidden->has_negative = finite;
+            return false;
+        }
+    return true;
+}
+
+// Puts them behind the coordinates; a fingerprint of both.
+std::uint64_t copy_weights(const WeightRows& weights, const AnyStore& store, std::uint64_t of_points) {
+    const std::uint32_t count = store.state.vertex_count;
+    Fingerprint fingerprint;
+    fingerprint.add(of_points);
+    fingerprint.add(std::uint64_t{weights.are_radii});
+    for (std::uint32_t i = 0; i < count;)
+        for (const std::uint64_t piece = store.arena.piece(i, count, 20); i < piece; ++i) {
+            double number;
+            weights.rows.read(i, 1, &number);
+            store.vertex(i).nearest2 = number;
+            fingerprint.add(number);
+        }
+    return fingerprint.value();
+}
+
+// remove_duplicates, but of equal points the first of those with the largest weight stays.
+std::uint32_t remove_lighter(const AnyStore& store, std::uint32_t* order, std::uint32_t count) {
+    std::uint32_t heaviest = order[0];
+    for (std::uint32_t k = 0; k < count;)
+        for (const std::uint64_t piece = store.arena.piece(k, count, 20); k < piece; ++k) {
+            const std::uint32_t v = order[k];
+            const double *const a = store.point(heaviest), *const b = store.point(v);
+            int same = 0;
+            while (same < store.dim && a[same] == b[same]) ++same;
+            const bool duplicate = k > 0 && same == store.dim;
+            const bool stays = !duplicate || b[store.dim] > a[store.dim];
+            if (duplicate && stays) store.vertex(heaviest).next = none;
+            store.vertex(v).next = stays ? VertexId(0) : VertexId(none);
+            if (stays) heaviest = v;
+        }
+    return drop_marked(store, order, count);
+}
+
+double largest_number(const AnyStore& store) {
+    double top = -infinity;
+    store.arena.each(store.state.vertex_count, 6, [&](std::uint64_t v) {
+        const double number = store.point(static_cast<std::uint32_t>(v))[store.dim];
+        top = number > top ? number : top;
+    });
+    return top;
+}
+
+Status take_weighted_input(AnyStore& store, const InputRows& points, std::size_t n, const WeightRows& weights,
+                           std::uint64_t seed, Monitor& monitor, InputReport* input, HiddenPoints* hidden,
+                           std::uint32_t** order) {
+    *input = InputReport{};
+    *hidden = HiddenPoints{};
+    if (n == 0 || n > points_max) return Status::invalid_argument;
+    monitor.begin(NETMESH_STAGE_SORT, n);
+    if (!are_finite(points, n, store.dim, store.arena, input)) return Status::not_finite;
+    if (!are_weights(weights, n, store.arena, input, hidden))
+        return hidden->has_negative ? Status::invalid_argument : Status::not_finite;
+    const std::uint32_t count = static_cast<std::uint32_t>(n);
+    if (store.open_vertices(count) != Status::ok) return Status::out_of_memory;
+    input->rows = n;
+    input->fingerprint = copy_points(points, store);
+    input->fingerprint = copy_weights(weights, store, input->fingerprint);
+    *order = store.arena.take_low<std::uint32_t>(count);
+    if (*order == nullptr) return Status::out_of_memory;
+    bool repeats;
+    const Status status = with_dimension(static_cast<std::uint32_t>(store.dim), [&](auto dimension) {
+        return spatial_order<decltype(dimension)::value>(store.first_point(), store.point_stride(), count, seed,
+                                                         store.arena, *order, &repeats);
+    });
+    if (status != Status::ok) return status;
+    const std::uint32_t kept = repeats ? remove_lighter(store, *order, count) : count;
+    input->duplicates = count - kept;
+    store.truncate_vertices(kept);
+    return store.arena.has_stopped() ? Status::cancelled : Status::ok;
+}
+
+// Takes vertices in no cell, but for those that are queued, out of a compact store, and lists their rows. In place: the
+// records of those that stay move up, each by an exchange with a hidden one, and rows of the hidden ones are written
+// over their own records.
+void leave_hidden_out(const AnyStore& store, HiddenPoints* hidden) {
+    const std::uint32_t count = store.state.vertex_count;
+    std::uint32_t kept = 0;
+    store.arena.each(count, 20, [&](std::uint64_t at) {
+        const std::uint32_t v = static_cast<std::uint32_t>(at);
+        const bool stays = store.vertex(v).cell != none || store.vertex(v).queued != 0;
+        store.vertex(v).queued = 0;
+        store.vertex(v).next = stays ? VertexId(kept) : VertexId(none);
+        kept += stays;
+    });
+    hidden->count = count - kept;
+    if (kept == count) return;
+    store.arena.each(store.state.cell_slots, 10, [&](std::uint64_t c) {
+        for (VertexId& v : store.cell(static_cast<std::uint32_t>(c)).vertex) v = store.vertex(v).next;
+    });
+    std::uint32_t out = 0;
+    store.arena.each(count, 30, [&](std::uint64_t at) {
+        const std::uint32_t v = static_cast<std::uint32_t>(at);
+        if (store.vertex(v).next == none) return;
+        if (out != v) store.exchange_vertices(v, out);
+        ++out;
+    });
+    unsigned char* const end = store.arena.at(static_cast<std::size_t>(store.state.vertices_end)) -
+                               kept * static_cast<std::size_t>(-store.point_stride());
+    hidden->rows = reinterpret_cast<std::uint32_t*>(end) - hidden->count;
+    for (std::uint32_t i = hidden->count; i > 0; --i) {
+        store.arena.step(i, 6);
+        hidden->rows[i - 1] = store.vertex(count - i).origin;
+    }
+    sort(hidden->rows, hidden->count, Ascending{}, store.arena);
+    store.state.vertex_count = kept;
+    store.arena.release_high(store.arena.offset_of(hidden->rows) & ~(Arena::alignment - 1));
 }
 
 }  // namespace
@@ -215,7 +359,51 @@ Status triangulate(Store<D>& store, const InputRows& points, std::size_t n, std:
     return status;
 }
 
+template <int D>
+Status triangulate_weighted(Store<D>& store, const InputRows& points, std::size_t n, const WeightRows& weights,
+                            std::uint64_t seed, Monitor& monitor, InputReport* input, HiddenPoints* hidden) {
+    const std::size_t low = store.arena.low_mark();
+    std::uint32_t* order;
+    AnyStore any(store);
+    Status status = take_weighted_input(any, points, n, weights, seed, monitor, input, hidden, &order);
+    store.locate_arrays();
+    if (status != Status::ok) return status;
+    const std::uint32_t count = store.state.vertex_count;
+    VertexId ids[D + 1];
+    if (!independent_points(store, order, count, ids)) return Status::flat;
+    TriangulationRun<D, Weights> run(store);
+    run.weigh({largest_number(store), weights.are_radii});
+    status = run.open(order, low);
+    if (status == Status::ok) status = run.start(ids);
+    if (status != Status::ok) return status;
+
+    monitor.begin(NETMESH_STAGE_DELAUNAY, count);
+    std::uint32_t k = 0;
+    for (; k < count; ++k) {
+        std::uint32_t made;
+        if (!run.insert(k, &made)) {
+            status = Status::out_of_memory;
+            break;
+        }
+        monitor.mesh_size(k, store.live_cells());
+        if (monitor.advance(k, 2 + made * (D - 1))) {
+            ++k;
+            status = Status::cancelled;
+            break;
+        }
+    }
+    for (; k < count; ++k) {
+        store.arena.step(k, 6);
+        store.vertex(run.vertex_at(k)).queued = run.is_in_first_cell(k) ? 0 : 1;
+    }
+    run.finish();
+    leave_hidden_out(AnyStore(store), hidden);
+    return status;
+}
+
 #define NETMESH_INSTANTIATE(D)                                                                                         \
+    template Status triangulate_weighted<D>(Store<D>&, const InputRows&, std::size_t, const WeightRows&,               \
+                                            std::uint64_t, Monitor&, InputReport*, HiddenPoints*);                     \
     template Status triangulate<D>(Store<D>&, const InputRows&, std::size_t, std::uint64_t, Monitor&, InputReport*,    \
                                    Allowance*);
 NETMESH_EACH_INSTANCE(NETMESH_INSTANTIATE)

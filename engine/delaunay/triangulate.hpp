@@ -32,6 +32,20 @@ Status take_input(Store<D>& store, const InputRows& points, std::size_t n, std::
     return status;
 }
 
+// The numbers of points with weights (predicates/weights.hpp), one for each row.
+struct WeightRows {
+    InputRows rows;
+    bool are_radii;
+};
+
+// What a job says about points that are hidden: not equal to another one, and in no cell.
+struct HiddenPoints {
+    std::uint32_t count;
+    std::uint32_t* rows;  // [count], ascending, at the high end, below the vertices
+    bool has_negative;    // invalid_argument: the radius of row_a
+    bool has_weight;      // not_finite: it is the number of row_a, not a coordinate
+};
+
 // What a triangulation may cost before it is given up. Work is cells made; a conflict that the cached ball does not
 // decide counts for several of them, and so does a tie.
 struct Allowance {
@@ -51,5 +65,13 @@ struct Allowance {
 template <int D>
 Status triangulate(Store<D>& store, const InputRows& points, std::size_t n, std::uint64_t seed, Monitor& monitor,
                    InputReport* input, Allowance* allowance = nullptr);
+
+// The same with weights: the regular triangulation. Of equal points the one with the largest weight stays, the first of
+// these. What is hidden is no vertex of the store; the others are in the order of their rows, and each has the number of
+// its weight as its nearest2, behind its coordinates. Points not inserted are no hidden ones. Nothing depends on the
+// order of insertion. invalid_argument: a radius is negative.
+template <int D>
+Status triangulate_weighted(Store<D>& store, const InputRows& points, std::size_t n, const WeightRows& weights,
+                            std::uint64_t seed, Monitor& monitor, InputReport* input, HiddenPoints* hidden);
 
 }  // namespace netmesh

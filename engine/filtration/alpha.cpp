@@ -23,12 +23,17 @@
 // looking at apexes of cofacets is enough. An apex on the sphere is marked too. If then nothing is strictly inside, the
 // cofacet has the same sphere and nothing inside either, its value is the same radius, and no cofacet has less: the
 // value of the face is right, and copied instead of being compared.
+//
+// With weights read power for squared distance, and for the sphere of a face with centre m and power a at it: a point v
+// is inside where its power at m is less than a. Then |v - m|^2 - w_v - a is 2 (v - m) . (c - m), and all of the above
+// holds, of vertices as well, which are marked too. As values may be negative, what is not marked is no number instead.
 #include "filtration/alpha.hpp"
 
 #include "filtration/point_records.hpp"
 #include "geometry/circumsphere_exact.hpp"
 #include "geometry/circumsphere_fast.hpp"
 #include "geometry/half_distance.hpp"
+#include "geometry/power_sphere_exact.hpp"
 #include "numerics/bits.hpp"
 #include "numerics/real.hpp"
 #include "vocabulary/dimension.hpp"
@@ -38,11 +43,18 @@ namespace {
 
 constexpr std::uint32_t faces_between_polls = 256;
 
+// What values are made of: PowerValues with weights.
+struct RadiusValues : NoWeights {};
+
 // What is the same for all dimensions.
-class MarkedValues {
+template <class W> class MarkedValues {
 protected:
-    MarkedValues(const FaceTable& table, const PointRecords& points, const Work& work, double* const* value)
-        : table_(table), points_(points), work_(work), value_(value) {}
+    MarkedValues(const FaceTable& table, const PointRecords& points, const W& weights, const Work& work,
+                 double* const* value)
+        : table_(table), points_(points), weights_(weights), work_(work), value_(value) {}
+
+    static double unmarked() { return W::has ? __builtin_nan("") : 0; }
+    static bool is_marked(double value) { return W::has ? value == value : value < 0; }
 
     // Marks the faces of a k-face that lack some of the vertices `within` and no other.
     [[gnu::noinline]] void mark_interval(std::uint32_t k, std::uint32_t f, std::uint32_t within, double radius);
@@ -59,26 +71,38 @@ protected:
 
     const FaceTable table_;
     const PointRecords points_;
+    const W weights_;
     const Work& work_;
     double* const* value_;
     std::uint64_t* scratch_ = nullptr;
     std::uint64_t done_ = 0;
 };
 
-void MarkedValues::mark_interval(std::uint32_t k, std::uint32_t f, std::uint32_t within, double radius) {
-    table_.each_without(k, f, within,
-                        [this, radius](std::uint32_t below, std::uint32_t face) { value_[below][face] = -radius; });
+template <class W>
+void MarkedValues<W>::mark_interval(std::uint32_t k, std::uint32_t f, std::uint32_t within, double radius) {
+    table_.template each_without<W::has ? 0 : 1>(
+        k, f, within, [this, radius](std::uint32_t below, std::uint32_t face) {
+            value_[below][face] = W::has ? radius : -radius;
+        });
 }
 
-void MarkedValues::finish() {
+template <class W> void MarkedValues<W>::finish() {
     for (int k = 1; k < table_.dim; ++k)
         work_.arena.each(table_.count[k], 2,
                          [value = value_[k]](std::uint64_t i) { value[i] = __builtin_fabs(value[i]); });
 }
 
-Status MarkedValues::evaluate_exactly(const double* const* point, std::uint32_t k, bool within, bool radius,
-                                      Circumsphere* out) {
+template <class W>
+Status MarkedValues<W>::evaluate_exactly(const double* const* point, std::uint32_t k, bool within, bool radius,
+                                         Circumsphere* out) {
     work_.arena.pass(40 * static_cast<std::uint32_t>(table_.dim));
+    if constexpr (W::has) {
+        const ExactPowerSphere sphere(point, static_cast<int>(k), table_.dim, weights_.are_radii);
+        if (!sphere.in_range()) return Status::out_of_range;
+        if (within && !sphere.find_within(scratch_, &out->within)) return Status::check_failed;
+        const bool found = !radius || sphere.find_power(scratch_, weights_.squares, &out->radius);
+        return found ? Status::ok : Status::out_of_range;
+    }
     const ExactSphere sphere(point, static_cast<int>(k), table_.dim);
     if (!sphere.in_range()) return Status::out_of_range;
     if (within && !sphere.find_within(scratch_, &out->within)) return Status::check_failed;
@@ -86,13 +110,16 @@ Status MarkedValues::evaluate_exactly(const double* const* point, std::uint32_t 
 }
 
 // D may be any_dimension, and so may the K of faces then.
-template <int D> class AlphaValues : MarkedValues {
+template <int D, class W> class AlphaValues : MarkedValues<W> {
+    using Base = MarkedValues<W>;
+    using Base::table_, Base::points_, Base::weights_, Base::work_, Base::value_, Base::scratch_;
+
 public:
     using Table = std::conditional_t<D == any_dimension, FaceTable, Faces<D>>;
 
-    AlphaValues(DimensionOf<D> dim, const Table& faces, const PointRecords& points, const Work& work,
+    AlphaValues(DimensionOf<D> dim, const Table& faces, const PointRecords& points, const W& weights, const Work& work,
                 double* const* value)
-        : MarkedValues(FaceTable(faces), points, work, value), dim_(dim), faces_(faces) {}
+        : Base(FaceTable(faces), points, weights, work, value), dim_(dim), faces_(faces) {}
 
     Status run() {
         const std::size_t high = work_.arena.high_mark();
@@ -101,11 +128,11 @@ public:
         for (std::uint32_t k = 0; k <= dim_; ++k)
             for (std::uint32_t i = 0; i < faces_.count[k];)
                 for (const std::uint64_t piece = work_.arena.piece(i, faces_.count[k], 2); i < piece; ++i) {
-                    value_[k][i] = 0;
+                    value_[k][i] = Base::unmarked();
                 }
         const Status status = find_down();
         work_.arena.release_high(high);
-        if (status == Status::ok) finish();
+        if (status == Status::ok) W::has ? find_vertices() : Base::finish();
         return status;
     }
 
@@ -132,6 +159,21 @@ private:
             return status;
         }
     }
+    // Of vertices that are not marked.
+    void find_vertices() {
+        if constexpr (W::has)
+            work_.arena.each(table_.count[0], 6, [this](std::uint64_t f) {
+                if (Base::is_marked(value_[0][f])) return;
+                const double* point;
+                table_.points(points_, 0, static_cast<std::uint32_t>(f), &point);
+                const double number = point[table_.dim], root = square_root(__builtin_fabs(number));
+                const double size = weights_.are_radii ? weights_.squares ? number * number : number
+                                    : weights_.squares ? number
+                                    : number < 0       ? -root
+                                                       : root;
+                value_[0][f] = 0.0 - size;
+            });
+    }
     template <int K> Status find_radii(DimensionOf<K> k);
     // Asks for what points_of reads of faces that come soon.
     template <int K> __attribute__((always_inline)) void fetch(std::uint32_t f) const {
@@ -156,6 +198,7 @@ private:
     template <int K> Certainty spheres_of(DimensionOf<K> k, Batch<K>& batch, Circumsphere* out) {
         const double* const* point[batch_size];
         for (std::uint32_t i = 0; i < batch_size; ++i) point[i] = batch.point[i < batch.count ? i : 0];
+        if constexpr (W::has) return circumspheres_fast<Lanes, K, D, W>(k, dim_, point, out, weights_, weights_.squares);
         if (k != 1) return circumspheres_fast<Lanes, K, D>(k, dim_, point, out);
         const auto difference = [&](std::uint32_t d) {
             Lanes from = {}, to = {};
@@ -181,12 +224,12 @@ private:
 };
 
 // The radii of the k-faces that are not marked, and marks for the faces below that they have in their spheres.
-template <int D> template <int K> Status AlphaValues<D>::find_radii(DimensionOf<K> k) {
+template <int D, class W> template <int K> Status AlphaValues<D, W>::find_radii(DimensionOf<K> k) {
     const std::uint32_t count = faces_.count[k];
     Batch<K> batch;
     for (std::uint32_t f = 0; f < count; ++f) {
         if constexpr (K > 3) fetch<K>(f);
-        if (!(value_[k][f] < 0)) {
+        if (!Base::is_marked(value_[k][f])) {
             batch.face[batch.count] = f;
             points_of(k, f, batch.point[batch.count], batch.place[batch.count]);
             ++batch.count;
@@ -196,48 +239,63 @@ template <int D> template <int K> Status AlphaValues<D>::find_radii(DimensionOf<
             if (status != Status::ok) return status;
             batch.count = 0;
         }
-        if (stop(f, k)) return Status::cancelled;
+        if (Base::stop(f, k)) return Status::cancelled;
     }
     return Status::ok;
 }
 
-template <int D> template <int K> inline Status AlphaValues<D>::find_batch(DimensionOf<K> k, Batch<K>& batch) {
+template <int D, class W>
+template <int K>
+inline Status AlphaValues<D, W>::find_batch(DimensionOf<K> k, Batch<K>& batch) {
     Circumsphere sphere[batch_size];
     const Certainty certain = spheres_of(k, batch, sphere);
     for (std::uint32_t i = 0; i < batch.count; ++i) {
         const std::uint32_t f = batch.face[i];
         if ((certain.within & certain.radius & 1u << i) == 0) {
-            const Status status = evaluate_exactly(batch.point[i], k, (certain.within >> i & 1u) == 0,
+            const Status status = Base::evaluate_exactly(batch.point[i], k, (certain.within >> i & 1u) == 0,
                                                    (certain.radius >> i & 1u) == 0, &sphere[i]);
             if (status != Status::ok) return status;
         }
         const double radius = sphere[i].radius;
         value_[k][f] = radius;
-        if (k == 1 || sphere[i].within == 0) continue;
+        if ((!W::has && k == 1) || sphere[i].within == 0) continue;
         std::uint32_t within = sphere[i].within;
         if (D != any_dimension) {
             within = 0;
             for (std::uint32_t j = 0; j <= k; ++j) within |= (sphere[i].within >> j & 1u) << batch.place[i][j];
         }
-        mark_interval(k, f, within, radius);
+        Base::mark_interval(k, f, within, radius);
     }
     return Status::ok;
 }
 
 }  // namespace
 
+template <int D, class W>
+static Status values_of(const Faces<D>& faces, const PointRecords& points, const W& weights, const Work& work,
+                        double* const* value) {
+    if constexpr (shared_dimension<D> == D && !circumsphere_is_shared)
+        return AlphaValues<D, W>(D, faces, points, weights, work, value).run();
+    else
+        return AlphaValues<any_dimension, W>(D, FaceTable(faces), points, weights, work, value).run();
+}
+
 template <int D>
 Status alpha_values(const Faces<D>& faces, const double* coordinates, std::ptrdiff_t stride_bytes, const Work& work,
                     double* const* value) {
-    const PointRecords points = {coordinates, stride_bytes};
-    if constexpr (shared_dimension<D> == D && !circumsphere_is_shared)
-        return AlphaValues<D>(D, faces, points, work, value).run();
-    else
-        return AlphaValues<any_dimension>(D, FaceTable(faces), points, work, value).run();
+    return values_of<D>(faces, {coordinates, stride_bytes}, RadiusValues{}, work, value);
+}
+
+template <int D>
+Status alpha_values_weighted(const Faces<D>& faces, const double* coordinates, std::ptrdiff_t stride_bytes,
+                             const PowerValues& powers, const Work& work, double* const* value) {
+    return values_of<D>(faces, {coordinates, stride_bytes}, powers, work, value);
 }
 
 #define NETMESH_INSTANTIATE(D)                                                                                         \
-    template Status alpha_values<D>(const Faces<D>&, const double*, std::ptrdiff_t, const Work&, double* const*);
+    template Status alpha_values<D>(const Faces<D>&, const double*, std::ptrdiff_t, const Work&, double* const*);      \
+    template Status alpha_values_weighted<D>(const Faces<D>&, const double*, std::ptrdiff_t, const PowerValues&,       \
+                                             const Work&, double* const*);
 NETMESH_EACH_INSTANCE(NETMESH_INSTANTIATE)
 #undef NETMESH_INSTANTIATE
 

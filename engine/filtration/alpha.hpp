@@ -6,6 +6,7 @@
 #include "complex/faces.hpp"
 #include "complex/triangulation.hpp"
 #include "memory/work.hpp"
+#include "predicates/weights.hpp"
 #include "vocabulary/status.hpp"
 
 namespace netmesh {
@@ -35,11 +36,23 @@ template <int D> struct AlphaFiltration {
 // is out_of_range as long as differences of coordinates are below 2^(16,600 / (2D+2)) units, the unit being the highest
 // power of two of which all coordinates are multiples: 2^2766 in the plane, 2^2075 in space, 2^1185 in R^6.
 //
+// With weights the triangulation is the regular one, and records have D + 1 numbers. A simplex enters at the power of the
+// smallest sphere that is orthogonal to its vertices when no point has less power at its centre (as much does not
+// count), otherwise with the first of its cofacets; so do points, at less than their weight. Values are signed roots of
+// powers, or powers, of either sign.
+//
 // Requires all faces (faces.dimension_max == D), fewer than 2^32; last_vertex[D] is not read. One small linear solve a
 // face, see circumsphere_fast.hpp, which is nearly always enough. Scratch at the high end: that of ExactSphere.
 // out_of_memory, out_of_range, cancelled; check_failed: a simplex is flat, as those of loaded cells may be.
 template <int D>
 Status alpha_values(const Faces<D>& faces, const double* coordinates, std::ptrdiff_t stride_bytes, const Work& work,
                     double* const* value);
+
+struct PowerValues : Weights {
+    bool squares;  // powers, not their signed roots
+};
+template <int D>
+Status alpha_values_weighted(const Faces<D>& faces, const double* coordinates, std::ptrdiff_t stride_bytes,
+                             const PowerValues& powers, const Work& work, double* const* value);
 
 }  // namespace netmesh

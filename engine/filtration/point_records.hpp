@@ -50,17 +50,17 @@ struct PointRecords {
         }
     }
 
-    // Copies the points in this order to the arena's high end. False: out of memory.
-    template <int D> bool put_in_order(const std::uint32_t* order, std::uint32_t count, Arena& arena) {
-        double* const copy = arena.template take_high<double>(std::size_t{count} * D);
+    // Copies the points, so many numbers each, in this order to the arena's high end. False: out of memory.
+    template <int numbers> bool put_in_order(const std::uint32_t* order, std::uint32_t count, Arena& arena) {
+        double* const copy = arena.template take_high<double>(std::size_t{count} * numbers);
         if (copy == nullptr) return false;
         arena.each(count, 20, [=](std::uint64_t i) {
             constexpr std::uint32_t far = 24;
             if (i + far < count) prefetch((*this)[order[i + far]]);
-            __builtin_memcpy(copy + i * D, (*this)[order[i]], sizeof(double) * D);
+            __builtin_memcpy(copy + i * numbers, (*this)[order[i]], sizeof(double) * numbers);
         });
         coordinates = copy;
-        stride_bytes = static_cast<std::ptrdiff_t>(sizeof(double) * D);
+        stride_bytes = static_cast<std::ptrdiff_t>(sizeof(double) * numbers);
         return true;
     }
 
@@ -114,9 +114,10 @@ struct FaceTable {
     }
 
     // Calls act(its dimension, its number) for each face of a k-face that lacks some of the vertices `within`, places
-    // in its list of vertices, and no other; but for vertices.
-    template <class Act> void each_without(std::uint32_t k, std::uint32_t face, std::uint32_t within, Act act) const {
-        if (dimension_most() == 2) {
+    // in its list of vertices, and no other; but for those below dimension `least`, 0 or 1.
+    template <int least = 1, class Act>
+    void each_without(std::uint32_t k, std::uint32_t face, std::uint32_t within, Act act) const {
+        if (least == 1 && dimension_most() == 2) {
             for (std::uint32_t i = 0; i <= k && k == 2; ++i)
                 if ((within >> i & 1u) != 0) act(1u, facets_of(2, face)[i]);
             return;
@@ -126,7 +127,7 @@ struct FaceTable {
         for (std::uint32_t absent = 0; absent != within;) {
             absent = (absent - within) & within;
             const std::uint32_t last = highest_bit(absent), others = absent ^ 1u << last, gone = count_bits(others);
-            if (gone + 1 >= k) continue;
+            if (gone + least >= k) continue;
             without[absent] = facets_of(static_cast<int>(k - gone), without[others])[last - gone];
             act(k - gone - 1, without[absent]);
         }

@@ -1,27 +1,12 @@
 #include "geometry/circumsphere_exact.hpp"
 
-#include "numerics/bits.hpp"
+#include "geometry/residue_steps.hpp"
 #include "numerics/lanes.hpp"
 #include "numerics/nearest_double.hpp"
 #include "vocabulary/dimension.hpp"
 
 namespace netmesh {
 namespace {
-
-#ifdef __OPTIMIZE_SIZE__
-[[gnu::noinline]]
-#endif
-std::uint64_t
-negative(std::uint64_t a, const ResiduePrime& prime) {
-    return a == 0 ? 0 : prime.value - a;
-}
-#ifdef __OPTIMIZE_SIZE__
-[[gnu::noinline]]
-#endif
-std::uint64_t
-sum_of(std::uint64_t a, std::uint64_t b, const ResiduePrime& prime) {
-    return a + b >= prime.value ? a + b - prime.value : a + b;
-}
 
 // det[0] = det G, det[i] = det G_i from the k x k Gram matrix.
 void solve_residues(int k, const std::uint64_t (&gram)[ExactSphere::dim_max][ExactSphere::dim_max],
@@ -34,14 +19,7 @@ void solve_residues(int k, const std::uint64_t (&gram)[ExactSphere::dim_max][Exa
     const std::uint64_t* const minors = residue_minors(k + 1, k, a, level, prime);
     det[0] = minors[0];
     // b is the last row; k-1-i transpositions bring it to the place of row i.
-    for (int i = 0; i < k; ++i) det[i + 1] = ((k - 1 - i) & 1) != 0 ? negative(minors[k - i], prime) : minors[k - i];
-}
-
-// 2^e modulo the prime.
-std::uint64_t power_of_two_modulo(int e, const ResiduePrime& prime) {
-    std::uint64_t r = std::uint64_t{1} << (e % 61);
-    for (int i = 0; i < e / 61; ++i) r = multiply(r, prime.excess, prime);
-    return r;
+    for (int i = 0; i < k; ++i) det[i + 1] = ((k - 1 - i) & 1) != 0 ? negative_of(minors[k - i], prime) : minors[k - i];
 }
 
 }  // namespace
@@ -69,7 +47,7 @@ ExactSphere::Residues ExactSphere::modulo(const ResiduePrime& prime) const {
     for (int c = 0; c < dim_; ++c) {
         const std::uint64_t base = residue_of(x_[0][c], power, prime);
         for (int i = 0; i < k_; ++i)
-            edge[i][c] = sum_of(residue_of(x_[i + 1][c], power, prime), negative(base, prime), prime);
+            edge[i][c] = residue_sum(residue_of(x_[i + 1][c], power, prime), negative_of(base, prime), prime);
     }
     for (int i = 0; i < k_; ++i)
         for (int j = 0; j <= i; ++j) {
@@ -85,31 +63,16 @@ ExactSphere::Residues ExactSphere::modulo(const ResiduePrime& prime) const {
     return r;
 }
 
-namespace {
-
-// a / b for b >= 0; infinite where b is 0.
-Floating quotient(const Floating& a, const Floating& b) {
-    if (!(b.mantissa.high > 0)) return {{infinity, 0}, 0};
-    return {a.mantissa / b.mantissa, a.exponent - b.exponent};
-}
-
-Floating floating_of(std::uint64_t* residues, int n) {
-    sign_of_residues(residues, n);
-    return floating_of_digits(residues, n);
-}
-
-}  // namespace
-
 bool ExactSphere::find_within(std::uint64_t* scratch, std::uint32_t* within) const {
     const int n = primes_for_bits(square_bits());
     std::uint64_t* const det = scratch;  // rows: 2 det G beta_0, then det G_i, then det G
     for (int j = 0; j < n; ++j) {
         const ResiduePrime prime = residue_prime(j);
         const Residues r = modulo(prime);
-        std::uint64_t first = sum_of(r.det[0], r.det[0], prime);
+        std::uint64_t first = residue_sum(r.det[0], r.det[0], prime);
         for (int i = 1; i <= k_; ++i) {
             det[i * n + j] = r.det[i];
-            first = sum_of(first, negative(r.det[i], prime), prime);
+            first = residue_sum(first, negative_of(r.det[i], prime), prime);
         }
         det[j] = first;
         det[(k_ + 1) * n + j] = r.det[0];
@@ -135,7 +98,7 @@ int ExactSphere::compare_midpoint(double x, std::uint64_t* scratch) const {
         std::uint64_t sphere = r.sum, midpoint = multiply(multiply(r.det[0], odd, prime), odd, prime);
         std::uint64_t& finer = shift > 0 ? sphere : midpoint;
         finer = multiply(finer, power_of_two_modulo(shift > 0 ? shift : -shift, prime), prime);
-        scratch[j] = sum_of(sphere, negative(midpoint, prime), prime);
+        scratch[j] = residue_sum(sphere, negative_of(midpoint, prime), prime);
     }
     return sign_of_residues(scratch, n);
 }

@@ -3,6 +3,7 @@
 #include "geometry/circumsphere.hpp"
 #include "numerics/lanes.hpp"
 #include "numerics/real.hpp"
+#include "predicates/weights.hpp"
 #include "vocabulary/dimension.hpp"
 
 namespace netmesh {
@@ -55,6 +56,18 @@ namespace netmesh {
 //     twice the sum of squares of the other two, 5 is off by 4 X + Y at most, and by the rounding of products as
 //     they are.
 // Sizes within 2^+-200 and P <= 2^12 keep what underflows below 2^-300 of all this.
+//
+// With weights w the centre c = vertex 0 + z has equal powers |c - v_i|^2 - w_i: e_i . z = b_i = (l_i^2 + d_i) / 2 with
+// d_i = w_0 - w_i, and |z|^2 - w_0 is looked for. What changes:
+//  1. |b_i| is l_i R at most still, but l_i^2 is no longer below 2 R l_i, and |d_i| is up to l_i^2 + 2 l_i R. With
+//     d_i three roundings off b_i is off by ((D + 5) l_i / 2 + 4 R) u l_i, so
+//     |g_i| <= (D + 7 + 2 K) u l_i L, L = max(R, Z, all l_i): D + 7 for D + 2 in 3, and this L in all that follows.
+//  5. e_i . (e_i - 2 x) + d_i takes the place of e_i . (e_i - 2 x).
+//  6. m is the sum of |2 x_d| and the longest l_i, so that |e_i| and |e_i - 2 x| are at most m as before. d_i is known
+//     to 24 u^2 L^2 as two digits; its upper one is added to the sum of upper products, which rounds what is below
+//     q sqrt(D) m, and so twice more: 2 D + 8 for 2 D + 3. Then w_0 is subtracted, of which two digits are exact, and
+//     sums of two digits lose 4 u^2 (|z|^2 + |w_0|) at most.
+// 7 is left to the exact stage.
 struct CircumsphereBounds {
     double centre_error, beta_error, digit_error;  // a, beta_error and the factor of m^2 in 6
     double off_span, off_sum;                      // squares of the factors of P L and L in 7
@@ -63,16 +76,16 @@ struct CircumsphereBounds {
     static constexpr double root_ek[7] = {0, 1.65, 2.34, 2.86, 3.30, 3.69, 4.04},
                             root_k[7] = {0, 1, 1.42, 1.74, 2, 2.24, 2.45};
 
-    constexpr CircumsphereBounds(int k, int dim)
+    constexpr CircumsphereBounds(int k, int dim, bool weighted = false)
         : centre_error(0), beta_error(0), digit_error(0), off_span(0), off_sum(0) {
         const double angles = (k - 1.0) * (2 * dim + 2 * k + 4) * (1 << k) / 4;  // (K-1) w / u P
-        const double centre = root_ek[k] * (dim + 2 + 6 * k);
+        const double centre = root_ek[k] * (dim + (weighted ? 7 : 2) + 6 * k);
         centre_error = 1.05 * unit_roundoff * (angles + centre + (dim + 2) * root_k[k] + 2 * k * k * k);
         beta_error = 1.65 * centre_error;
         const double leave = k < dim ? 1.05 * unit_roundoff * (2 * k * root_ek[k] + k * root_k[k]) : 0;
         off_span = leave * leave;
         off_sum = (k + 2.0) * (k + 1) * unit_roundoff * (k + 2) * (k + 1) * unit_roundoff;
-        digit_error = (2 * dim + 3) * 1.7 * root_k[dim] * unit_roundoff * 0x1p-25;
+        digit_error = (2 * dim + (weighted ? 8 : 3)) * 1.7 * root_k[dim] * unit_roundoff * 0x1p-25;
     }
 };
 
@@ -126,18 +139,73 @@ template <class Lanes>
                             rounding * ((k + 2) * k * unit_roundoff));
 }
 
+template <class Lanes>
+[[gnu::always_inline]] inline Certainty certainty_of(std::uint32_t k, const NearestRoot<Lanes>& nearest, Lanes first,
+                                                     const Lanes* weight, LaneMask<Lanes> sure, LaneMask<Lanes> signs,
+                                                     Circumsphere* out) {
+    Certainty certain = {0, 0};
+    for (int i = 0; i < lane_count<Lanes>; ++i) {
+        std::uint32_t within = lane(first, i) < 0;
+        for (std::uint32_t j = 0; j < k; ++j) within |= static_cast<std::uint32_t>(lane(weight[j], i) < 0) << (j + 1);
+        out[i] = {lane(nearest.root, i), within};
+        certain.within |= static_cast<std::uint32_t>(mask_lane(signs, i) & 1) << i;
+        certain.radius |= static_cast<std::uint32_t>(mask_lane(nearest.known & sure, i) & 1) << i;
+    }
+    return certain;
+}
+
+// With weights: the weight of vertex i less that of vertex j, and the weight of vertex 0, in two digits.
+template <class Lanes>
+inline TwoLanes<Lanes> weight_difference(const double* const* const* point, std::uint32_t i, std::uint32_t j,
+                                         std::uint32_t dim, bool are_radii) {
+    const Lanes a = coordinate_of<Lanes>(point, i, dim), b = coordinate_of<Lanes>(point, j, dim);
+    const TwoLanes<Lanes> less = exact_difference(a, b);
+    if (!are_radii) return less;
+    const TwoLanes<Lanes> more = exact_sum(a, b), product = exact_product(less.high, more.high);
+    return {product.high, product.low + (less.high * more.low + less.low * more.high)};
+}
+template <class Lanes>
+inline TwoLanes<Lanes> first_weight(const double* const* const* point, std::uint32_t dim, bool are_radii) {
+    const Lanes number = coordinate_of<Lanes>(point, 0, dim);
+    return are_radii ? exact_square(number) : TwoLanes<Lanes>{number, Lanes{}};
+}
+
+// The signed root of high + low, or the number itself, to the nearest double; high is the sum rounded.
+template <class Lanes> inline NearestRoot<Lanes> nearest_power(Lanes high, Lanes low, Lanes slack, bool squares) {
+    const LaneMask<Lanes> negative = below(high, Lanes{});
+    high = select(negative, -high, high);
+    low = select(negative, -low, low);
+    NearestRoot<Lanes> nearest;
+    if (squares) {
+        // Half a unit below a power of two is half as much; what is nearer to the middle is left open.
+        const LaneMask<Lanes> exponent = lane_bits(all_lanes<Lanes>(__builtin_huge_val()));
+        const Lanes power = lanes_of<Lanes>(lane_bits(high) & exponent);
+        nearest = {high, below(lanes_absolute(low) + 1.01 * slack, power * 0x1.fffp-55)};
+        nearest.known |= below(lanes_absolute(low) + 1.01 * slack, power * 0x1.fffp-54) & ~same(high, power);
+    } else {
+        nearest = nearest_root(high, low, slack);
+    }
+    nearest.root = select(negative, -nearest.root, nearest.root);
+    return nearest;
+}
+
 // lane_count<Lanes> simplices of K+1 points in R^D, 2 <= K <= D. Where a bit of the result is set, `within` or the
 // radius of that simplex is right. Not certain: simplices that are flat for the precision, sizes far from 1, a beta_i
 // too close to 0 to tell its sign, a radius too close to the middle between two doubles.
-template <class Lanes, int K, int D>
+// With weights 1 <= K <= D, and in place of the radius the power, or its signed root.
+template <class Lanes, int K, int D, class W = NoWeights>
 inline Certainty circumspheres_fast(DimensionOf<K> k, DimensionOf<D> dim, const double* const* const* point,
-                                    Circumsphere* out) {
+                                    Circumsphere* out, const W& weights = W(), bool squares = false) {
     using Mask = LaneMask<Lanes>;
     constexpr int k_max = DimensionOf<K>::most, dim_max = DimensionOf<D>::most;
     constexpr double size_min = 0x1p-200, size_max = 0x1p200;
-    const CircumsphereBounds bounds(static_cast<int>(std::uint32_t{k}), static_cast<int>(std::uint32_t{dim}));
+    const CircumsphereBounds bounds(static_cast<int>(std::uint32_t{k}), static_cast<int>(std::uint32_t{dim}), W::has);
     Lanes e[k_max][dim_max], b[k_max], n[k_max], whole[k_max], r[k_max][k_max], y[k_max], at[k_max];
     Mask sure = ~Mask{};
+    Lanes whole_max = {};
+    static_cast<void>(whole_max);
+    static_cast<void>(weights);
+    static_cast<void>(squares);
     Lanes whole_min = all_lanes<Lanes>(size_max), product = all_lanes<Lanes>(1), radius_squared = {};
     for (std::uint32_t d = 0; d < dim; ++d) {
         const Lanes base = coordinate_of<Lanes>(point, 0, d);
@@ -150,6 +218,13 @@ inline Certainty circumspheres_fast(DimensionOf<K> k, DimensionOf<D> dim, const 
         sure &= below(all_lanes<Lanes>(size_min), n[i]) & below(n[i], all_lanes<Lanes>(size_max));
         whole_min = select(below(n[i], whole_min), n[i], whole_min);
         b[i] = n[i] / 2;
+        if constexpr (W::has) {
+            const Lanes first = coordinate_of<Lanes>(point, 0, dim), other = coordinate_of<Lanes>(point, i + 1, dim);
+            const Lanes less = weights.are_radii ? (first - other) * (first + other) : first - other;
+            sure &= below(lanes_absolute(less), all_lanes<Lanes>(size_max));
+            b[i] = (n[i] + less) / 2;
+            whole_max = select(below(whole_max, n[i]), n[i], whole_max);
+        }
         at[i] = all_lanes<Lanes>(i);
     }
     for (std::uint32_t j = 0; j < k; ++j) {
@@ -193,6 +268,7 @@ inline Certainty circumspheres_fast(DimensionOf<K> k, DimensionOf<D> dim, const 
         for (std::uint32_t j = 1; j < k; ++j) centre[d] += y[j] * e[j][d];
     }
     Lanes first = all_lanes<Lanes>(1), largest = radius_squared, smallest = all_lanes<Lanes>(size_max);
+    if constexpr (W::has) largest = select(below(largest, whole_max), whole_max, largest);
     Lanes weight[k_max] = {};  // beta of vertex i + 1
     for (std::uint32_t j = k; j-- > 0;) {
         Lanes beta = y[j];
@@ -213,8 +289,9 @@ inline Certainty circumspheres_fast(DimensionOf<K> k, DimensionOf<D> dim, const 
         centre[d] = centre[d] + centre[d];
         size += lanes_absolute(centre[d]);
     }
+    if constexpr (W::has) size += lanes_root(whole_max);
     const Lanes cut = size * (1.05 * 0x1p27);
-    Lanes high = {}, low = {}, weights = all_lanes<Lanes>(1);
+    Lanes high = {}, low = {}, weight_sum = all_lanes<Lanes>(1);
     for (std::uint32_t d = 0; d < dim; ++d) {
         upper[d] = (centre[d] + cut) - cut;
         high += upper[d] * upper[d];
@@ -232,24 +309,32 @@ inline Certainty circumspheres_fast(DimensionOf<K> k, DimensionOf<D> dim, const 
             top += above * away;
             rest += above * away_below + below_it * (away + away_below);
         }
+        if constexpr (W::has) {
+            const TwoLanes<Lanes> less = weight_difference<Lanes>(point, 0, i + 1, dim, weights.are_radii);
+            top = top + less.high;
+            rest += less.low;
+        }
         low += weight[i] * (top + rest);
-        weights += lanes_absolute(weight[i]);
+        weight_sum += lanes_absolute(weight[i]);
     }
-    const TwoLanes<Lanes> square = exact_sum(high, low);
+    TwoLanes<Lanes> square = exact_sum(high, low);
+    if constexpr (W::has) {
+        const TwoLanes<Lanes> own = first_weight<Lanes>(point, dim, weights.are_radii),
+                              less = exact_difference(square.high, own.high),
+                              power = exact_sum(less.high, less.low + (square.low - own.low));
+        const Lanes bound = largest * (5 * bounds.centre_error * bounds.centre_error * spread) +
+                            size * size * weight_sum * bounds.digit_error +
+                            0x1p-99 * (lanes_absolute(square.high) + lanes_absolute(own.high));
+        sure &= below(lanes_absolute(own.high), all_lanes<Lanes>(size_max));
+        const NearestRoot<Lanes> nearest = nearest_power(power.high, power.low, bound, squares);
+        return certainty_of<Lanes>(k, nearest, first, weight, sure, signs, out);
+    }
     NearestRoot<Lanes> nearest = nearest_root(square.high, square.low,
                                               largest * (5 * bounds.centre_error * bounds.centre_error * spread) +
-                                                  size * size * weights * bounds.digit_error);
+                                                  size * size * weight_sum * bounds.digit_error);
     if (any_lane<Lanes>(sure & ~nearest.known))
         nearest = closer_look<Lanes>(k, dim, point, centre, weight, spread, largest);
-    Certainty certain = {0, 0};
-    for (int i = 0; i < lane_count<Lanes>; ++i) {
-        std::uint32_t within = lane(first, i) < 0;
-        for (std::uint32_t j = 0; j < k; ++j) within |= static_cast<std::uint32_t>(lane(weight[j], i) < 0) << (j + 1);
-        out[i] = {lane(nearest.root, i), within};
-        certain.within |= static_cast<std::uint32_t>(mask_lane(signs, i) & 1) << i;
-        certain.radius |= static_cast<std::uint32_t>(mask_lane(nearest.known & sure, i) & 1) << i;
-    }
-    return certain;
+    return certainty_of<Lanes>(k, nearest, first, weight, sure, signs, out);
 }
 
 // Where size counts there is one stage for all k and dim.

@@ -34,15 +34,14 @@ struct EdgeEnds {
     std::uint32_t a, b;
 };
 
-// Degree 0 of a complex whose vertices and edges are numbered in the order in which they enter: an edge that joins two
-// components ends the younger one. parent: [vertices], filled here. Graph:
+// Degree 0 of a complex whose edges are numbered in the order in which they enter: an edge that joins two components ends
+// the younger one. is_older(v, w): vertex v enters before w; left out: they are numbered in that order, too. parent: [vertices], filled here. Graph:
 //   Status visit(e)                    before edge e
 //   EdgeEnds ends(e)
 //   Status merge(e, older, younger)    edge e joins two components, whose oldest vertices are these
 //   Status keep(v)                     at the end: v is the oldest vertex of a component
-template <class Graph>
-Status unite_edges(std::uint32_t* parent, std::uint32_t vertices, std::uint32_t edges, Graph graph) {
-    const auto is_older = [](std::uint32_t x, std::uint32_t y) { return x < y; };
+template <class Graph, class IsOlder>
+Status unite_edges(std::uint32_t* parent, std::uint32_t vertices, std::uint32_t edges, Graph graph, IsOlder is_older) {
     for (std::uint32_t v = 0; v < vertices; ++v) parent[v] = v;
     for (std::uint32_t e = 0; e < edges; ++e) {
         Status status = graph.visit(e);
@@ -57,6 +56,10 @@ Status unite_edges(std::uint32_t* parent, std::uint32_t vertices, std::uint32_t 
         if (status != Status::ok) return status;
     }
     return Status::ok;
+}
+template <class Graph>
+Status unite_edges(std::uint32_t* parent, std::uint32_t vertices, std::uint32_t edges, Graph graph) {
+    return unite_edges(parent, vertices, edges, graph, [](std::uint32_t x, std::uint32_t y) { return x < y; });
 }
 
 }  // namespace netmesh

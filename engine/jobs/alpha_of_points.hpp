@@ -30,4 +30,16 @@ struct AlphaDiagram {
 // ok, not_finite, flat, out_of_memory, out_of_range, cancelled.
 template <int D> Status alpha_of_points(const AlphaOfPoints& request, const Work& work, AlphaDiagram* out);
 
+// The same with weights. `distinct` are those that are not hidden; the list of hidden ones stays at the arena's high
+// end. Memory: 8 bytes a point more.
+struct WeightedAlphaOfPoints : AlphaOfPoints {
+    WeightRows weights;
+    bool squares;  // values are powers, not their signed roots
+};
+struct WeightedAlphaDiagram : AlphaDiagram {
+    HiddenPoints hidden;
+};
+template <int D>
+Status alpha_of_weighted_points(const WeightedAlphaOfPoints& request, const Work& work, WeightedAlphaDiagram* out);
+
 }  // namespace netmesh

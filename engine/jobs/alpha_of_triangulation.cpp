@@ -42,9 +42,23 @@ bool stack_dimensions(int dimension, std::uint32_t** facets, double** value, Are
     return true;
 }
 
-// Leaves the pairs somewhere above the arena's low mark, with what was taken on the way.
+// Values by radii, or with weights by PowerValues.
+struct Radii : NoWeights {};
 template <int D>
-Status diagram_of(const AlphaFiltration<D>& filtration, DiagramRequest request, const Work& work, CountedPairs* out) {
+Status values_of(const Faces<D>& faces, const PointRecords& points, const Radii&, const Work& work,
+                 double* const* value) {
+    return alpha_values(faces, points.coordinates, points.stride_bytes, work, value);
+}
+template <int D>
+Status values_of(const Faces<D>& faces, const PointRecords& points, const PowerValues& powers, const Work& work,
+                 double* const* value) {
+    return alpha_values_weighted(faces, points.coordinates, points.stride_bytes, powers, work, value);
+}
+
+// Leaves the pairs somewhere above the arena's low mark, with what was taken on the way.
+template <int D, class W>
+Status diagram_of(const AlphaFiltration<D>& filtration, const W& weights, DiagramRequest request, const Work& work,
+                  CountedPairs* out) {
     const std::size_t high = work.arena.high_mark();
     Faces<D> faces;
     work.monitor.begin(NETMESH_STAGE_FILTER, 0);
@@ -68,7 +82,7 @@ Status diagram_of(const AlphaFiltration<D>& filtration, DiagramRequest request, 
     PointRecords points = {filtration.coordinates, filtration.stride_bytes};
     if constexpr (lists_follow_order<D>) {
         if (filtration.order != nullptr && faces.count[0] < filtration.complex.vertex_count) return Status::internal;
-        if (filtration.order == nullptr && !points.put_in_order<D>(order, faces.count[0], work.arena))
+        if (filtration.order == nullptr && !points.put_in_order<D + (W::has ? 1 : 0)>(order, faces.count[0], work.arena))
             return Status::out_of_memory;
     } else {
         // A cell's last vertex is that of the facet opposite its first one, too.
@@ -84,7 +98,7 @@ Status diagram_of(const AlphaFiltration<D>& filtration, DiagramRequest request, 
         total += faces.count[k];
     }
     work.monitor.begin(NETMESH_STAGE_FILTER, total);
-    status = alpha_values(faces, points.coordinates, points.stride_bytes, work, value);
+    status = values_of(faces, points, weights, work, value);
     if (status != Status::ok) return status;
     work.arena.release_high(high);
 
@@ -98,7 +112,23 @@ Status diagram_of(const AlphaFiltration<D>& filtration, DiagramRequest request, 
         ball.of[k] = {faces.count[k], faces.facets[k], value[k]};
         out->simplices += faces.count[k];
     }
-    return D == 2 ? persist_disk(ball, request, work, &out->pairs) : persist_ball(ball, request, work, &out->pairs);
+    if constexpr (W::has)
+        return D == 2 ? persist_signed_disk(ball, request, work, &out->pairs)
+                      : persist_signed_ball(ball, request, work, &out->pairs);
+    else
+        return D == 2 ? persist_disk(ball, request, work, &out->pairs) : persist_ball(ball, request, work, &out->pairs);
+}
+
+template <int D, class W>
+Status make_diagram(const AlphaFiltration<D>& filtration, const W& weights, DiagramRequest request, const Work& work,
+                    CountedPairs* out) {
+    const std::size_t low = work.arena.low_mark(), high = work.arena.high_mark();
+    if (request.max_degree >= D) request.max_degree = D - 1;
+    PairList& found = out->pairs;
+    const Status status = diagram_of(filtration, weights, request, work, out);
+    work.arena.release_low(low);
+    work.arena.release_high(high);
+    return status == Status::ok ? move_pairs_down(low, work.arena, &found) : status;
 }
 
 }  // namespace
@@ -106,17 +136,19 @@ Status diagram_of(const AlphaFiltration<D>& filtration, DiagramRequest request, 
 template <int D>
 Status alpha_of_triangulation(const AlphaFiltration<D>& filtration, DiagramRequest request, const Work& work,
                               CountedPairs* out) {
-    const std::size_t low = work.arena.low_mark(), high = work.arena.high_mark();
-    if (request.max_degree >= D) request.max_degree = D - 1;
-    PairList& found = out->pairs;
-    const Status status = diagram_of(filtration, request, work, out);
-    work.arena.release_low(low);
-    work.arena.release_high(high);
-    return status == Status::ok ? move_pairs_down(low, work.arena, &found) : status;
+    return make_diagram(filtration, Radii{}, request, work, out);
+}
+
+template <int D>
+Status alpha_of_triangulation(const AlphaFiltration<D>& filtration, const PowerValues& powers, DiagramRequest request,
+                              const Work& work, CountedPairs* out) {
+    return make_diagram(filtration, powers, request, work, out);
 }
 
 #define NETMESH_INSTANTIATE(D)                                                                                         \
-    template Status alpha_of_triangulation<D>(const AlphaFiltration<D>&, DiagramRequest, const Work&, CountedPairs*);
+    template Status alpha_of_triangulation<D>(const AlphaFiltration<D>&, DiagramRequest, const Work&, CountedPairs*);  \
+    template Status alpha_of_triangulation<D>(const AlphaFiltration<D>&, const PowerValues&, DiagramRequest,           \
+                                              const Work&, CountedPairs*);
 NETMESH_EACH_INSTANCE(NETMESH_INSTANTIATE)
 #undef NETMESH_INSTANTIATE
 

@@ -20,5 +20,9 @@ namespace netmesh {
 template <int D>
 Status alpha_of_triangulation(const AlphaFiltration<D>& filtration, DiagramRequest request, const Work& work,
                               CountedPairs* out);
+// The same with weights (alpha.hpp). Memory: up to D = 4 another 8 bytes a point.
+template <int D>
+Status alpha_of_triangulation(const AlphaFiltration<D>& filtration, const PowerValues& powers, DiagramRequest request,
+                              const Work& work, CountedPairs* out);
 
 }  // namespace netmesh

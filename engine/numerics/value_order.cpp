@@ -2,6 +2,7 @@
 
 #include "numerics/bits.hpp"
 #include "numerics/radix_sort.hpp"
+#include "numerics/real.hpp"
 
 namespace netmesh {
 namespace {
@@ -217,19 +218,32 @@ bool sort_labelled(double* value, std::uint32_t* label, std::uint32_t count, Are
     return true;
 }
 
-bool ValueBuckets::take(const double* value, std::uint32_t count, Arena& arena) {
+template <bool is_signed>
+bool ValueBuckets<is_signed>::take(const double* value, std::uint32_t count, Arena& arena) {
     end_ = arena.take_high<std::uint32_t>(buckets);
     if (end_ == nullptr) return false;
+    for (std::uint32_t d = 0; d < buckets; ++d) end_[d] = 0;
+    if constexpr (is_signed) {
+        double most = -infinity;
+        least_ = infinity;
+        arena.each(count, 3, [&](std::uint64_t i) {
+            least_ = value[i] < least_ ? value[i] : least_;
+            most = value[i] > most && value[i] < infinity ? value[i] : most;
+        });
+        factor_ = most > least_ ? (buckets - 1) / (most - least_) : 0;
+        // In the range of doubles, and with finite products but for infinite values; else all are in one bucket.
+        if (!(factor_ > 0x1p-1000 && factor_ < 0x1p1000 && least_ > -infinity)) least_ = factor_ = 0;
+        return true;
+    }
     std::uint64_t differ = 0;
     arena.each(count, 3, [&](std::uint64_t i) { differ |= bits_of(value[i]) ^ bits_of(value[0]); });
     const int above = 64 - bits;  // where the first digit begins if all bits differ
     shift_ = differ == 0 ? above : static_cast<int>(highest_bit(differ)) + 1 - bits;
     if (shift_ < 0) shift_ = 0;
-    for (std::uint32_t d = 0; d < buckets; ++d) end_[d] = 0;
     return true;
 }
 
-void ValueBuckets::begin_places() {
+template <bool is_signed> void ValueBuckets<is_signed>::begin_places() {
     std::uint32_t sum = 0;
     for (std::uint32_t d = 0; d < buckets; ++d) {
         const std::uint32_t size = end_[d];
@@ -238,7 +252,8 @@ void ValueBuckets::begin_places() {
     }
 }
 
-bool ValueBuckets::sort(double* value, std::uint32_t* label, Arena& arena) const {
+template <bool is_signed>
+bool ValueBuckets<is_signed>::sort(double* value, std::uint32_t* label, Arena& arena) const {
     const HighScope scope(arena);
     SortScratch scratch;
     if (!scratch.take(end_[buckets - 1], arena)) return false;
@@ -246,6 +261,9 @@ bool ValueBuckets::sort(double* value, std::uint32_t* label, Arena& arena) const
         sort_range({value, label}, {begin, end_[d]}, scratch, arena);
     return true;
 }
+
+template class ValueBuckets<false>;
+template class ValueBuckets<true>;
 #endif
 
 }  // namespace netmesh

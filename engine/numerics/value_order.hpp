@@ -21,10 +21,12 @@ bool sort_labelled(double* value, std::uint32_t* label, std::uint32_t count, Are
 // From here on sorting takes scratch that makes it faster.
 constexpr std::uint32_t many_values = 4096;
 
-// Values are put where their first digit belongs as they are listed: into buckets that the caches hold.
-class ValueBuckets {
+// Values are put where their first digit belongs as they are listed: into buckets that the caches hold. With values of
+// either sign these divide what is between the least and the greatest evenly.
+template <bool is_signed> class ValueBuckets {
 public:
-    // value[count]: none is negative; among them are all that will be listed. Takes 8 KiB of the arena's high end.
+    // value[count]: none is negative unless is_signed; among them are all that will be listed. Takes 8 KiB of the
+    // arena's high end.
     bool take(const double* value, std::uint32_t count, Arena& arena);
     void add(double x, bool is_listed) { end_[bucket_of(x)] += is_listed; }
     // All have been added.
@@ -37,15 +39,23 @@ public:
 private:
     static constexpr int bits = 11;
     static constexpr std::uint32_t buckets = 1u << bits;
-    std::uint32_t bucket_of(double x) const { return static_cast<std::uint32_t>(bits_of(x) >> shift_) & (buckets - 1); }
+    std::uint32_t bucket_of(double x) const {
+        if constexpr (is_signed) {
+            const double at = (x - least_) * factor_;  // grows with x, as rounding exchanges no order
+            return at < buckets - 1 ? static_cast<std::uint32_t>(at) : buckets - 1;
+        } else {
+            return static_cast<std::uint32_t>(bits_of(x) >> shift_) & (buckets - 1);
+        }
+    }
 
     std::uint32_t* end_ = nullptr;
     int shift_ = 0;
+    double least_ = 0, factor_ = 0;  // of values of either sign
 };
 
-// Lists those of value[0..count), none of them negative, that is_listed(i) says, which may be asked twice, as
+// Lists those of value[0..count), none of them negative unless is_signed, that is_listed(i) says, which may be asked twice, as
 // sort_labelled puts them in order: sorted and label, of room for them. False: out of memory.
-template <class IsListed>
+template <bool is_signed = false, class IsListed>
 bool sort_listed(const double* value, std::uint32_t count, IsListed is_listed, double* sorted, std::uint32_t* label,
                  Arena& arena) {
     if (!jumps_matter || count < many_values) {
@@ -59,7 +69,7 @@ bool sort_listed(const double* value, std::uint32_t count, IsListed is_listed, d
     }
 #ifndef __OPTIMIZE_SIZE__
     const HighScope scope(arena);
-    ValueBuckets buckets;
+    ValueBuckets<is_signed> buckets;
     if (!buckets.take(value, count, arena)) return false;
     arena.each(count, 12, [&](std::uint64_t i) { buckets.add(value[i], is_listed(static_cast<std::uint32_t>(i))); });
     buckets.begin_places();

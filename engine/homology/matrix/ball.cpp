@@ -27,7 +27,8 @@ struct FaceOrder {
     std::uint32_t count;
 };
 
-class BallHomology {
+// is_signed: vertices differ in value, and values may be negative.
+template <bool is_signed> class BallHomology {
 public:
     BallHomology(const FilteredBall& ball, DiagramRequest request, const Work& work)
         : ball_(ball), arena_(work.arena), progress_{work.monitor}, writer_(work.arena, request) {}
@@ -61,13 +62,15 @@ private:
     std::uint32_t pairs_[dimension_most() + 1] = {};  // of zero length, by the dimension of the coface
 };
 
-bool BallHomology::take_bits(std::uint32_t k, BitSet* out) {
+template <bool is_signed>
+bool BallHomology<is_signed>::take_bits(std::uint32_t k, BitSet* out) {
     std::uint64_t* const words = arena_.take_high<std::uint64_t>(BitSet::words_needed(of(k).count));
     if (words != nullptr) out->adopt(words, of(k).count);
     return words != nullptr;
 }
 
-Status BallHomology::begin() {
+template <bool is_signed>
+Status BallHomology<is_signed>::begin() {
     std::uint64_t total = 0;
     for (std::uint32_t k = 1; k <= ball_.dimension; ++k) total += of(k).count;
     progress_.monitor.begin(NETMESH_STAGE_REDUCE, total);
@@ -78,7 +81,8 @@ Status BallHomology::begin() {
 }
 
 // Finds the apparent pairs of zero length of (k-1)-faces and k-faces. mate, if any: the k-face's partner, or none.
-Status BallHomology::match(std::uint32_t k, std::uint32_t* mate) {
+template <bool is_signed>
+Status BallHomology<is_signed>::match(std::uint32_t k, std::uint32_t* mate) {
     const HighScope scope(arena_);
     BitSet met;  // (k-1)-faces that have a cofacet of equal value among those before
     if (!take_bits(k - 1, &met)) return Status::out_of_memory;
@@ -114,7 +118,8 @@ Status BallHomology::match(std::uint32_t k, std::uint32_t* mate) {
 
 // Lists the faces that end no class of zero length. Facets of cells, which union-find takes, only if nothing is known
 // of them; what is a row further down can be positive.
-Status BallHomology::order(std::uint32_t k, FaceOrder* out) {
+template <bool is_signed>
+Status BallHomology<is_signed>::order(std::uint32_t k, FaceOrder* out) {
     const bool are_facets = has_cells() && k + 1 == ball_.dim;
     const std::uint32_t count = of(k).count - pairs_[k] - (are_facets ? pairs_[k + 1] : 0);
     out->face = arena_.take_high<std::uint32_t>(count);
@@ -125,12 +130,13 @@ Status BallHomology::order(std::uint32_t k, FaceOrder* out) {
     const auto is_listed = [this, k, are_facets](std::uint32_t f) {
         return !(taken_[k].has(f) | (positive_[k].has(f) & are_facets));  // no branches, which nobody could foresee
     };
-    return sort_listed(of(k).value, of(k).count, is_listed, value, out->face, arena_) ? Status::ok
-                                                                                      : Status::out_of_memory;
+    const bool sorted = sort_listed<is_signed>(of(k).value, of(k).count, is_listed, value, out->face, arena_);
+    return sorted ? Status::ok : Status::out_of_memory;
 }
 
 // Gives back what was taken at the high end since it was at `high`, but for this order. False: out of memory.
-bool BallHomology::move_up(std::size_t high, FaceOrder* order) {
+template <bool is_signed>
+bool BallHomology<is_signed>::move_up(std::size_t high, FaceOrder* order) {
     const std::uint32_t* const from = order->face;
     arena_.release_high(high);
     order->face = arena_.take_high<std::uint32_t>(order->count);
@@ -140,7 +146,8 @@ bool BallHomology::move_up(std::size_t high, FaceOrder* order) {
 }
 
 // Degree 0. joining, if any: the edges that join two components.
-Status BallHomology::unite_vertices(const FaceOrder& edges, BitSet* joining) {
+template <bool is_signed>
+Status BallHomology<is_signed>::unite_vertices(const FaceOrder& edges, BitSet* joining) {
     struct Graph {
         BallHomology& h;
         const FaceOrder& edges;
@@ -165,7 +172,16 @@ Status BallHomology::unite_vertices(const FaceOrder& edges, BitSet* joining) {
     const HighScope scope(arena_);
     std::uint32_t* const parent = arena_.take_high<std::uint32_t>(of(0).count);
     if (parent == nullptr) return Status::out_of_memory;
-    const Status status = unite_edges(parent, of(0).count, edges.count, Graph{*this, edges, joining});
+    Status status;
+    if constexpr (is_signed) {
+        const double* const value = of(0).value;
+        const auto is_older = [value](std::uint32_t x, std::uint32_t y) {
+            return value[x] != value[y] ? value[x] < value[y] : x < y;
+        };
+        status = unite_edges(parent, of(0).count, edges.count, Graph{*this, edges, joining}, is_older);
+    } else {
+        status = unite_edges(parent, of(0).count, edges.count, Graph{*this, edges, joining});
+    }
     progress_.done += edges.count;
     return status;
 }
@@ -173,7 +189,8 @@ Status BallHomology::unite_vertices(const FaceOrder& edges, BitSet* joining) {
 // Degree dim-1, backwards: a facet joins its two cells, or its cell and the outside. A cell whose facet is its mate
 // belongs to what is beyond that from the start on: no other facet of it comes before.
 // parent: [cells + 1], the mates of cells; taken over.
-Status BallHomology::unite_cells(std::uint32_t* parent, const FaceOrder& facets) {
+template <bool is_signed>
+Status BallHomology<is_signed>::unite_cells(std::uint32_t* parent, const FaceOrder& facets) {
     const std::uint32_t dim = ball_.dim, columns = of(dim).count, width = dim + 1, outside = columns;
     std::uint32_t* const first = arena_.take_high<std::uint32_t>(of(dim - 1).count);
     if (first == nullptr || columns >= none >> 3) return Status::out_of_memory;
@@ -229,7 +246,8 @@ Status BallHomology::unite_cells(std::uint32_t* parent, const FaceOrder& facets)
 }
 
 // Degree dim-1, and its facets in order.
-Status BallHomology::unite_top(FaceOrder* facets) {
+template <bool is_signed>
+Status BallHomology<is_signed>::unite_top(FaceOrder* facets) {
     const std::uint32_t dim = ball_.dim;
     const std::size_t high = arena_.high_mark();
     std::uint32_t* const parent = arena_.take_high<std::uint32_t>(std::size_t{of(dim).count} + 1);
@@ -242,7 +260,8 @@ Status BallHomology::unite_top(FaceOrder* facets) {
     return status;
 }
 
-Status BallHomology::run_on_disk() {
+template <bool is_signed>
+Status BallHomology<is_signed>::run_on_disk() {
     Status status = begin();
     if (status != Status::ok) return status;
     FaceOrder edges;
@@ -252,7 +271,7 @@ Status BallHomology::run_on_disk() {
 }
 
 // Columns from the first to the last; those of faces that are positive are zero (clearing).
-class BallHomology::Recorder {
+template <bool is_signed> class BallHomology<is_signed>::Recorder {
 public:
     using Columns = ListedColumns<RankedMatrix, KeptSums>;
     Recorder(BallHomology& homology, Columns& columns, const RankedMatrix& matrix, const std::uint32_t* owner,
@@ -306,7 +325,8 @@ private:
 
 // Degree k-1. rows: the (k-1)-faces that are not taken, without those that end a class when these are known. They have
 // been listed before their columns are reduced, which is a dimension further down.
-Status BallHomology::reduce(std::uint32_t k, const FaceOrder& columns, FaceOrder* rows) {
+template <bool is_signed>
+Status BallHomology<is_signed>::reduce(std::uint32_t k, const FaceOrder& columns, FaceOrder* rows) {
     Status status = order(k - 1, rows);
     if (status != Status::ok) return status;
     const HighScope scope(arena_);
@@ -333,7 +353,7 @@ Status BallHomology::reduce(std::uint32_t k, const FaceOrder& columns, FaceOrder
     ColumnStore store;
     store.open(arena_);
     const RankedMatrix matrix = {of(k).faces, rank, k, others};
-    Recorder::Columns reduced(matrix, {&store}, rows->count, owner, words, progress_);
+    typename Recorder::Columns reduced(matrix, {&store}, rows->count, owner, words, progress_);
     arena_.each(of(k).count, 8, [&](std::uint64_t at) {
         const std::uint32_t j = static_cast<std::uint32_t>(at);
         if (!taken_[k].has(j)) return;
@@ -364,7 +384,8 @@ Status BallHomology::reduce(std::uint32_t k, const FaceOrder& columns, FaceOrder
     return fits ? Status::ok : Status::out_of_memory;
 }
 
-Status BallHomology::run() {
+template <bool is_signed>
+Status BallHomology<is_signed>::run() {
     Status status = begin();
     const std::uint32_t top = ball_.dimension;
     const std::uint32_t highest = has_cells() ? top - 1 : top;  // of columns that are reduced
@@ -389,22 +410,39 @@ Status BallHomology::run() {
 }
 
 // In place of BallHomology where nothing is left to reduce.
-struct DiskHomology {
-    BallHomology homology;
+template <bool is_signed> struct DiskHomology {
+    BallHomology<is_signed> homology;
     Status run() { return homology.run_on_disk(); }
     PairList finish() { return homology.finish(); }
 };
 
-}  // namespace
-
-Status persist_ball(const FilteredBall& ball, DiagramRequest request, const Work& work, PairList* out) {
-    BallHomology homology(ball, request, work);
+template <bool is_signed>
+Status ball_diagram(const FilteredBall& ball, DiagramRequest request, const Work& work, PairList* out) {
+    BallHomology<is_signed> homology(ball, request, work);
+    return write_diagram(homology, work.arena, out);
+}
+template <bool is_signed>
+Status disk_diagram(const FilteredBall& ball, DiagramRequest request, const Work& work, PairList* out) {
+    DiskHomology<is_signed> homology{{ball, request, work}};
     return write_diagram(homology, work.arena, out);
 }
 
+}  // namespace
+
+Status persist_ball(const FilteredBall& ball, DiagramRequest request, const Work& work, PairList* out) {
+    return ball_diagram<false>(ball, request, work, out);
+}
+
 Status persist_disk(const FilteredBall& ball, DiagramRequest request, const Work& work, PairList* out) {
-    DiskHomology homology{{ball, request, work}};
-    return write_diagram(homology, work.arena, out);
+    return disk_diagram<false>(ball, request, work, out);
+}
+
+Status persist_signed_ball(const FilteredBall& ball, DiagramRequest request, const Work& work, PairList* out) {
+    return ball_diagram<true>(ball, request, work, out);
+}
+
+Status persist_signed_disk(const FilteredBall& ball, DiagramRequest request, const Work& work, PairList* out) {
+    return disk_diagram<true>(ball, request, work, out);
 }
 
 }  // namespace netmesh

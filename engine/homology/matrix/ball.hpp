@@ -35,4 +35,8 @@ Status persist_ball(const FilteredBall& ball, DiagramRequest request, const Work
 // The same of a ball of dimension 2, or of edges alone: nothing but union-find.
 Status persist_disk(const FilteredBall& ball, DiagramRequest request, const Work& work, PairList* out);
 
+// The same with values of any sign, no -0, and vertices of different values.
+Status persist_signed_ball(const FilteredBall& ball, DiagramRequest request, const Work& work, PairList* out);
+Status persist_signed_disk(const FilteredBall& ball, DiagramRequest request, const Work& work, PairList* out);
+
 }  // namespace netmesh

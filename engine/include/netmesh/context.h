@@ -163,6 +163,11 @@ typedef enum netmesh_field {
     NETMESH_FIELD_ONE,
     NETMESH_FIELD_OTHER,
     NETMESH_FIELD_MONITOR, /* of any request: a user without a poll */
+    /* points with weights */
+    NETMESH_FIELD_WEIGHTS, /* points.weights; index_a: the row of a negative radius */
+    NETMESH_FIELD_WEIGHT_STRIDE_BYTES,
+    NETMESH_FIELD_WEIGHTING,
+    NETMESH_FIELD_SQUARES,
     NETMESH_FIELD_COUNT
 } NETMESH_AN_INT netmesh_field;
 

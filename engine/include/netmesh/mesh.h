@@ -93,10 +93,15 @@ netmesh_status netmesh_get_cell(const netmesh_context* context, uint64_t index, 
 /* Cages come before those inside them. O(1). */
 netmesh_status netmesh_get_cage(const netmesh_context* context, uint64_t index, netmesh_cage* cage);
 
+/* With weights: the row of a point that is hidden, 0 .. report.input.hidden - 1, ascending. Of a diagram without a
+ * triangulation, too. O(1). */
+netmesh_status netmesh_get_hidden(const netmesh_context* context, uint64_t index, uint64_t* row);
+
 typedef enum netmesh_check_what {
     NETMESH_CHECK_COMBINATORIAL = 1, /* neighbours mutual, facets shared by two */
     NETMESH_CHECK_GEOMETRIC = 2,     /* a triangulation of the convex hull of its vertices, exactly */
-    NETMESH_CHECK_DELAUNAY = 4,      /* GEOMETRIC, and every interior facet locally Delaunay, exactly */
+    NETMESH_CHECK_DELAUNAY = 4,      /* GEOMETRIC, and every interior facet locally Delaunay, exactly. Not of points with
+                                        weights, whose triangulation is not Delaunay: WHAT has to leave it out */
     NETMESH_CHECK_QUALITY = 8,       /* of meshes: clipped aspect ratios recomputed, at most tau, and sizes; with a
                                         goal.ratio what it asks for instead; with cages the ratios of the hierarchy,
                                         that no cage is encroached (4.5), and 4.6.1 and 4.6.2 of neighbours */

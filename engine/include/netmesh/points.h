@@ -20,13 +20,18 @@ extern "C" {
  *   dim           D: 2..6; with the filter rips to NETMESH_RIPS_DIM_MAX. 0: there are no points
  *   stride_bytes  from one row to the next. 0: rows are packed. Else at least a row and a multiple of what a number is
  *                 aligned to: 4 for floats, 8 for doubles (4 on 32-bit x86). All rows fill at most half of the address
- *                 space */
+ *                 space
+ *   weights       null: none. Else a number of `format` for each row, with request.weighting, which says what it is. Any
+ *                 finite number, radii >= 0. Of equal points the first of those with the largest weight stays
+ *   weight_stride_bytes  from one weight to the next. 0: they are packed. Else as stride_bytes of a row of one number */
 typedef struct netmesh_points {
     const void* coordinates;
     size_t count;
     uint32_t dim;
     netmesh_point_format format;
     size_t stride_bytes;
+    const void* weights;
+    size_t weight_stride_bytes;
 } netmesh_points;
 
 #define NETMESH_RIPS_DIM_MAX 65536 /* coordinates of a point that rips takes */

@@ -19,9 +19,11 @@ typedef struct netmesh_input_report {
     uint32_t present;            /* 1 after every job */
     uint32_t dim;                /* D; 0 for a complex given by its simplices */
     uint64_t points, duplicates; /* rows; rows merged into an earlier one */
-    uint64_t distinct;           /* points - duplicates; inputs of a mesh, vertices of a complex */
+    uint64_t distinct;           /* points - duplicates - hidden; inputs of a mesh, vertices of a complex */
     uint64_t fingerprint;        /* of the values only */
-    uint64_t reserved[2];
+    uint64_t hidden;             /* with weights: points in no cell */
+    netmesh_weighting_id weighting;
+    uint32_t squares; /* 1: values are powers, not their signed roots */
 } netmesh_input_report;
 
 /* Of over-refinement. */

@@ -44,6 +44,43 @@ extern const netmesh_filter netmesh_filter_auto;
  *             the convex hull of its vertices; whether it is Delaunay is left to netmesh_check */
 extern const netmesh_filter netmesh_filter_alpha;
 
+/* ---- points with weights ---- */
+
+/* What points.weights are. A weighting is a constant object; a program that names none holds no code of it. A point p
+ * with the weight w has the power |x - p|^2 - w at x. What grows is the set of places where some power is at most a: the
+ * union of balls of radius sqrt(a + w), which are not there while a + w < 0. Balls around atoms, and points that enter
+ * at different times, are such.
+ *   filter      alpha; auto takes it without a choice. netmesh_mesh with it, or with the method delaunay. All else
+ *               refuses weights: meshes, distances, pieces; bounds and cycles
+ *   cells       the regular triangulation: of each cell some centre has equal powers of its vertices, and less power
+ *               of no other point. Ties are broken by index. It does not depend on the order of insertion
+ *   hidden      a point can be in no cell: where it is near, others have less power. It has no vertex, and no bar; see
+ *               netmesh_get_hidden. The others are vertices, in the order of rows. Points equal to a heavier one, or to
+ *               an earlier one as heavy, are duplicates, not hidden
+ *   values      the least a at which all balls of a simplex meet where no other point has less power, as sign(a)
+ *               sqrt(|a|), rounded to nearest, ties to even; with request.squares a itself, so rounded. Negative where
+ *               balls as given meet. Vertices have values too: less than 0, but for negative weights, and that of a
+ *               coface where another ball covers the point until then. So components are born one after the other, and
+ *               the one that lasts at the least value of all. All weights 0: the diagram without weights, to the bit
+ *   memory      at most 16 bytes a point above the same without weights. netmesh_plan counts it
+ *   errors      INVALID_ARGUMENT (WEIGHTS): radius index_a is negative. NOT_FINITE: point or weight index_a.
+ *               OUT_OF_RANGE: as of alpha, squares of radii and weights in place of squares of coordinates as well */
+typedef struct netmesh_weighting netmesh_weighting;
+
+/* Radii r >= 0: weights r^2, which are not rounded. */
+extern const netmesh_weighting netmesh_radii;
+/* Weights of any sign. */
+extern const netmesh_weighting netmesh_weights;
+
+/* They by number, as reports have them. */
+typedef enum netmesh_weighting_id {
+    NETMESH_WEIGHTING_NONE = 0,
+    NETMESH_WEIGHTING_RADII = 1,
+    NETMESH_WEIGHTING_WEIGHTS = 2
+} NETMESH_AN_INT netmesh_weighting_id;
+
+/* ---- filters on meshes ---- */
+
 /* Of points, by way of a mesh that is made for them and kept; or of the mesh without cages that the context holds. One
  * mesh serves every filter and every k.
  *   memory    above the mesh 8 bytes a vertex, and the bars
@@ -356,7 +393,8 @@ typedef struct netmesh_request {
     const netmesh_want* fit;    /* &netmesh_fit or null */
     uint32_t keep_mesh; /* 1: of alpha keep the triangulation, too: more memory, and cells to be read. Auto and filters
                            on meshes keep theirs anyway */
-    uint32_t reserved;
+    uint32_t squares;   /* 1: with weights, values are powers a, not sign(a) sqrt(|a|) */
+    const netmesh_weighting* weighting; /* &netmesh_radii or &netmesh_weights, with points.weights; or null */
 } netmesh_request;
 
 #ifdef __cplusplus
