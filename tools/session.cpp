@@ -43,14 +43,21 @@ int Session::poll(void* self, const netmesh_progress* progress) {
 netmesh_status Session::call(netmesh_stage stage, const std::function<netmesh_status()>& engine_call) {
     if (platform::interrupted()) return NETMESH_CANCELLED;
     clock_.begin_call();
+    report_.reset();
     const netmesh_status status = engine_call();
     clock_.end_call(stage);
     bar_.clear();
     return status;
 }
 
+const netmesh_report& Session::report() const {
+    if (!report_) report_ = engine_.report();
+    return *report_;
+}
+
 netmesh_status Session::attempt(std::size_t bytes, const Work& work) {
     engine_ = Engine(nullptr, 0);
+    report_.reset();
     if (!block_.reserve(bytes)) return NETMESH_OUT_OF_MEMORY;
     engine_ = Engine(block_.base(), block_.bytes());
     return engine_.status() == NETMESH_OK ? work(*this) : engine_.status();
