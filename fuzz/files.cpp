@@ -9,6 +9,7 @@
 #include "tools/io/cycle_file.hpp"
 #include "tools/io/diagram_file.hpp"
 #include "tools/io/mesh_files.hpp"
+#include "tools/io/other_diagrams.hpp"
 #include "tools/io/points.hpp"
 #include "tools/io/provenance.hpp"
 #include "tools/io/vine_file.hpp"
@@ -114,7 +115,9 @@ void read_cells(std::string_view content) {
 }
 
 void read_diagram(std::string_view content) {
-    std::vector<Bar> bars, again;
+    std::vector<Bar> any, bars, again;
+    if (ended(parse_any_diagram(content, name, &any)))
+        for (const Bar& bar : any) require(std::isfinite(bar.birth) && bar.death >= bar.birth);
     std::vector<std::uint64_t> lines;
     if (!ended(parse_diagram(content, name, &bars, &lines))) return;
     require(lines.size() == bars.size());

@@ -43,14 +43,21 @@ int Session::poll(void* self, const netmesh_progress* progress) {
 netmesh_status Session::call(netmesh_stage stage, const std::function<netmesh_status()>& engine_call) {
     if (platform::interrupted()) return NETMESH_CANCELLED;
     clock_.begin_call();
+    report_.reset();
     const netmesh_status status = engine_call();
     clock_.end_call(stage);
     bar_.clear();
     return status;
 }
 
+const netmesh_report& Session::report() const {
+    if (!report_) report_ = engine_.report();
+    return *report_;
+}
+
 netmesh_status Session::attempt(std::size_t bytes, const Work& work) {
     engine_ = Engine(nullptr, 0);
+    report_.reset();
     if (!block_.reserve(bytes)) return NETMESH_OUT_OF_MEMORY;
     engine_ = Engine(block_.base(), block_.bytes());
     return engine_.status() == NETMESH_OK ? work(*this) : engine_.status();
@@ -132,24 +139,29 @@ Outcome Session::explain(netmesh_status status, const PointCloud& cloud, std::si
     case NETMESH_OUT_OF_RANGE:
         if (filter_of(options_) == NETMESH_FILTER_ALPHA)
             return file_error(cloud.name, "coordinates too far apart in size for an exact alpha complex: it has room "
-                                          "for 2^1670 in the plane, 2^1190 in space, 2^640 in R^6");
+                                          "for 2^2075 units in space, 2^1185 in R^6");
         return cloud.fault(detail.index_a,
                            "outside the range that meshing admits: coordinates up to 2^500 (3.3e150), distances from "
                            "2^-500 (3.1e-151)");
     case NETMESH_NOT_BUILT:
     case NETMESH_INVALID_ARGUMENT: return explain_argument(detail, cloud, said);
-    case NETMESH_FLAT:
+    case NETMESH_FLAT: {
+        const std::string constant = cloud.constant_coordinate();
         return file_error(cloud.name,
                           "flat: fewer than " + std::to_string(dim_ + 1) +
                               " affinely independent points in dimension " + std::to_string(dim_) +
-                              ", so there is no Delaunay triangulation",
+                              ", so there is no Delaunay triangulation; " +
+                              (constant.empty() ? "persist --filter cech takes few points as they are" : constant),
                           Exit::degenerate);
+    }
     case NETMESH_TOO_CLOSE:
-        return cloud.fault(detail.index_b,
-                           "this point and the one of " + cloud.place(detail.index_a) +
-                               " are distinct but closer than coordinates resolve for this mesh: 64 units in the "
-                               "last place, more when tau is near 2 or the ratio below 2",
-                           Exit::degenerate);
+        return cloud.fault(
+            detail.index_b,
+            "this point and the one of " + cloud.place(detail.index_a) +
+                " are distinct but closer than coordinates resolve for this mesh: 64 units in the "
+                "last place, more when tau is near 2 or the ratio below 2; persist --filter cech takes few points as "
+                "they are",
+            Exit::degenerate);
     case NETMESH_CHECK_FAILED: return {Exit::check, "netmesh: check failed: " + said};
     default: return {Exit::internal, "netmesh: internal error: " + said};
     }

@@ -2,6 +2,7 @@
 #pragma once
 #include <cstdint>
 #include <functional>
+#include <optional>
 #include <string>
 
 #include "netmesh.hpp"
@@ -31,6 +32,8 @@ public:
 
     Engine& engine() { return engine_; }
     const Engine& engine() const { return engine_; }
+    // The engine's report of its last call: made once, as it has a fingerprint of all that there is.
+    const netmesh_report& report() const;
     // What the options ask of the engine, settled.
     const netmesh_request& request() const { return request_; }
     // What meshes of this session are checked against: what was asked for, until a command knows better.
@@ -56,6 +59,7 @@ private:
     const std::uint32_t dim_;
     platform::Reservation block_;
     Engine engine_{nullptr, 0};
+    mutable std::optional<netmesh_report> report_;  // none since the last call
     AskedFunction function_;
     netmesh_request request_, promise_;
     StageClock clock_;

@@ -53,6 +53,22 @@ def test_rips_by_threshold():
             assert_same(ours, tree.persistence_intervals_in_dimension(degree), degree, lambda x: x / 2)
 
 
+def test_rips_of_distances_with_rounding_noise():
+    rng = np.random.default_rng(8)
+    x = rng.normal(size=(12, 3))
+    x /= np.linalg.norm(x, axis=1)[:, None]
+    square = 1 - x @ x.T
+    noisy = square + rng.normal(scale=1e-16, size=square.shape)
+    with pytest.warns(UserWarning, match="took rounding noise off"):
+        bars = netmesh.rips(distances=noisy, max_degree=1).intervals(0)
+    even = (noisy + noisy.T) / 2
+    np.fill_diagonal(even, 0)
+    assert np.array_equal(bars, netmesh.rips(distances=np.maximum(even, 0), max_degree=1).intervals(0))
+    noisy[3, 5] *= 1 + 1e-10
+    with pytest.raises(netmesh.errors.InvalidArgument):
+        netmesh.rips(distances=noisy)
+
+
 def test_rips_of_distances():
     distance = pytest.importorskip("scipy.spatial.distance")
     sparse = pytest.importorskip("scipy.sparse")

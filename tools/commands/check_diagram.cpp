@@ -70,7 +70,7 @@ Outcome read_diagram(const std::string& path, const Options& options, DiagramFil
 class Reproduction {
 public:
     Reproduction(const DiagramFile& file, const PointCloud& cloud, const Options& made, const Session& session)
-        : Reproduction(file, cloud, made, session, session.engine().report()) {}
+        : Reproduction(file, cloud, made, session, session.report()) {}
     // The same, where the engine's report is not all that there is to say.
     Reproduction(const DiagramFile& file, const PointCloud& cloud, const Options& made, const Session& session,
                  const netmesh_report& report)
@@ -183,7 +183,7 @@ Outcome explain_refusal(const DiagramFile& file, const Outcome& outcome) {
 }
 
 void add_report(const Session& session, RunReport* run) {
-    run->engine = session.engine().report();
+    run->engine = session.report();
     run->engine->bounds = {};  // compared with the file's, not asked for
     run->clock = session.clock();
 }
@@ -245,7 +245,7 @@ Outcome check_with_points(const Options& open, const DiagramFile& file, const st
     if (outcome.good()) outcome = check_claims(made, session.engine());
     if (!outcome.good()) return explain_refusal(file, outcome);
     if (file.head) {  // other points have other bars, so this comes first
-        const Head due = head_of(made, session.engine().report());
+        const Head due = head_of(made, session.report());
         outcome = compare_line(file, "duplicates", due);
         if (outcome.good()) outcome = compare_line(file, "input", due);
     }
@@ -327,7 +327,7 @@ Outcome check_with_mesh(const Options& open, const DiagramFile& file, const std:
     if (!outcome.good()) return outcome;
     outcome = session.run(plan_of(made, cloud.dim, cloud.rows()), cloud, [&](Session& s) {
         const netmesh_status status = load_mesh(s, files);
-        s.function().set_domain(s.engine().report());
+        s.function().set_domain(s.report());
         return status == NETMESH_OK ? persist(s, on_what_is_there(made.request)) : status;
     });
     if (outcome.good()) outcome = check_claims(made, session.engine());

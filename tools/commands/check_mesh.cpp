@@ -206,7 +206,7 @@ Outcome check_mesh(const Options& options, MeshFiles& files, RunReport* run, Ses
     });
     if (outcome.good()) outcome = compare_neighbours(files, EngineMesh(session.engine()));
     if (!outcome.good()) return outcome;
-    run->engine = session.engine().report();
+    run->engine = session.report();
     run->clock = session.clock();
     add_findings(files, session.promise(), run->engine->mesh, &*run->checked);
     if (!options.points_path.empty()) {
@@ -223,7 +223,7 @@ Outcome check_vertex_values(const Options& options, const MeshFiles& files, RunR
         request.values = choice.values;
         if (about(choice.filter).needs_k != 0) request.k = std::max(options.request.k, 1u);
         request.max_degree = 0;
-        session.function().set_domain(session.engine().report());
+        session.function().set_domain(session.report());
         const netmesh_status status = persist(session, request);
         if (status == NETMESH_CANCELLED) return {Exit::cancelled, "netmesh: cancelled"};
         if (status != NETMESH_OK) continue;

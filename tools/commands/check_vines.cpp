@@ -103,7 +103,7 @@ Outcome recompute(const Options& options, const VineSource& source, const MeshFi
         const std::string hint = top_degree(file) < request.max_degree ? "; --max-degree leaves out what is above" : "";
         return mismatch(source.name + " is not the vineyard of " + source.cloud.name + ": " + complaint + hint);
     }
-    run->engine = session.engine().report();
+    run->engine = session.report();
     run->clock = session.clock();
     run->checked->push_back(source.name + " is the vineyard of " + source.cloud.name + " for " +
                             choice_text(file.choice) + "; certified ratio at most " +
@@ -125,7 +125,7 @@ Outcome check_with_values(const Options& options, const VineFile& file, const st
                     std::to_string(due.ratios.size()) + " are due";
     const std::string of = input.complex.lines.name + " with the values of " + input.values.lines.name;
     if (!complaint.empty()) return mismatch(name + " is not the vineyard of " + of + ": " + complaint);
-    run->engine = session.engine().report();
+    run->engine = session.report();
     run->clock = session.clock();
     run->checked->push_back(name + " is the vineyard of " + of);
     return {};

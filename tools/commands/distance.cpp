@@ -9,6 +9,7 @@
 #include "tools/commands/logarithm.hpp"
 #include "tools/commands/output.hpp"
 #include "tools/io/numbers.hpp"
+#include "tools/io/other_diagrams.hpp"
 
 namespace netmesh::tool {
 
@@ -18,7 +19,7 @@ Outcome read_pairs(const std::string& path, std::vector<netmesh_pair>* pairs, st
     std::string content;
     std::vector<Bar> bars;
     Outcome outcome = read_content(path, &content);
-    if (outcome.good()) outcome = parse_diagram(content, shown_name(path), &bars);
+    if (outcome.good()) outcome = parse_any_diagram(content, shown_name(path), &bars);
     if (!outcome.good()) return outcome;
     for (const Bar& bar : bars) {
         pairs->push_back({sizeof(netmesh_pair), bar.degree, bar.birth, bar.death});

@@ -399,7 +399,7 @@ Outcome make_and_finish(Options& options, Input& input, double start, double rea
         return input.pieces->explain(session.engine().detail());
     if (outcome.good() && persists(options)) outcome = check_error(options, session.engine());
     if (!outcome.good()) return outcome;
-    run.engine = session.engine().report();
+    run.engine = session.report();
     if (options.focus_auto) take_focus(run.engine->mesh.goal, &options);
     take_filter(run.engine->diagram, &options);
     tell_highest_degree(options, cloud.name, run.engine->diagram);

@@ -232,8 +232,12 @@ void tell_note(const Options& options, const std::string& file, const std::strin
 Outcome read_cloud(const Options& options, const std::string& path, PointCloud* cloud) {
     const bool any = options.command == Command::persist && filter_of(options) == NETMESH_FILTER_RIPS;
     const Outcome outcome = read_points(path, options.table, cloud, any ? NETMESH_RIPS_DIM_MAX : dim_max);
-    if (outcome.good()) tell_note(options, cloud->name, cloud->note);
-    return outcome;
+    if (!outcome.good()) return outcome;
+    tell_note(options, cloud->name, cloud->note);
+    // Without a mesh such points are refused, with the same words.
+    const bool has_mesh = options.command != Command::delaunay && filter_of(options) != NETMESH_FILTER_ALPHA;
+    if (!any && has_mesh) tell_note(options, cloud->name, cloud->constant_coordinate());
+    return {};
 }
 
 Outcome check_ending(const std::string& path, const char* ending, const char* what) {

@@ -111,7 +111,7 @@ Outcome persist_points_within(const RipsInput& input, Session& session, netmesh_
     if (cloud.dim == 1) request.points = points_of(2, plane);
     const Outcome outcome = session.run(plan(request), cloud, [&](Session& s) { return persist(s, request); });
     if (!outcome.good()) return outcome;
-    *report = session.engine().report();
+    *report = session.report();
     report->input.dim = cloud.dim;
     report->input.points = input.rows;
     report->input.duplicates = input.rows - input.count();

@@ -38,14 +38,14 @@ netmesh_status persist_function(Session& session, const PointCloud& cloud) {
     do {
         status = make_mesh(session, cloud);
         if (status != NETMESH_OK) return status;
-        session.function().set_domain(session.engine().report());
+        session.function().set_domain(session.report());
         status = persist(session, request.fit != nullptr ? on_points(request, cloud) : on_what_is_there(request));
-    } while (status == NETMESH_OK && session.function().has_missed(session.engine().report()));
+    } while (status == NETMESH_OK && session.function().has_missed(session.report()));
     return status;
 }
 
 netmesh_status persist_what_is_there(Session& session) {
-    session.function().set_domain(session.engine().report());
+    session.function().set_domain(session.report());
     return persist(session, on_what_is_there(session.request()));
 }
 
@@ -57,8 +57,8 @@ netmesh_status persist_as_asked(Session& session, const PointCloud& cloud, const
     status = mesh != nullptr                       ? persist_what_is_there(session)
              : session.function().get() != nullptr ? persist_function(session, cloud)
                                                    : persist(session, on_points(session.request(), cloud));
-    const netmesh_report report = session.engine().report();
     if (status != NETMESH_OK || mesh != nullptr) return status;
+    const netmesh_report& report = session.report();
     netmesh_request made = promised(session.request());
     if (made.filter == &netmesh_filter_auto) made.filter = about(report.diagram.filter).filter;
     if (session.request().fit != nullptr) made.goal.error = report.diagram.fitted_error;

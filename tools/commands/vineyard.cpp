@@ -69,7 +69,7 @@ Outcome run_with_values(const Options& options) {
     Vines vines;
     outcome = make_value_vineyard(options, input, session, &vines);
     if (!outcome.good()) return outcome;
-    run.engine = session.engine().report();
+    run.engine = session.report();
     if (options.check) {
         std::string fault;
         outcome = check_value_vineyard(options, input, vines, session, &fault);
@@ -100,7 +100,7 @@ Outcome run_vineyard(const Options& options) {
         const netmesh_status status = persist(s, on_points(s.request(), cloud));
         if (status != NETMESH_OK) return status;
         vines = vines_of(s.engine());
-        run.engine = s.engine().report();
+        run.engine = s.report();
         return options.check ? check(s, cloud, vines, &fault) : status;
     });
     if (!outcome.good()) return outcome;

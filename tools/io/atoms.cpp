@@ -90,10 +90,19 @@ Columns columns_of(std::string_view comment) {
     return is_layout ? Columns::extended : is_mentioned ? Columns::other : Columns::plain;
 }
 
-void note_atoms(const char* format, std::uint64_t left_out, std::uint64_t models, PointCloud* cloud) {
+void note_atoms(const char* format, std::uint64_t left_out, std::uint64_t models, bool has_cell, PointCloud* cloud) {
     cloud->note = std::string("read as atoms of ") + format;
     if (left_out > 0) cloud->note += ", without " + std::to_string(left_out) + " at alternate places";
+    if (has_cell) cloud->note += ", without its periodic cell: atoms near opposite sides are far apart";
     if (models > 1) cloud->note += ", those of the first of its " + std::to_string(models) + " models";
+}
+
+// A cell that is one: files of molecules that are no crystals have a cube of side 1, or zeros.
+bool is_crystal(std::string_view line) {
+    if (!starts(line, "CRYST1")) return false;
+    const std::vector<std::string_view> words = split_blanks(line);
+    double side = 0;
+    return words.size() > 1 && parse_finite(std::string(words[1]), &side) && side > 1;
 }
 
 }  // namespace
@@ -125,6 +134,7 @@ Outcome parse_xyz_atoms(std::string_view content, bool with_radii, PointCloud* c
     if (!parse_unsigned(std::string(line), &count) || count == 0)
         return line_error(cloud->name, 1, quoted(line) + " is not a number of atoms");
     reader.next(&line);
+    const bool has_cell = line.find("Lattice=") != std::string_view::npos;
     if (columns_of(line) == Columns::other)
         return line_error(
             cloud->name, reader.number(),
@@ -149,7 +159,7 @@ Outcome parse_xyz_atoms(std::string_view content, bool with_radii, PointCloud* c
                           "more than the " + counted(count, "atom", "atoms") +
                               " that line 1 speaks of; of several frames cut one out: head -n " +
                               std::to_string(count + 2));
-    note_atoms(".xyz", 0, 1, cloud);
+    note_atoms(".xyz", 0, 1, has_cell, cloud);
     return {};
 }
 
@@ -157,10 +167,12 @@ Outcome parse_pdb_atoms(std::string_view content, bool with_radii, PointCloud* c
     LineReader reader(content, false);
     std::string_view line;
     std::uint64_t models = 0, left_out = 0;
+    bool has_cell = false;
     char place = ' ';  // the alternate places that are taken: those of the first letter
     cloud->dim = 3;
     while (reader.next(&line)) {
         if (starts(line, "MODEL")) models++;
+        has_cell = has_cell || is_crystal(line);
         if (models > 1 || (!starts(line, "ATOM") && !starts(line, "HETATM"))) continue;
         if (line.size() < 54)
             return line_error(cloud->name, reader.number(),
@@ -181,7 +193,7 @@ Outcome parse_pdb_atoms(std::string_view content, bool with_radii, PointCloud* c
     if (cloud->rows() == 0)
         return line_error(cloud->name, reader.number() == 0 ? 1 : reader.number(),
                           "no line ATOM or HETATM: no atom; a table is named .txt or .csv");
-    note_atoms(".pdb", left_out, models, cloud);
+    note_atoms(".pdb", left_out, models, has_cell, cloud);
     return {};
 }
 
@@ -207,7 +219,7 @@ Outcome parse_pqr_atoms(std::string_view content, bool with_radii, PointCloud* c
     if (cloud->rows() == 0)
         return line_error(cloud->name, reader.number() == 0 ? 1 : reader.number(),
                           "no line ATOM or HETATM: no atom; a table is named .txt or .csv");
-    note_atoms(".pqr", 0, 1, cloud);
+    note_atoms(".pqr", 0, 1, false, cloud);
     return {};
 }
 

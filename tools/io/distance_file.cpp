@@ -1,6 +1,7 @@
 #include "tools/io/distance_file.hpp"
 
 #include <algorithm>
+#include <cmath>
 #include <optional>
 
 #include "platform/memory.hpp"
@@ -44,7 +45,7 @@ Outcome wrong(const DistanceFile& file, const Rows& rows, std::size_t r, const s
     return file_error(file.place.name, "row " + std::to_string(r + 1) + ": " + text);
 }
 
-// What the rows hold is no distance.
+// What the rows hold is no distance. Of a square this is for even_out to say.
 Outcome check_numbers(const DistanceFile& file, const Rows& rows, bool sparse) {
     for (std::size_t r = 0; r < rows.size(); r++)
         for (std::size_t f = sparse ? 2 : 0; f < rows[r].count; f++) {
@@ -202,6 +203,43 @@ void take_half(DistanceFile* file) {
     set_lower(n, file);
 }
 
+// Products of matrices leave rounding noise: two sides that differ in the last digits, a diagonal that is not quite 0.
+// Up to this share of the largest distance that is taken for 0, and said. What is beyond it is refused with both
+// values.
+constexpr double noise_share = 0x1p-36;
+
+Outcome even_out(const Rows& rows, DistanceFile* file) {
+    const std::size_t n = file->points;
+    std::vector<double>& d = file->numbers;
+    double largest = 0, moved = 0;
+    for (const double x : d) largest = std::isfinite(x) ? std::max(largest, std::abs(x)) : largest;
+    const double noise = largest * noise_share;
+    for (std::size_t i = 0; i < n; i++) {
+        double& own = d[i * n + i];
+        if (std::abs(own) > noise)
+            return wrong(*file, rows, i, "the distance of a point to itself is " + number_text(own) + ", not 0", i + 1);
+        moved = std::max(moved, std::abs(own));
+        own = 0;
+        for (std::size_t j = 0; j < i; j++) {
+            double &low = d[i * n + j], &high = d[j * n + i];
+            if (low < -noise) return wrong(*file, rows, i, flaw_of(low), j + 1);
+            if (high < -noise) return wrong(*file, rows, j, flaw_of(high), i + 1);
+            const double off = low == high ? 0 : std::abs(low - high);
+            if (!(off <= noise))
+                return wrong(*file, rows, i,
+                             "the distance is " + number_text(low) + ", and " + number_text(high) +
+                                 " the other way round; (D + D.T) / 2 makes a matrix symmetric",
+                             j + 1);
+            const double mean = off == 0 ? low : low / 2 + high / 2;
+            moved = std::max({moved, off / 2, -mean});
+            low = high = mean > 0 ? mean : 0;
+        }
+    }
+    if (moved > 0)
+        add_note("took rounding noise off the matrix: distances moved by at most " + number_text(moved), file);
+    return {};
+}
+
 Outcome take_square(const Rows& rows, DistanceFile* file) {
     for (std::size_t r = 0; r < rows.size(); r++) {
         if (rows[r].count != rows[0].count)
@@ -215,7 +253,7 @@ Outcome take_square(const Rows& rows, DistanceFile* file) {
     file->layout = NETMESH_DISTANCES_FULL;
     file->points = rows.size();
     take_half(file);
-    return {};
+    return file->layout == NETMESH_DISTANCES_FULL ? even_out(rows, file) : check_numbers(*file, rows, false);
 }
 
 // The first row has one number: the distance of the second point to the first one, or of the first one to itself. Rows
@@ -238,6 +276,28 @@ Outcome take_triangle(const Rows& rows, DistanceFile* file) {
     file->numbers.resize(kept);
     if (has_diagonal) add_note("read as a lower triangle with its diagonal", file);
     set_lower(rows.size() + (has_diagonal ? 0 : 1), file);
+    return {};
+}
+
+// Rows that get shorter by one, each of the distances to the points behind; with 0 in front of all of them or not.
+bool is_upper_triangle(const Rows& rows) {
+    for (std::size_t r = 0; r < rows.size(); r++)
+        if (rows[r].count != rows.size() - r) return false;
+    return rows.size() > 1;
+}
+
+Outcome take_upper(const Rows& rows, DistanceFile* file) {
+    bool has_diagonal = true;
+    for (const Row& row : rows) has_diagonal = has_diagonal && file->numbers[row.first] == 0;
+    if (has_diagonal && std::all_of(file->numbers.begin(), file->numbers.end(), [](double d) { return d == 0; }))
+        return wrong(*file, rows, 0, "an upper triangle of zeros may have its diagonal or not; write the whole matrix");
+    const std::size_t n = rows.size() + (has_diagonal ? 0 : 1), skipped = has_diagonal ? 1 : 0;
+    std::vector<double> lower;
+    for (std::size_t i = 0; i < n; i++)
+        for (std::size_t j = 0; j < i; j++) lower.push_back(file->numbers[rows[j].first + skipped + i - j - 1]);
+    add_note(has_diagonal ? "read as an upper triangle with its diagonal" : "read as an upper triangle", file);
+    file->numbers = std::move(lower);
+    set_lower(n, file);
     return {};
 }
 
@@ -275,6 +335,9 @@ Outcome take_entries(const Rows& rows, DistanceFile* file) {
         add_line(rows[r], file);
     }
     file->numbers.clear();
+    const auto is_at_0 = [](const netmesh_distance_entry& entry) { return entry.i == 0 || entry.j == 0; };
+    if (std::none_of(file->entries.begin(), file->entries.end(), is_at_0))
+        add_note("point 0 is in no entry, and stays alone; points are numbered from 0", file);
     return {};
 }
 
@@ -295,9 +358,16 @@ Outcome check_header(const Header& header, const Rows& rows, const DistanceFile&
 }
 
 Outcome take_rows(const Rows& rows, const Header& header, bool sparse, DistanceFile* file) {
-    Outcome outcome = check_numbers(*file, rows, sparse);
+    const auto all_have = [&](std::size_t count) {
+        return std::all_of(rows.begin(), rows.end(), [&](const Row& row) { return row.count == count; });
+    };
+    const bool is_square = !sparse && all_have(rows.size()) && (rows.size() > 1 || file->numbers[0] == 0);
+    Outcome outcome = is_square ? Outcome{} : check_numbers(*file, rows, sparse);
     if (!outcome.good()) return outcome;
     if (sparse) return take_entries(rows, file);
+    if (header.line == 0 && !is_square && is_upper_triangle(rows)) return take_upper(rows, file);
+    const bool is_line = rows.size() == 1 && rows[0].count > 2, is_column = rows.size() > 2 && all_have(1);
+    if (header.line == 0 && (is_line || is_column)) return take_condensed(file);
     const bool is_triangle = rows[0].count == 1 && (rows.size() > 1 || file->numbers[0] != 0);
     outcome = is_triangle ? take_triangle(rows, file) : take_square(rows, file);
     return outcome.good() ? check_header(header, rows, *file) : outcome;

@@ -21,6 +21,17 @@ std::string PointCloud::where(std::uint64_t row) const {
     return name + ": row " + std::to_string(row + 1);
 }
 
+std::string PointCloud::constant_coordinate() const {
+    for (std::size_t k = dim; rows() > 1 && dim > 2 && k-- > 0;) {
+        std::size_t i = k;
+        while (i < coordinates.size() && coordinates[i] == coordinates[k]) i += dim;
+        if (i >= coordinates.size())
+            return "coordinate " + std::to_string(k + 1) + " is " + number_text(coordinates[k]) +
+                   " in all points; --columns can leave it out";
+    }
+    return {};
+}
+
 std::string ending_of(const std::string& path) {
     const std::size_t slash = path.rfind('/');
     const std::size_t dot = path.rfind('.');
@@ -79,6 +90,45 @@ Format format_of(std::string_view content) {
     return {"", ""};
 }
 
+// The first lines of a text.
+std::vector<std::string_view> first_lines(std::string_view content, std::size_t most) {
+    std::vector<std::string_view> lines;
+    LineReader reader(content, false);
+    std::string_view line;
+    while (lines.size() < most && reader.next(&line)) lines.push_back(line);
+    return lines;
+}
+
+// A scale alone in line 2, three vectors below it, and how places are meant in line 7, 8 or 9.
+bool is_poscar(std::string_view content) {
+    const std::vector<std::string_view> lines = first_lines(content, 9);
+    double ignored;
+    if (lines.size() < 8 || !parse_finite(std::string(lines[1]), &ignored)) return false;
+    for (std::size_t i = 2; i < 5; i++)
+        if (split_blanks(lines[i]).size() != 3) return false;
+    for (std::size_t i = 6; i < lines.size(); i++)
+        for (const char* const word : {"direct", "cartesian", "selective dynamics"}) {
+            std::string lower;
+            for (const char c : lines[i]) lower += c >= 'A' && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : c;
+            if (starts(lower, word)) return true;
+        }
+    return false;
+}
+
+// A number of atoms alone in line 2, and in line 3 an atom in fixed columns, behind number and name of its residue.
+bool is_gro(std::string_view content) {
+    const std::size_t first = content.find('\n'), second = content.find('\n', first + 1);
+    if (second == std::string_view::npos) return false;
+    std::uint64_t count, number;
+    const std::string_view line = content.substr(second + 1, 44);
+    const std::vector<std::string_view> head = split_blanks(content.substr(first + 1, second - first - 1));
+    if (head.size() != 1 || !parse_unsigned(std::string(head[0]), &count) || line.size() < 44) return false;
+    const std::vector<std::string_view> residue = split_blanks(line.substr(0, 5)),
+                                        atom = split_blanks(line.substr(15, 5));
+    return residue.size() == 1 && atom.size() == 1 && parse_unsigned(std::string(residue[0]), &number) &&
+           parse_unsigned(std::string(atom[0]), &number) && line[24] == '.' && line[32] == '.' && line[40] == '.';
+}
+
 // Formats that are not read, and what to do.
 std::string foreign(std::string_view content) {
     static constexpr struct {
@@ -133,11 +183,21 @@ std::string foreign(std::string_view content) {
         {"{", "JSON, not a table; write rows of numbers"},
         {"[[", "brackets around rows; write plain rows of numbers, as numpy.savetxt does, without brackets"},
         {"data_", "an mmCIF file; write its atoms as .pdb or .xyz"},
+        {"ITEM: ", "a dump of LAMMPS; write x, y and z of its atoms as a table in text"},
+        {"LAMMPS ", "a data file of LAMMPS; write x, y and z of its atoms as a table in text"},
+        {"%%MatrixMarket", "a matrix of MatrixMarket; write it as .npy, or its rows as a table in text"},
+        {"@<TRIPOS>", "a MOL2 file; write its atoms as .pdb or .xyz"},
+        {"# Name: ", "a MOL2 file; write its atoms as .pdb or .xyz"},
         {"version https://git-lfs", "a pointer of git-lfs, not the file itself: git lfs pull"},
     };
     if (starts(content, "\xEF\xBB\xBF")) content.remove_prefix(3);
     for (const auto& mark : marks)
         if (starts(content, mark.start)) return mark.what;
+    const std::string_view top = content.substr(0, 1000);
+    if (top.find(" V2000") != std::string_view::npos || top.find(" V3000") != std::string_view::npos)
+        return "an SDF or MOL file; write its atoms as .pdb or .xyz";
+    if (is_poscar(content)) return "a POSCAR file of VASP; write its atoms as .xyz";
+    if (is_gro(content)) return "a GRO file of GROMACS; write its atoms as .pdb";
     return {};
 }
 
@@ -242,7 +302,14 @@ Outcome parse_source(const Source& source, const TableOptions& options, Table* t
     const bool array = source.ending == ".npy" || source.ending == ".npz";
     const bool text = is_table_ending(source.ending) && !has_atoms(source, options);
     if (in_text && !text) return usage_error("--delimiter and --skip are for tables in text, not for " + source.name);
-    if (text) return parse_table(source.content, options, table);
+    if (text) {
+        const Outcome outcome = parse_table(source.content, options, table);
+        if (outcome.good() && source.ending == ".xyz" && table->width > 3 && options.columns.empty() &&
+            table->note.find("coordinates, too") == std::string::npos)
+            table->note += (table->note.empty() ? "" : "; ") + std::string("took all ") + std::to_string(table->width) +
+                           " columns for coordinates; --columns 1-3 takes x, y, z alone";
+        return outcome;
+    }
     if (source.ending == ".npy") return parse_npy_table(source.content, options, table);
     if (array) return parse_npz_table(source.content, source.array, options, table);
     if (!options.columns.empty()) return usage_error("--columns is for tables and arrays, not for " + source.name);

@@ -31,6 +31,9 @@ std::string resolve_columns(const std::string& option, const std::vector<std::st
         const auto named = std::find(names.begin(), names.end(), item);
         if (named != names.end()) {
             columns->push_back(static_cast<std::size_t>(named - names.begin()));
+            if (columns->back() >= width)
+                return "--columns " + item + ": the header names " + counted(names.size(), "column", "columns") +
+                       ", the rows have " + std::to_string(width);
             continue;
         }
         const std::size_t dash = item.find('-');
@@ -140,6 +143,9 @@ private:
     Outcome find_columns();
     Outcome find_index();
     Outcome check_column_numbers() const;
+    Outcome check_count_of_names() const;
+    Outcome check_count_of_rows() const;
+    void note_other_names();
     void note_whole_first_row();
     Outcome parse_rows();
     Outcome explain_field(const TableLine& line, std::size_t column) const;
@@ -309,6 +315,59 @@ Outcome TableParser::check_column_numbers() const {
                                        delimiter_option(dialect_.delimiter) + " reads it as a point");
 }
 
+// More names than columns, where blanks within names cannot be the reason: rows lack something.
+Outcome TableParser::check_count_of_names() const {
+    std::size_t named = 0;
+    for (const std::string& name : names_) named += !name.empty();
+    if (dialect_.delimiter == ' ' || dialect_.delimiter == 0 || named <= width_) return {};
+    std::vector<Field> fields;
+    double ignored;
+    cut(lines_[0], &fields);
+    for (const Field& field : fields)
+        if (read_field(field, dialect_.decimal_comma, &ignored) == FieldKind::word) return {};  // said of that field
+    return fault(lines_[0].number, columns_text(width_) + " where the header names " + std::to_string(named) +
+                                       "; --columns with numbers takes the rows as they are, --skip " +
+                                       std::to_string(lines_[0].number - 1) + " leaves the header out");
+}
+
+// 100 2 above 100 rows of the plane: how many there are of how many coordinates, or a point?
+Outcome TableParser::check_count_of_rows() const {
+    std::vector<Field> fields;
+    if (!names_.empty() || width_ != 2 || lines_.size() < 4) return {};
+    if (!cut(lines_[0], &fields) || fields.size() != 2 || fields[1].text != "2") return {};
+    if (fields[0].text != std::to_string(lines_.size() - 1)) return {};
+    return fault(lines_[0].number, quoted(without_blanks(lines_[0].text)) +
+                                       " may say how many points of how many coordinates there are, or be a point: "
+                                       "--skip " +
+                                       std::to_string(lines_[0].number) +
+                                       " leaves it out, --columns 1-2 reads it as a point");
+}
+
+// x, y or x, y, z, and then something else: all of it is taken, and said.
+void TableParser::note_other_names() {
+    if (names_.size() != width_ || columns_.empty()) return;
+    const auto name_of = [&](std::size_t i) {
+        std::string name = names_[columns_[i]];
+        for (char& c : name) c = c >= 'A' && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : c;
+        return name;
+    };
+    std::size_t places = 0;
+    while (places < columns_.size() && places < 3 && name_of(places) == std::string(1, "xyz"[places])) places++;
+    if (places < 2) return;
+    std::string others;
+    for (std::size_t i = places; i < columns_.size(); i++) {
+        const std::string name = name_of(i);
+        const bool is_letter = name.size() == 1 && name.find_first_of("tuvwxyz") == 0;
+        const bool is_numbered = name.size() == 2 && name[0] == 'x' && name[1] >= '0' && name[1] <= '9';
+        if (!is_letter && !is_numbered) others += (others.empty() ? "" : ", ") + quoted(names_[columns_[i]]);
+    }
+    if (others.empty()) return;
+    std::string taken;
+    for (std::size_t i = 0; i < places; i++) taken += (i > 0 ? "," : "") + names_[columns_[i]];
+    add_plain_note("took " + others + " for coordinates, too; --columns " + taken + " leaves " +
+                   (columns_.size() - places == 1 ? "that" : "them") + " out");
+}
+
 // 2019 2020 2021 above numbers that all have decimals: names, it may be, but read as a point.
 void TableParser::note_whole_first_row() {
     if (!names_.empty() || lines_.size() < 3 || width_ < 2) return;
@@ -331,10 +390,13 @@ void TableParser::note_whole_first_row() {
 Outcome TableParser::find_columns() {
     for (std::size_t k = 0; k < width_; k++) columns_.push_back(k);
     if (options_.columns.empty()) {
-        const Outcome outcome = check_column_numbers();
+        Outcome outcome = check_column_numbers();
+        if (outcome.good()) outcome = check_count_of_names();
+        if (outcome.good()) outcome = check_count_of_rows();
         if (!outcome.good()) return outcome;
         note_whole_first_row();
         const Outcome found = find_index();
+        if (found.good()) note_other_names();
         std::vector<Field> first;
         const bool from_start =
             cut(lines_[0], &first) && !first.empty() && (first[0].text == "0" || first[0].text == "1");

@@ -16,6 +16,17 @@ bool is_letter(char c) {
     return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || (static_cast<unsigned char>(c) >= 0x80);
 }
 
+// Whether a # at `at` begins a comment, not a field: it is the first, or a blank stands between it and a field. Between
+// tabs it is a field.
+bool begins_comment(std::string_view line, std::size_t at) {
+    if (without_blanks(line.substr(0, at)).empty()) return true;
+    if (!is_blank(line[at - 1])) return false;
+    if (line[at - 1] == '\t' && line.find('\t', at) != std::string_view::npos) return false;
+    std::size_t before = at;
+    while (is_blank(line[before - 1])) before--;
+    return line[before - 1] != ',' && line[before - 1] != ';' && line[before - 1] != '|';
+}
+
 // The line without a comment: # outside of quotes, % and // at its start.
 std::string_view without_comment(std::string_view line) {
     const std::string_view content = without_blanks(line);
@@ -24,7 +35,7 @@ std::string_view without_comment(std::string_view line) {
     bool quoted = false;
     for (std::size_t i = 0; i < line.size(); i++) {
         if (line[i] == '"') quoted = !quoted;
-        if (line[i] == '#' && !quoted) return line.substr(0, i);
+        if (line[i] == '#' && !quoted && begins_comment(line, i)) return line.substr(0, i);
     }
     return quoted ? line.substr(0, line.find('#')) : line;
 }

@@ -3,6 +3,7 @@ import concurrent.futures
 import ctypes
 import math
 import os
+import warnings
 from typing import Callable, Optional, Tuple, Union
 
 import numpy as np
@@ -147,7 +148,8 @@ def rips(points=None, threshold: float = math.inf, max_degree: int = 1, *, dista
     """The Vietoris-Rips diagram of points, or of anything that is known by its distances.
 
     points: [n, D], any D; Euclidean distances.
-    distances: instead of points: [n, n], symmetric; [n (n - 1) / 2], the condensed form of
+    distances: instead of points: [n, n], symmetric but for rounding noise, up to 2^-36 of the largest distance, which is
+        taken off with a warning; [n (n - 1) / 2], the condensed form of
         ``scipy.spatial.distance.pdist``; or a sparse matrix of scipy, whose missing entries are never joined.
     threshold: a radius, as all values are: points farther apart than twice that are not joined.
     max_degree: the highest degree of homology.
@@ -180,10 +182,33 @@ def _put_matrix(made, distances):
     array = doubles(distances, "distances", 2)
     if array.shape[0] != array.shape[1]:
         raise InvalidArgument("distances: [%d, %d] is not square" % array.shape, "distances")
+    array = _evened(array)
     made.layout = c.NETMESH_DISTANCES_FULL
     made.numbers = array.ctypes.data or 8
     made.count = array.shape[0]
     return array
+
+
+NOISE_SHARE = 2.0 ** -36  # as of the tool
+
+
+def _evened(array):
+    """Without the noise that products of matrices leave: sides that differ in the last digits, a diagonal near 0."""
+    diagonal = np.diagonal(array)
+    if np.array_equal(array, array.T) and not diagonal.any() and not (array < 0).any():
+        return array
+    finite = np.isfinite(array)
+    noise = NOISE_SHARE * np.abs(array[finite]).max(initial=0)
+    with np.errstate(invalid="ignore"):
+        off = np.where(array == array.T, 0, np.abs(array - array.T))
+    mean = np.where(off == 0, array, array / 2 + array.T / 2)
+    if (np.abs(diagonal) > noise).any() or not (off <= noise).all() or (mean < -noise).any():
+        return array  # which the library refuses, by its place
+    np.fill_diagonal(mean, 0)
+    mean = np.maximum(mean, 0)
+    warnings.warn("distances: took rounding noise off, at most %.3g" % np.abs(mean - array)[finite].max(initial=0),
+                  stacklevel=4)
+    return mean
 
 
 def _put_condensed(made, condensed):

@@ -103,9 +103,40 @@ TEST_CASE("what was understood of distances is said") {
         CHECK(file->numbers == Numbers{3, 5, 4});
     }
     CHECK(good("0 0\n0 0\n").layout == NETMESH_DISTANCES_FULL);
-    CHECK(good("0 0\n3 1\n").layout == NETMESH_DISTANCES_FULL);  // a diagonal that is none, for the engine to refuse
     CHECK(fault("0\n0 0\n0 0 0\n") ==
           "d.csv:1: a lower triangle of zeros may have its diagonal or not; write the whole matrix");
+}
+
+TEST_CASE("triangles the other way round, and what pdist gives, as text") {
+    for (const char* const text : {"3 5\n4\n", "0 3 5\n0 4\n0\n", "3 5 4\n", "3\n5\n4\n"}) {
+        const DistanceFile file = good(text);
+        CHECK(file.layout == NETMESH_DISTANCES_LOWER);
+        CHECK(file.points == 3);
+        CHECK(file.numbers == Numbers{3, 5, 4});
+        CHECK(file.note.find("upper triangle") != std::string::npos);
+    }
+    CHECK(good("1 2 3 12 13 23\n").numbers == Numbers{1, 2, 12, 3, 13, 23});
+    CHECK(good("1 2 3\n12 13\n23\n").numbers == Numbers{1, 2, 12, 3, 13, 23});
+    CHECK(good("0 1 2 3\n0 12 13\n0 23\n0\n").numbers == Numbers{1, 2, 12, 3, 13, 23});
+    CHECK(fault("0 0\n0\n").find("an upper triangle of zeros") != std::string::npos);
+    CHECK(fault("1 2 3 4\n").find("one axis of distances of n points has n (n - 1) / 2") != std::string::npos);
+    CHECK(good("1 2 1.5\n2 3 1\n", true).note == "point 0 is in no entry, and stays alone; points are numbered from 0");
+}
+
+TEST_CASE("rounding noise of a matrix is taken off, and no more") {
+    const DistanceFile file = good("0 1.5000000000000002 2\n1.5 2.2e-16 -1e-17\n2 0 0\n");
+    CHECK(file.numbers == Numbers{0, 1.5, 2, 1.5, 0, 0, 2, 0, 0});
+    CHECK(file.note == "took rounding noise off the matrix: distances moved by at most 2.2e-16");
+    CHECK(good("0 1 2\n1 0 3\n2 3 0\n").note == "");
+    // One part in 2^36 of the largest distance, which is 4, is 5.8e-11.
+    CHECK(good("0 4\n4.00000000005 0\n").points == 2);
+    CHECK(fault("0 4\n4.0000000001 0\n") == "d.csv:2: field 1: the distance is 4.0000000001, and 4 the other way "
+                                            "round; (D + D.T) / 2 makes a matrix symmetric");
+    CHECK(good("0 4\n4 5e-11\n").numbers == Numbers{0, 4, 4, 0});
+    CHECK(fault("0 4\n4 1e-10\n") == "d.csv:2: field 2: the distance of a point to itself is 1e-10, not 0");
+    CHECK(fault("0 4 1\n4 0 -1e-10\n1 0 0\n") == "d.csv:2: field 3: a distance is negative: -1e-10");
+    CHECK(fault("0 inf\n1 0\n").find("the distance is 1, and inf the other way round") != std::string::npos);
+    CHECK(good("0 inf 4\ninf 0 1\n4.00000000001 1 0\n").numbers[1] == HUGE_VAL);
 }
 
 TEST_CASE("inf is a distance") {

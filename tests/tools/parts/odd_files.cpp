@@ -258,6 +258,27 @@ std::vector<OddFile> tables() {
              {2019, 2020, 1.5, -2.25, 3.125, 4}),
         with(good("years_told.txt", "2019 2020\n" + replaced(blanks, " 4\n", " 4.0\n")), "", "", 1),
         good("origin_first.txt", "0 0\n1.5 -2.25\n3.125 4.0\n", "", {0, 0, 1.5, -2.25, 3.125, 4}),
+        // counts, names and signs that are no coordinates
+        bad("count_line.txt", "3 2\n" + blanks, 1, "--skip 1 leaves it out, --columns 1-2 reads it as a point"),
+        bad("count_line.csv", "3,2\n" + plain, 1, "--skip 1"),
+        with(good("count_line_told.txt", "3 2\n" + blanks), "", "", 1),
+        with(good("count_line_taken.txt", "3 2\n" + blanks, "", {3, 2, 1.5, -2.25, 3.125, 4, -0.5, 6.75}), "1-2"),
+        good("another_count.txt", "4 2\n1.5 -2.25\n3.125 4\n", "", {4, 2, 1.5, -2.25, 3.125, 4}),
+        good("named_id.csv", "x,y,id\n1.5,-2.25,7\n3.125,4,8\n-0.5,6.75,9\n",
+             "took \"id\" for coordinates, too; --columns x,y leaves that out", space),
+        good("named_two.csv", "X,Y,z,class\n1,2,3,4\n5,6,7,8\n9,1,2,3\n", "--columns X,Y,z leaves that out",
+             {1, 2, 3, 4, 5, 6, 7, 8, 9, 1, 2, 3}),
+        good("intensity.xyz", "1 2 3 40\n5 6 7 80\n9 1 2 30\n", "--columns 1-3 takes x, y, z alone",
+             {1, 2, 3, 40, 5, 6, 7, 80, 9, 1, 2, 30}),
+        with(bad("more_names.csv", "x,y,z\n1,2\n3,4\n5,7\n", 2, "the header names 3 columns, the rows have 2"), "x,z"),
+        bad("more_names_untold.csv", "x,y,z\n1,2\n3,4\n5,7\n", 2, "2 columns where the header names 3"),
+        with(good("more_names_taken.csv", "x,y,z\n" + plain), "1,2"),
+        good("blanks_in_names.txt", "x (m) y (m)\n" + blanks, "skipped header"),
+        bad("sign_of_number.csv", "x,y,id,z\n0,0,#12,0\n1,0,#13,0\n", 2, "--columns 1,2,4 leaves such columns out"),
+        with(good("sign_left_out.csv", "x,id,y\n1.5,#1,-2.25\n3.125, #2,4\n-0.5,#3,6.75\n"), "x,y"),
+        with(good("sign_in_tabs.tsv", "x\tid\ty\n1.5\t#1\t-2.25\n3.125\t#2\t4\n-0.5\t#3\t6.75\n"), "x,y"),
+        bad("sign_in_words.csv", "x,y,id,z\n0,0,Site #3,0\n1,0,Site #4,0\n", 2, "\"Site\" is not a number"),
+        good("comment_behind_comma.csv", "1.5,-2.25 # the first, at 9:00\n3.125,4\n-0.5,6.75\n"),
         // rows of other lengths
         bad("ragged.csv", "1.5,-2.25\n3.125,4,8\n-0.5,6.75\n", 2, "3 columns where line 1 has 2"),
         bad("cut_off.csv", "1.5,-2.25\n3.125,4\n-0.5", 3, "1 column where line 1 has 2"),
@@ -275,7 +296,7 @@ std::vector<OddFile> exports() {
         good("excel_utf8.csv", "\xEF\xBB\xBF" + replaced("x;y\n" + decimal_commas, "\n", "\r\n"), "skipped header"),
         good("excel_unicode_text.txt", utf16(replaced("x\ty\n" + tabs, "\n", "\r\n"), false), "skipped header"),
         good("excel_empty_rows.csv", "x,y\r\n" + dos + ",\r\n,\r\n,\r\n", "skipped 3 rows of nothing"),
-        bad("excel_error.csv", "x,y\r\n1.5,-2.25\r\n3.125,#DIV/0!\r\n", 3, "nothing"),
+        bad("excel_error.csv", "x,y\r\n1.5,-2.25\r\n3.125,#DIV/0!\r\n", 3, "\"#DIV/0!\" is not a number"),
         bad("excel_currency.csv", "$1.50,$2.25\n$3.125,$4\n", 1, "is not a number"),
         bad("excel_date_turned.csv", "1.5,02. Mrz\n3.125,4\n", 1, "is not a number"),
         good("libreoffice.csv", "\"x\",\"y\"\n" + plain, "skipped header"),
@@ -370,8 +391,7 @@ std::vector<OddFile> exports() {
              "latitude,longitude"),
         bad("opencv.yml", "%YAML:1.0\n---\na: !!opencv-matrix\n   rows: 3\n", 2, "is not a number"),
         bad("svm_light.txt", "1 1:1.5 2:-2.25\n-1 1:3.125 2:4\n", 1, "is not a number"),
-        bad("matrix_market.mtx", "%%MatrixMarket matrix array real general\n3 2\n1.5\n3.125\n-0.5\n", 3,
-            "1 column where line 2 has 2"),
+        bad("matrix_market.mtx", "%%MatrixMarket matrix array real general\n3 2\n1.5\n3.125\n-0.5\n", 1, ".npy"),
         bad("geojson.json", "{\"type\":\"FeatureCollection\"}\n", 1, "JSON"),
         bad("wkt.csv", "POINT (1.5 -2.25)\nPOINT (3.125 4)\n", 1, "is not a number"),
         bad("kml.kml", "<?xml version=\"1.0\"?>\n<kml>\n", 1, "XML"),
@@ -427,6 +447,16 @@ std::vector<OddFile> formats() {
         bad("charges_chain_no_radius.pqr", "ATOM 1 N ALA A 1 0 0 0 0.4\n", 1, "charge and radius"),
         bad("charges_touch.pqr", "ATOM 1 N ALA 1 0.5 0.2 0.1-0.4 1.8\n", 1, "charge and radius"),
         bad("forces.xyz", "1\nProperties=species:S:1:forces:R:3:pos:R:3\nC 9 8 7 0 0 0\n", 2, "columns 2 to 4"),
+        good("cell.xyz", replaced(xyz, "made by hand", "Lattice=\"9 0 0 0 9 0 0 0 9\" pbc=\"T T T\""),
+             "without its periodic cell", space),
+        good("crystal.pdb",
+             std::string("CRYST1   52.000   58.600   61.900  90.00  90.00  90.00 P 21 21 21    8\n") + atom_1 + atom_2 +
+                 atom_3,
+             "without its periodic cell", space),
+        good("no_crystal.pdb",
+             std::string("CRYST1    1.000    1.000    1.000  90.00  90.00  90.00 P 1           1\n") + atom_1 + atom_2 +
+                 atom_3,
+             "read as atoms of .pdb", space),
         good("properties.xyz", replaced(xyz, "made by hand", "Lattice=\"9 0 0\" Properties=species:S:1:pos:R:3 pbc=T"),
              "atoms", space),
         good("properties_more.xyz",
@@ -498,6 +528,18 @@ std::vector<OddFile> formats() {
         bad("grid.vtk", "# vtk DataFile Version 3.0\n", 1, "as a table in text"),
         bad("gmsh.msh", "$MeshFormat\n2.2 0 8\n", 1, "as a table in text"),
         bad("protein.cif", "data_1ABC\n_atom_site.id\n", 1, ".pdb or .xyz"),
+        bad("dump.lammpstrj", "ITEM: TIMESTEP\n0\nITEM: NUMBER OF ATOMS\n2\n", 1, "dump of LAMMPS"),
+        bad("data.lmp", "LAMMPS data file via write_data\n\n2 atoms\n", 1, "data file of LAMMPS"),
+        bad("matrix.mtx", "%%MatrixMarket matrix array real general\n2 2\n1\n2\n3\n4\n", 1, "MatrixMarket"),
+        bad("ligand.mol2", "@<TRIPOS>MOLECULE\nbenzene\n", 1, "MOL2"),
+        bad("ligand.sdf", "benzene\n  made\n\n  2  1  0  0  0  0            999 V2000\n    1.0 2.0 3.0 C\n", 1, "SDF"),
+        bad("POSCAR", "Si\n 5.43\n 1 0 0\n 0 1 0\n 0 0 1\nSi\n2\nDirect\n 0 0 0\n .25 .25 .25\n", 1, "POSCAR"),
+        bad("POSCAR_of_old", "Si\n 5.43\n 1 0 0\n 0 1 0\n 0 0 1\n2\nSelective dynamics\nCartesian\n 0 0 0 T T T\n", 1,
+            "POSCAR"),
+        bad("water.gro",
+            "water\n 2\n    1WATER  OW1    1   0.126   1.624   1.679\n    1WATER  HW2    2   0.190   1.661   "
+            "1.747\n   1.8 1.8 1.8\n",
+            1, "GRO"),
         bad("pointer.csv", "version https://git-lfs.github.com/spec/v1\noid sha256:1\n", 1, "git lfs pull"),
         bad("database.csv", "SQLite format 3\0"s, 1, "as CSV"),
         bad("raw.bin", "\x01\0\0\0\x02\0\0\0"s, 1, "numbers in binary are read from .npy"),
@@ -523,7 +565,7 @@ void check(const OddFile& file, const std::string& folder) {
     if (!file.points.empty()) {
         CHECK(outcome.good());
         CHECK(cloud.coordinates == file.points);
-        CHECK(cloud.dim == (file.points == space ? 3 : 2));
+        CHECK(cloud.dim == (file.points.size() == 12 ? 4 : file.points == space ? 3 : 2));
         CAPTURE(cloud.note);
         if (file.says.empty() && file.columns.empty() && file.skip == 0 && file.delimiter.empty())
             CHECK(cloud.note == "");

@@ -1,0 +1,17 @@
+// Diagrams as other programs and our own other endings have them.
+#pragma once
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "tools/io/diagram_file.hpp"
+#include "tools/outcome.hpp"
+
+namespace netmesh::tool {
+
+// `degree birth death` a line, parted by blanks or commas, behind a header or not; what ripser prints; our own .csv,
+// .json and .npy, and arrays [bars][3] of anybody's; DIPHA's binary files. A class that never dies has inf, Inf,
+// Infinity, null or nothing for a death. Any order. Every fault is Exit::data.
+Outcome parse_any_diagram(std::string_view content, const std::string& name, std::vector<Bar>* bars);
+
+}  // namespace netmesh::tool
