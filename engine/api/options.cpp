@@ -32,6 +32,8 @@ constexpr Word values_words[] = {{"certified", NETMESH_VALUES_CERTIFIED, nullptr
 constexpr Word audit_words[] = {{"location", NETMESH_AUDIT_LOCATION, nullptr},
                                 {"quality", NETMESH_AUDIT_QUALITY, nullptr}};
 
+constexpr Word weighting_words[] = {{"radii", 0, &netmesh_radii}, {"weights", 0, &netmesh_weights}};
+
 template <std::size_t n> constexpr Words words(const Word (&list)[n]) { return {list, n}; }
 constexpr Words no_words = {nullptr, 0}, filter_words = {nullptr, 2};
 
@@ -65,6 +67,11 @@ constexpr Option options[] = {
            "highest degree of homology"),
     NUMBER("threshold", DOUBLE, THRESHOLD, threshold, "a radius, 0 or more", "inf",
            "of the filter rips: points are joined to this radius, half of their distance"),
+    OPTION("weighting", NAME, WEIGHTING, weighting, "radii or weights", "none",
+           "of the filter alpha: what the numbers beside the points are, radii or squares of any sign", nullptr,
+           words(weighting_words)),
+    NUMBER("squares", FLAG, SQUARES, squares, "0 or 1", "0",
+           "with a weighting: values are squares of radii, not their roots with a sign"),
     NUMBER("keep_zero_pairs", FLAG, KEEP_ZERO_PAIRS, keep_zero_pairs, "0 or 1", "0", "keep bars of length zero"),
     NUMBER("seed", UINT64, SEED, seed, "0 to 2^64 - 1", "1", "of every random choice"),
     NUMBER("ratio", DOUBLE, RATIO, goal.ratio, "1.4143 or more", "sqrt(2 + tau); of fit 4",

@@ -60,6 +60,16 @@ def put_points(request, points):
     request.points = c.netmesh_points(array.ctypes.data or 8, count, dim, kind, stride)
 
 
+def weights_of(radii, weights):
+    """What is given of balls about points: the argument and its numbers; or None."""
+    if radii is None and weights is None:
+        return None
+    if radii is not None and weights is not None:
+        raise InvalidArgument("weights: give radii or weights", "weights")
+    argument = "radii" if weights is None else "weights"
+    return argument, doubles(radii if weights is None else weights, argument, 1)
+
+
 def number(value, argument):
     try:
         return float(value)

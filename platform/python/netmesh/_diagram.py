@@ -148,7 +148,7 @@ class Diagram:
         """The list of (degree, (birth, death)) that GUDHI's functions take, degrees descending as in
         ``SimplexTree.persistence``. ``units``: "radius", "diameter" (GUDHI's Rips complexes) or "squared" (its alpha
         complexes)."""
-        scale = {"radius": lambda x: x, "diameter": lambda x: 2 * x, "squared": lambda x: x * x}.get(units)
+        scale = {"radius": lambda x: x, "diameter": lambda x: 2 * x, "squared": lambda x: x * abs(x)}.get(units)
         if scale is None:
             raise InvalidArgument("units: %r is none of radius, diameter, squared" % (units,), "units")
         found = []

@@ -7,10 +7,10 @@ import numpy as np
 
 from . import _declarations as c
 from . import _diagram
-from ._arrays import address, choice, points_of
+from ._arrays import address, choice, doubles, points_of, weights_of
 from ._diagram import Diagram
 from ._library import lib, sized
-from ._options import fill, focus_of, put_function, request_of
+from ._options import fill, focus_of, put_function, put_weights, request_of
 from ._session import Session, figures
 from .errors import InvalidArgument
 
@@ -217,17 +217,20 @@ class Mesh:
 
 
 def delaunay(points, *, purpose: str = "mesh", seed: int = 1, memory: Union[int, str, None] = None,
-             progress: Union[bool, Callable, None] = None) -> Mesh:
+             progress: Union[bool, Callable, None] = None, radii=None, weights=None) -> Mesh:
     """The Delaunay triangulation of points, exact for all finite numbers, ties by index.
 
     ``points``: [n, D], D from 2 to 6; float64 or float32 is read where it lies. Duplicates are merged. ``purpose``:
-    "persist" plans for an alpha diagram. ``seed`` and ``memory``: see :func:`netmesh.persist`. Raises
+    "persist" plans for an alpha diagram. ``radii``, ``weights``:
+    [n], the regular triangulation of balls, see :func:`netmesh.persist`; hidden points are in no cell. ``seed`` and ``memory``: see :func:`netmesh.persist`. Raises
     :class:`netmesh.errors.Flat` where there are fewer than D + 1 affinely independent points.
     """
     plan = choice(purpose, "purpose", {"mesh": lib.netmesh_plan_mesh, "persist": lib.netmesh_plan})
     session = Session(memory, progress)
-    read = points_of(points)
+    balls = weights_of(radii, weights)
+    read = points_of(points) if balls is None else points_of(doubles(points, "points", 2))
     request = request_of(session, read)
+    put_weights(session, balls)
     fill(session, dict(seed=seed, method="delaunay", filter="alpha", keep_mesh=True))
     return _meshed(session, request, plan)
 
@@ -236,7 +239,7 @@ def _meshed(session, request, plan, promised=None):
     at = ctypes.addressof(request)
     session.run(plan(at), lambda: session.call(lib.netmesh_mesh, session.context, at), True)
     made = Mesh(session, request.points.dim, promised)
-    request.points.coordinates = None
+    request.points.coordinates = request.points.weights = None
     session.kept.clear()
     return made
 

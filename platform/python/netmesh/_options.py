@@ -8,7 +8,7 @@ from .errors import ARGUMENTS, InvalidArgument
 
 
 # Those that go by the table's names, where a call does not list them itself.
-_OTHERS = set(OPTIONS) - set(ARGUMENTS) - {"vines"}
+_OTHERS = set(OPTIONS) - set(ARGUMENTS) - {"vines", "weighting"}
 
 
 def known(call, others):
@@ -26,6 +26,21 @@ def request_of(session, points=None):
     if points is not None:
         put_points(request, points)
     return request
+
+
+def put_weights(session, balls):
+    """What ``weights_of`` gives, behind the points, which are float64."""
+    if balls is None:
+        return
+    argument, numbers = balls
+    request = session.request
+    if len(numbers) != request.points.count:
+        raise InvalidArgument("%s: %d numbers, where there are %d points" % (argument, len(numbers),
+                                                                            request.points.count), argument)
+    request.points.weights = numbers.ctypes.data or 8
+    request.weighting = OPTIONS["weighting"].words[argument]
+    session.kept.append(numbers)
+    session.renamed.update(weights=argument, weighting=argument)
 
 
 def fill(session, given):

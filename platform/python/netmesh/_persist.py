@@ -10,10 +10,10 @@ import numpy as np
 
 from . import _declarations as c
 from . import _diagram
-from ._arrays import doubles, points_of
+from ._arrays import doubles, points_of, weights_of
 from ._diagram import Diagram
 from ._library import OPTIONS, lib, sized
-from ._options import as_asked, fill, focus_of, known, put_function, request_of, settled
+from ._options import as_asked, fill, focus_of, known, put_function, put_weights, request_of, settled
 from ._session import Session
 from .errors import InvalidArgument
 
@@ -30,7 +30,8 @@ def persist(points, filter: str = "auto", max_degree: Optional[int] = None, *, k
             representatives: bool = False, seed: Optional[int] = None, memory: Union[int, str, None] = None,
             fit: bool = False, progress: Union[bool, Callable, None] = None, pieces: Union[int, str, None] = None,
             executor: Optional[concurrent.futures.Executor] = None,
-            scratch: Union[str, os.PathLike, None] = None, **others) -> Diagram:
+            scratch: Union[str, os.PathLike, None] = None, radii=None, weights=None, squares: bool = False,
+            **others) -> Diagram:
     """The persistence diagram of points, over Z/2, with a certificate.
 
     points: [n, D], any array of numbers. float64 and float32 are read where they lie, also with gaps between rows;
@@ -71,6 +72,11 @@ def persist(points, filter: str = "auto", max_degree: Optional[int] = None, *, k
         ``mpi4py.futures.MPIPoolExecutor``; by default they run one after the other.
     scratch: the folder for the pieces' files. It stays, and the same call goes on with what it finds; by default one
         that does not stay.
+    radii: [n], of "alpha": balls of different radii about the points, which grow together: at a the radius of ball i is
+        the root of a^2 + radii[i]^2, for a below 0 of radii[i]^2 - a^2. Births and deaths are these a, and births of
+        components are no longer 0. Points whose balls make no difference are hidden: ``report["input"]["hidden"]``.
+    weights: [n], in place of radii: their squares, of any sign.
+    squares: with these, births and deaths are a^2 with the sign of a, as GUDHI has them.
     others: further options of the engine, by its names: ``threshold``, ``domain_factor``, ``net_spacing``,
         ``size_eps``, ``size_at_inputs``, ``size_growth``, ``audit``.
 
@@ -80,11 +86,14 @@ def persist(points, filter: str = "auto", max_degree: Optional[int] = None, *, k
     given = dict(filter=filter, max_degree=max_degree, k=k, ratio=ratio, longer_than=longer_than, eps=eps, theta=theta,
                  values=values, tau=tau, method=method, finish=finish, whole_cells=whole_cells, error=error,
                  keep_zero_pairs=keep_zero_pairs, bounds=bounds, cycles=representatives, seed=seed, fit=fit,
-                 **known("persist", others))
+                 squares=squares, **known("persist", others))
+    balls = weights_of(radii, weights)
     if pieces is None and (executor is not None or scratch is not None):
         argument = "executor" if executor is not None else "scratch"
         raise InvalidArgument('%s: goes with pieces, as with pieces="auto"' % argument, argument)
     if pieces is not None:
+        if balls is not None:
+            raise InvalidArgument("%s: does not go with pieces, which are of points alone" % balls[0], balls[0])
         return _in_pieces(points, given, pieces, executor, scratch, memory, (focus, function, progress))
     is_auto = isinstance(focus, str) and focus == "auto"
     if is_auto:
@@ -92,7 +101,7 @@ def persist(points, filter: str = "auto", max_degree: Optional[int] = None, *, k
     else:
         given.update(focus_of(focus, fit))
     return diagram_of_points(points, given, memory, progress, (function, lipschitz, cut, distance_factor),
-                             {"fit": "focus"} if is_auto else None)
+                             {"fit": "focus"} if is_auto else None, balls)
 
 
 def _in_pieces(points, given, pieces, executor, scratch, memory, others):
@@ -108,11 +117,12 @@ def _in_pieces(points, given, pieces, executor, scratch, memory, others):
                                      given["max_degree"], given["keep_zero_pairs"])
 
 
-def diagram_of_points(points, given, memory, progress, function=(), renamed=None):
-    """The diagram of points by options of the table."""
-    read = points_of(points)
+def diagram_of_points(points, given, memory, progress, function=(), renamed=None, balls=None):
+    """The diagram of points by options of the table; ``balls`` as ``weights_of`` gives them."""
+    read = points_of(points) if balls is None else points_of(doubles(points, "points", 2))
     session = Session(memory, progress, renamed=renamed)
     request = request_of(session, read)
+    put_weights(session, balls)
     fill(session, given)
     put_function(session, read[2], *function)
     if request.fit and memory is None:

@@ -91,6 +91,13 @@ export interface PersistOptions extends PointOptions, MeshRules, Omit<MeshPersis
     threshold?: number;
     /** Of the filter alpha: its triangulation is kept, which takes more memory. */
     keep_mesh?: boolean;
+    /** Of the filter alpha: balls of different radii, one for each point, which grow together. Births and deaths are a,
+     * with balls of radius sqrt(a^2 + r^2), below 0 of sqrt(r^2 - a^2). */
+    radii?: Float64Array | Float32Array | number[];
+    /** In place of radii their squares, of any sign. */
+    weights?: Float64Array | Float32Array | number[];
+    /** With these births and deaths are a^2 with the sign of a. */
+    squares?: boolean;
 }
 export interface MeshOptions extends PointOptions, MeshRules {
     /** What it is for: itself, a diagram ("complete"), the filter "tight". */

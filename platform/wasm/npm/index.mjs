@@ -235,6 +235,15 @@ function pointsOf(points, dim) {
     return { array, count: points.length, dim: width };
 }
 
+// What is given of balls about points; undefined: nothing.
+function ballsOf({ radii, weights }, count) {
+    if (!isGiven(radii) && !isGiven(weights)) return undefined;
+    if (isGiven(radii) && isGiven(weights)) refuse('weights', 'give radii or weights');
+    const argument = isGiven(radii) ? 'radii' : 'weights', numbers = numbersOf(radii ?? weights, argument);
+    if (numbers.length !== count) refuse(argument, `${numbers.length} numbers, where there are ${count} points`);
+    return { argument, numbers };
+}
+
 /** A persistence diagram: bars by degree, births and deaths are radii, the death of what never dies is Infinity. */
 export class Diagram {
     #intervals;
@@ -442,14 +451,16 @@ export class Mesh {
 
 // What the calls take beside members of the engine's request, and which of these they do not take.
 const TAKEN = {
-    persist: ['dim', 'focus', ...OF_FUNCTION], meshPersist: OF_FUNCTION, homology: [],
+    persist: ['dim', 'focus', 'radii', 'weights', ...OF_FUNCTION], meshPersist: OF_FUNCTION, homology: [],
     vineyard: ['dim', 'simplices', 'steps', 'byVertex'], meshVineyard: [], mesh: ['dim', 'purpose', 'focus'],
     delaunay: ['dim', 'purpose', 'seed'], rips: ['dim', 'distances'],
     bottleneck: ['degree', 'log'], wasserstein: ['degree', 'order', 'error'],
 };
-const OF_VINES = ['k_last', 'vines'];
-const NOT_TAKEN = { vineyard: OF_VINES, meshVineyard: OF_VINES, rips: ['filter'], homology: ['filter', 'vines'],
-    mesh: ['k', ...OF_VINES, 'max_degree', 'keep_zero_pairs', 'bounds', 'cycles', 'fit', 'keep_mesh'] };
+const OF_VINES = ['k_last', 'vines'], OF_BALLS = ['weighting', 'squares'];
+const NOT_TAKEN = { persist: ['weighting'], meshPersist: OF_BALLS, vineyard: [...OF_VINES, ...OF_BALLS],
+    meshVineyard: [...OF_VINES, ...OF_BALLS], rips: ['filter', ...OF_BALLS],
+    homology: ['filter', 'vines', ...OF_BALLS],
+    mesh: ['k', ...OF_VINES, ...OF_BALLS, 'max_degree', 'keep_zero_pairs', 'bounds', 'cycles', 'fit', 'keep_mesh'] };
 const RUN = ['memory', 'progress'], NO_REQUEST = ['delaunay', 'bottleneck', 'wasserstein'];
 // What is given of a call's options.
 function known(call, options, table) {
@@ -499,11 +510,16 @@ export class Netmesh {
         }
     }
     #job(points, options) {
-        const job = new Job(this.#library, options.progress);
-        const at = job.put(points.array), isFloat = points.array instanceof Float32Array ? 1 : 0;
-        job.askOfPoints = (...asked) => {
-            job.ask(...asked);
+        const job = new Job(this.#library, options.progress), balls = ballsOf(options, points.count);
+        const array = balls ? Float64Array.from(points.array) : points.array;
+        const at = job.put(array), isFloat = array instanceof Float32Array ? 1 : 0;
+        const weights = balls ? job.put(balls.numbers) : 0;
+        job.askOfPoints = (asked, names = {}) => {
+            const { argument } = balls ?? {};
+            job.ask(balls ? { ...asked, weighting: argument } : asked,
+                balls ? { ...names, weights: argument, weighting: argument } : names);
             job.exports.set_points(at, points.count, points.dim, isFloat);
+            if (balls) job.exports.set_weights(weights);
         };
         return job;
     }
