@@ -76,7 +76,8 @@ std::string reported_choice_text(const FilterChoice& choice) {
 std::string reference_name(const netmesh_report& report) {
     if (report.diagram.filter == NETMESH_FILTER_RIPS && report.input.dim == 0)
         return "Vietoris-Rips complex of the distances, edges at half of them";
-    std::string text = about(report.diagram.filter).reference;
+    std::string text = report.input.weighting != NETMESH_WEIGHTING_NONE ? "unions of balls about the points in R^{D}"
+                                                                        : about(report.diagram.filter).reference;
     replace(text, "{k}", std::to_string(report.diagram.k));
     replace(text, "{D}", std::to_string(report.input.dim));
     return text;

@@ -171,8 +171,11 @@ std::string diagram_picture(const std::vector<Bar>& bars, const netmesh_report& 
     heading.draw(svg, margin, 18);
     if (style.has_curve()) draw_ratio(svg, {barcode_x, top, width, ratio_height}, scale, style);
     draw_barcode(svg, barcode, groups, scale, style);
-    svg.text(barcode_x + width / 2, top + height + 40, are_radii && report.input.dim != 0 ? "radius r" : "value v", 12,
-             ink, Anchor::middle);
+    svg.text(barcode_x + width / 2, top + height + 40,
+             report.input.squares != 0            ? "square of the radius"
+             : are_radii && report.input.dim != 0 ? "radius r"
+                                                  : "value v",
+             12, ink, Anchor::middle);
     draw_scatter(svg, diagram_x, top, square_side, bars, scale, style);
     legend.draw(svg, margin, legend_y);
     svg.finish();

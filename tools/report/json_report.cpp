@@ -90,7 +90,8 @@ void add_to_diagram(Json& json, const RunReport& run, std::string_view path) {
     } else if (path == "diagram.certified_from") {
         const bool by_values = run.engine->diagram.filter == NETMESH_FILTER_FUNCTION ||
                                (run.engine->input.dim == 0 && !run.options->distances);
-        json.entry("units", by_values ? "value" : "radius");
+        const bool by_squares = run.engine->input.squares != 0;
+        json.entry("units", by_values ? "value" : by_squares ? "squared radius" : "radius");
         json.entry("field", "Z/2");
     } else if (path == "diagram.scales.separation") {
         json.entry("separation_needed", 2.0);

@@ -186,6 +186,7 @@ std::string input_line(const netmesh_report& engine) {
         text += counted(input.points, "point", "points") + " in R^" + std::to_string(input.dim);
     }
     if (input.duplicates > 0) text += ", " + counted(input.duplicates, "duplicate", "duplicates") + " merged";
+    if (input.hidden > 0) text += ", " + counted(input.hidden, "ball", "balls") + " hidden by others";
     return text + "\n";
 }
 

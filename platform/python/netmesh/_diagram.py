@@ -182,6 +182,8 @@ def read(session):
     session.call(lib.netmesh_array_pairs, session.context, count, address(intervals), None)
     name = FILTER_NAMES.get(part.filter, "")
     reference = FILTERS[name].reference if name else "filtered complex"
+    if report.input.weighting:
+        reference = "unions of balls about the points in R^{D}"
     facts = {
         "filter": name, "certified_ratio": part.certified_ratio, "certified_from": part.certified_from,
         "certified_error": part.certified_error,

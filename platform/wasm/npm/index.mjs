@@ -382,7 +382,8 @@ function putSimplices(job, simplices) {
 }
 const numbersOf = (values, argument) => {
     if (values instanceof Float64Array) return values;
-    if (!Array.isArray(values) || !values.every(v => typeof v === 'number')) refuse(argument, 'not numbers');
+    const isList = Array.isArray(values) && values.every(v => typeof v === 'number');
+    if (!isList && !(values instanceof Float32Array)) refuse(argument, 'not numbers');
     return Float64Array.from(values);
 };
 
