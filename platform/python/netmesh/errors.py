@@ -115,6 +115,8 @@ def error_of(status, detail, rows="points", renamed=None):
         argument, row = rows, detail.index_a
         if said.startswith("the function"):
             argument, row = "function", None
+        if said.startswith("a weight"):
+            argument = (renamed or {}).get("weights", "weights")
         text = said or text
         if status == c.NETMESH_TOO_CLOSE:
             text = "%s: %s" % (_place(rows, row), "too close to row %d, but not equal to it: coordinates do not "
@@ -130,7 +132,8 @@ def error_of(status, detail, rows="points", renamed=None):
         of_distances = field == "entries" and rows == "distances"
         if field in _OF_SOURCES or of_distances:
             argument = rows
-        if field in ("sizes", "size_at_inputs", "numbers") or of_distances:
+        is_of_row = field in ("sizes", "size_at_inputs", "numbers") or said == "a radius is negative"
+        if is_of_row or of_distances:
             row = detail.index_a
         text = "%s: %s" % (_place(argument, row), said or text) if argument else said or text
     elif status == c.NETMESH_OUT_OF_MEMORY:
