@@ -39,6 +39,7 @@ const netmesh_python_entry netmesh_python_functions[] = {
     {"netmesh_get_vertex", (void (*)(void))netmesh_get_vertex},
     {"netmesh_get_cell", (void (*)(void))netmesh_get_cell},
     {"netmesh_get_cage", (void (*)(void))netmesh_get_cage},
+    {"netmesh_get_hidden", (void (*)(void))netmesh_get_hidden},
     {"netmesh_check", (void (*)(void))netmesh_check},
     {"netmesh_get_report", (void (*)(void))netmesh_get_report},
     {"netmesh_get_report_figure", (void (*)(void))netmesh_get_report_figure},

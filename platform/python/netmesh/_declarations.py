@@ -111,7 +111,11 @@ NETMESH_FIELD_NODE = 79
 NETMESH_FIELD_ONE = 80
 NETMESH_FIELD_OTHER = 81
 NETMESH_FIELD_MONITOR = 82
-NETMESH_FIELD_COUNT = 83
+NETMESH_FIELD_WEIGHTS = 83
+NETMESH_FIELD_WEIGHT_STRIDE_BYTES = 84
+NETMESH_FIELD_WEIGHTING = 85
+NETMESH_FIELD_SQUARES = 86
+NETMESH_FIELD_COUNT = 87
 NETMESH_FAULT_NONE = 0
 NETMESH_FAULT_SIZE = 1
 NETMESH_FAULT_TOO_MANY = 2
@@ -137,6 +141,9 @@ NETMESH_DISTANCES_SPARSE = 2
 NETMESH_DISTANCES_FUNCTION = 3
 NETMESH_DISTANCES_COUNT = 4
 NETMESH_OPEN = 0xFFFFFFFF
+NETMESH_WEIGHTING_NONE = 0
+NETMESH_WEIGHTING_RADII = 1
+NETMESH_WEIGHTING_WEIGHTS = 2
 NETMESH_VALUES_CERTIFIED = 0
 NETMESH_VALUES_THESIS = 1
 NETMESH_VALUES_OPEN = 2
@@ -222,7 +229,7 @@ class netmesh_monitor(Structure):
 
 class netmesh_points(Structure):
     _fields_ = [("coordinates", c_void_p), ("count", c_size_t), ("dim", c_uint32), ("format", c_int),
-                ("stride_bytes", c_size_t)]
+                ("stride_bytes", c_size_t), ("weights", c_void_p), ("weight_stride_bytes", c_size_t)]
 
 
 class netmesh_distance_entry(Structure):
@@ -268,7 +275,7 @@ class netmesh_request(Structure):
                 ("values", c_int), ("k", c_uint32), ("k_last", c_uint32), ("keep_zero_pairs", c_uint32),
                 ("function", c_void_p), ("threshold", c_double), ("seed", c_uint64), ("goal", netmesh_goal),
                 ("mesh", netmesh_mesh_rules), ("bounds", c_void_p), ("cycles", c_void_p), ("vines", c_void_p),
-                ("fit", c_void_p), ("keep_mesh", c_uint32), ("reserved", c_uint32)]
+                ("fit", c_void_p), ("keep_mesh", c_uint32), ("squares", c_uint32), ("weighting", c_void_p)]
 
 
 class netmesh_option(Structure):
@@ -345,7 +352,8 @@ class netmesh_check_request(Structure):
 
 class netmesh_input_report(Structure):
     _fields_ = [("present", c_uint32), ("dim", c_uint32), ("points", c_uint64), ("duplicates", c_uint64),
-                ("distinct", c_uint64), ("fingerprint", c_uint64), ("reserved", c_uint64 * (2))]
+                ("distinct", c_uint64), ("fingerprint", c_uint64), ("hidden", c_uint64), ("weighting", c_int),
+                ("squares", c_uint32)]
 
 
 class netmesh_sizes_report(Structure):
@@ -635,6 +643,7 @@ FUNCTIONS = {
     "netmesh_get_vertex": (c_int, [c_void_p, c_uint64, c_void_p]),
     "netmesh_get_cell": (c_int, [c_void_p, c_uint64, c_void_p]),
     "netmesh_get_cage": (c_int, [c_void_p, c_uint64, c_void_p]),
+    "netmesh_get_hidden": (c_int, [c_void_p, c_uint64, c_void_p]),
     "netmesh_check": (c_int, [c_void_p, c_void_p]),
     "netmesh_get_report": (c_int, [c_void_p, c_void_p]),
     "netmesh_get_report_figure": (c_int, [c_void_p, c_uint32, c_void_p]),
