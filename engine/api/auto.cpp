@@ -97,8 +97,8 @@ using namespace netmesh;
 extern "C" {
 extern const netmesh_filter netmesh_filter_auto;
 const netmesh_filter netmesh_filter_auto = {NETMESH_FILTER_AUTO,
-                                            given::cycles | given::keep_mesh | given::seed |
-                                                given::weighting | given::squares,
+                                            given::cycles | given::keep_mesh | given::seed | given::weighting |
+                                                given::squares,
                                             run_auto,
                                             plan_of_auto,
                                             settle_alpha_of_points,

@@ -45,7 +45,7 @@ struct KeptInput {
     std::uint64_t points = 0, duplicates = 0, fingerprint = 0;
     std::uint32_t distinct = 0;  // inputs of a mesh, vertices of a complex
     netmesh_weighting_id weighting = NETMESH_WEIGHTING_NONE;
-    bool squares = false;         // values of the diagram are powers
+    bool squares = false;              // values of the diagram are powers
     Slice<std::uint32_t> hidden = {};  // rows, ascending; at the high end, below the vertices
 };
 

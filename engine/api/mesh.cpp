@@ -173,7 +173,8 @@ Complaint settle_triangulation(const Settling&) { return fine(); }
         NETMESH_METHOD_##id, MeshMethod::method, CageKind::cages, reads, mesh, settle};
 
 extern "C" {
-NETMESH_METHOD(delaunay, DELAUNAY, quality, compact, given::method | given::weighting, mesh_by_delaunay, settle_triangulation)
+NETMESH_METHOD(delaunay, DELAUNAY, quality, compact, given::method | given::weighting, mesh_by_delaunay,
+               settle_triangulation)
 NETMESH_METHOD(svr, SVR, quality, compact, of_quality | sized | given::domain_factor,
                (mesh_by<mesh_of_quality, measure_without_cages>), settle_rules)
 NETMESH_METHOD(refine, REFINE, reference, compact, given::method | given::tau | sized | given::net_spacing,

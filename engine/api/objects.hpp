@@ -104,8 +104,8 @@ struct netmesh_want {
     const netmesh_method* method;  // of fit
 };
 
-// What the numbers behind points.weights are. run: the diagram of the context's request, which is settled, by the filter
-// alpha; mesh: the triangulation alone.
+// What the numbers behind points.weights are. run: the diagram of the context's request, which is settled, by the
+// filter alpha; mesh: the triangulation alone.
 struct netmesh_weighting {
     bool are_radii;
     netmesh_status (*run)(netmesh_context* context);

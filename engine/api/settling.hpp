@@ -63,8 +63,8 @@ Complaint refuse_unread(const netmesh_request& request, std::uint32_t read, cons
 Complaint settle_neighbours(const Settling& s);
 Complaint settle_mesh_degree(const Settling& s);
 Complaint settle_alpha_of_points(const Settling& s);  // degree, and what there is not with weights
-Complaint settle_accuracy(const Settling& s);  // eps, theta and ratio of the filters tight and scales
-Complaint settle_rules(const Settling& s);     // the mesh; of methods without a filter all there is
-Complaint settle_on_mesh(const Settling& s);   // all of a filter on meshes
+Complaint settle_accuracy(const Settling& s);         // eps, theta and ratio of the filters tight and scales
+Complaint settle_rules(const Settling& s);            // the mesh; of methods without a filter all there is
+Complaint settle_on_mesh(const Settling& s);          // all of a filter on meshes
 
 }  // namespace netmesh

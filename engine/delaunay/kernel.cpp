@@ -220,7 +220,8 @@ template <int D> void make_first_ghost(const CellId* made, const VertexId* v, st
 
 }  // namespace
 
-template <int D, class W> [[gnu::noinline]] bool Kernel<D, W>::undecided_conflict(CellId c, const double* q, VertexId id) {
+template <int D, class W>
+[[gnu::noinline]] bool Kernel<D, W>::undecided_conflict(CellId c, const double* q, VertexId id) {
     if constexpr (D > 3) store_.arena.pass(2 * D);  // of thousands of ghosts, about a hull
     const int infinite = store_.ghost_position(c);
     return infinite < 0 ? exact_conflict(c, q, id) : ghost_in_conflict(c, infinite, q, id);

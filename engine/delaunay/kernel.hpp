@@ -110,7 +110,8 @@ public:
     }
 
     // A cell in conflict with q, found by descending powers from cell `from`; the powers of adjacent balls compare as q
-    // lies to the sides of their common facet, so a local minimum contains q. Expected 2-7 steps from a near start. With weights: none when q is hidden.
+    // lies to the sides of their common facet, so a local minimum contains q. Expected 2-7 steps from a near start.
+    // With weights: none when q is hidden.
     CellId locate(const double* q, VertexId id, CellId from);
     // Cells that it has gone on from, in all.
     std::uint64_t steps() const { return steps_; }

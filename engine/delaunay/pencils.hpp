@@ -39,7 +39,8 @@ template <int D, std::uint32_t most> struct Pencils {
     // pencil_sphere of the first `count` pairs of balls, operation by operation, into `in`; the square of the error
     // bound, +infinity where the powers are too uncertain, into its powers. Written so that compilers make vectors of
     // it: no branch, no inner loop, no condition before a division.
-    template <bool weighted = false> [[gnu::noinline]] void mix(const double* q, std::uint32_t count, double height = 0) {
+    template <bool weighted = false>
+    [[gnu::noinline]] void mix(const double* q, std::uint32_t count, double height = 0) {
         mix<weighted>(q, count, height, Axes{});
     }
 

@@ -112,8 +112,8 @@ public:
     Status open(const std::uint32_t* order, std::size_t low);
     // Makes the first cell, of these vertices, and its ghosts. out_of_memory.
     Status start(const VertexId* ids);
-    // Inserts vertex order[k] and tells how many cells that made; 0 when the first cell has it or, with weights, when it
-    // is hidden. False: out of memory, and nothing has changed.
+    // Inserts vertex order[k] and tells how many cells that made; 0 when the first cell has it or, with weights, when
+    // it is hidden. False: out of memory, and nothing has changed.
     bool insert(std::uint32_t k, std::uint32_t* made);
     // Makes a compact store of it.
     void finish();
@@ -131,7 +131,8 @@ private:
     static bool is_surely_in(const PlaneArm* arm, const double* side) {
         bool is_in = true;
         for (std::uint32_t i = 0; i < 3; ++i)
-            is_in = is_in && side[i] > 4 * unit_roundoff * (arm[next[i]].square() + arm[next[next[i]]].square()) + 0x1p-960;
+            is_in =
+                is_in && side[i] > 4 * unit_roundoff * (arm[next[i]].square() + arm[next[next[i]]].square()) + 0x1p-960;
         return is_in;
     }
     const double* point(std::uint32_t k) const { return question_.points + Question::numbers * std::size_t{k}; }

@@ -25,8 +25,8 @@ template <int D> inline double power(const Cell<D>& cell, const double* q, doubl
     return d2 - cell.radius2;
 }
 
-// The same with weights, of a point of that height (weights.hpp): radius2 is the power at `centre` of the vertices, less
-// the largest weight, so at least the squared distance to each of them, and that is what errors are relative to. A
+// The same with weights, of a point of that height (weights.hpp): radius2 is the power at `centre` of the vertices,
+// less the largest weight, so at least the squared distance to each of them, and that is what errors are relative to. A
 // height is three roundings off at most.
 template <int D> inline double power(const Cell<D>& cell, const double* q, double height, double* bound) {
     const double first = q[0] - cell.centre[0], last = q[D - 1] - cell.centre[D - 1];
@@ -94,8 +94,7 @@ template <int D>
     for (int i = 0; i <= D; ++i) p[i] = store.point(cell.vertex[i]);
     solve_power_sphere<D>(p, weights, error_max, cell);
 }
-template <int D>
-inline void solve_cell(const Store<D>& store, NoWeights, double error_max, Cell<D>& cell) {
+template <int D> inline void solve_cell(const Store<D>& store, NoWeights, double error_max, Cell<D>& cell) {
     solve_cell<D>(store, error_max, cell);
 }
 

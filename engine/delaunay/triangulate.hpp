@@ -67,8 +67,8 @@ Status triangulate(Store<D>& store, const InputRows& points, std::size_t n, std:
                    InputReport* input, Allowance* allowance = nullptr);
 
 // The same with weights: the regular triangulation. Of equal points the one with the largest weight stays, the first of
-// these. What is hidden is no vertex of the store; the others are in the order of their rows, and each has the number of
-// its weight as its nearest2, behind its coordinates. Points not inserted are no hidden ones. Nothing depends on the
+// these. What is hidden is no vertex of the store; the others are in the order of their rows, and each has the number
+// of its weight as its nearest2, behind its coordinates. Points not inserted are no hidden ones. Nothing depends on the
 // order of insertion. invalid_argument: a radius is negative.
 template <int D>
 Status triangulate_weighted(Store<D>& store, const InputRows& points, std::size_t n, const WeightRows& weights,

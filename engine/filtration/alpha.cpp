@@ -80,10 +80,9 @@ protected:
 
 template <class W>
 void MarkedValues<W>::mark_interval(std::uint32_t k, std::uint32_t f, std::uint32_t within, double radius) {
-    table_.template each_without<W::has ? 0 : 1>(
-        k, f, within, [this, radius](std::uint32_t below, std::uint32_t face) {
-            value_[below][face] = W::has ? radius : -radius;
-        });
+    table_.template each_without<W::has ? 0 : 1>(k, f, within, [this, radius](std::uint32_t below, std::uint32_t face) {
+        value_[below][face] = W::has ? radius : -radius;
+    });
 }
 
 template <class W> void MarkedValues<W>::finish() {
@@ -198,7 +197,8 @@ private:
     template <int K> Certainty spheres_of(DimensionOf<K> k, Batch<K>& batch, Circumsphere* out) {
         const double* const* point[batch_size];
         for (std::uint32_t i = 0; i < batch_size; ++i) point[i] = batch.point[i < batch.count ? i : 0];
-        if constexpr (W::has) return circumspheres_fast<Lanes, K, D, W>(k, dim_, point, out, weights_, weights_.squares);
+        if constexpr (W::has)
+            return circumspheres_fast<Lanes, K, D, W>(k, dim_, point, out, weights_, weights_.squares);
         if (k != 1) return circumspheres_fast<Lanes, K, D>(k, dim_, point, out);
         const auto difference = [&](std::uint32_t d) {
             Lanes from = {}, to = {};
@@ -253,7 +253,7 @@ inline Status AlphaValues<D, W>::find_batch(DimensionOf<K> k, Batch<K>& batch) {
         const std::uint32_t f = batch.face[i];
         if ((certain.within & certain.radius & 1u << i) == 0) {
             const Status status = Base::evaluate_exactly(batch.point[i], k, (certain.within >> i & 1u) == 0,
-                                                   (certain.radius >> i & 1u) == 0, &sphere[i]);
+                                                         (certain.radius >> i & 1u) == 0, &sphere[i]);
             if (status != Status::ok) return status;
         }
         const double radius = sphere[i].radius;

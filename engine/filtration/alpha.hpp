@@ -36,8 +36,8 @@ template <int D> struct AlphaFiltration {
 // is out_of_range as long as differences of coordinates are below 2^(16,600 / (2D+2)) units, the unit being the highest
 // power of two of which all coordinates are multiples: 2^2766 in the plane, 2^2075 in space, 2^1185 in R^6.
 //
-// With weights the triangulation is the regular one, and records have D + 1 numbers. A simplex enters at the power of the
-// smallest sphere that is orthogonal to its vertices when no point has less power at its centre (as much does not
+// With weights the triangulation is the regular one, and records have D + 1 numbers. A simplex enters at the power of
+// the smallest sphere that is orthogonal to its vertices when no point has less power at its centre (as much does not
 // count), otherwise with the first of its cofacets; so do points, at less than their weight. Values are signed roots of
 // powers, or powers, of either sign.
 //

@@ -34,8 +34,9 @@ struct EdgeEnds {
     std::uint32_t a, b;
 };
 
-// Degree 0 of a complex whose edges are numbered in the order in which they enter: an edge that joins two components ends
-// the younger one. is_older(v, w): vertex v enters before w; left out: they are numbered in that order, too. parent: [vertices], filled here. Graph:
+// Degree 0 of a complex whose edges are numbered in the order in which they enter: an edge that joins two components
+// ends the younger one. is_older(v, w): vertex v enters before w; left out: they are numbered in that order, too.
+// parent: [vertices], filled here. Graph:
 //   Status visit(e)                    before edge e
 //   EdgeEnds ends(e)
 //   Status merge(e, older, younger)    edge e joins two components, whose oldest vertices are these

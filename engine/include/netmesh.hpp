@@ -52,10 +52,10 @@ inline Span<const std::uint32_t> vertices(const netmesh_simplex& simplex) {
 // Points that stay where they are until the job is done: container.data() and .size() of doubles or floats, dim numbers
 // a point. Numbers behind the last whole point are not read.
 inline netmesh_points points_of(std::uint32_t dim, const double* numbers, std::size_t count) {
-    return {numbers, dim == 0 ? 0 : count / dim, dim, NETMESH_POINTS_FLOAT64, 0};
+    return {numbers, dim == 0 ? 0 : count / dim, dim, NETMESH_POINTS_FLOAT64, 0, nullptr, 0};
 }
 inline netmesh_points points_of(std::uint32_t dim, const float* numbers, std::size_t count) {
-    return {numbers, dim == 0 ? 0 : count / dim, dim, NETMESH_POINTS_FLOAT32, 0};
+    return {numbers, dim == 0 ? 0 : count / dim, dim, NETMESH_POINTS_FLOAT32, 0, nullptr, 0};
 }
 template <class Container> netmesh_points points_of(std::uint32_t dim, const Container& container) {
     return points_of(dim, container.data(), container.size());
@@ -176,6 +176,12 @@ struct Request : netmesh_request {
     explicit Request(const netmesh_filter* f = nullptr) : netmesh_request(netmesh_default_request()) { filter = f; }
     template <class Container> Request& set_points(std::uint32_t dim, const Container& container) {
         points = points_of(dim, container);
+        return *this;
+    }
+    // A number for each point, of the type of their coordinates; after set_points. &netmesh_radii or &netmesh_weights.
+    template <class Container> Request& set_weights(const netmesh_weighting* what, const Container& container) {
+        points.weights = container.data();
+        weighting = what;
         return *this;
     }
 };
@@ -387,6 +393,11 @@ public:
     template <class Visit> void for_each_bar_bounds(Visit&& visit) const { for_each(netmesh_get_bar_bounds, visit); }
     template <class Visit> void for_each_scale_step(Visit&& visit) const { for_each(netmesh_get_scale_step, visit); }
     template <class Visit> void for_each_vine_point(Visit&& visit) const { for_each(netmesh_get_vine_point, visit); }
+    // Calls visit(index, row) for each point that is hidden.
+    template <class Visit> void for_each_hidden(Visit&& visit) const {
+        std::uint64_t row = 0;
+        for (std::uint64_t i = 0; netmesh_get_hidden(context_, i, &row) == NETMESH_OK; ++i) visit(i, row);
+    }
     // Calls visit(index, netmesh_simplex) for each simplex of the representative of a pair.
     template <class Visit> netmesh_status for_each_in_cycle(std::uint64_t pair, Visit&& visit) const {
         std::uint64_t count = 0;

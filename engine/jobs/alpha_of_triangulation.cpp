@@ -82,7 +82,8 @@ Status diagram_of(const AlphaFiltration<D>& filtration, const W& weights, Diagra
     PointRecords points = {filtration.coordinates, filtration.stride_bytes};
     if constexpr (lists_follow_order<D>) {
         if (filtration.order != nullptr && faces.count[0] < filtration.complex.vertex_count) return Status::internal;
-        if (filtration.order == nullptr && !points.put_in_order<D + (W::has ? 1 : 0)>(order, faces.count[0], work.arena))
+        if (filtration.order == nullptr &&
+            !points.put_in_order<D + (W::has ? 1 : 0)>(order, faces.count[0], work.arena))
             return Status::out_of_memory;
     } else {
         // A cell's last vertex is that of the facet opposite its first one, too.

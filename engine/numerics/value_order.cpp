@@ -218,8 +218,7 @@ bool sort_labelled(double* value, std::uint32_t* label, std::uint32_t count, Are
     return true;
 }
 
-template <bool is_signed>
-bool ValueBuckets<is_signed>::take(const double* value, std::uint32_t count, Arena& arena) {
+template <bool is_signed> bool ValueBuckets<is_signed>::take(const double* value, std::uint32_t count, Arena& arena) {
     end_ = arena.take_high<std::uint32_t>(buckets);
     if (end_ == nullptr) return false;
     for (std::uint32_t d = 0; d < buckets; ++d) end_[d] = 0;
@@ -252,8 +251,7 @@ template <bool is_signed> void ValueBuckets<is_signed>::begin_places() {
     }
 }
 
-template <bool is_signed>
-bool ValueBuckets<is_signed>::sort(double* value, std::uint32_t* label, Arena& arena) const {
+template <bool is_signed> bool ValueBuckets<is_signed>::sort(double* value, std::uint32_t* label, Arena& arena) const {
     const HighScope scope(arena);
     SortScratch scratch;
     if (!scratch.take(end_[buckets - 1], arena)) return false;

@@ -53,8 +53,8 @@ private:
     double least_ = 0, factor_ = 0;  // of values of either sign
 };
 
-// Lists those of value[0..count), none of them negative unless is_signed, that is_listed(i) says, which may be asked twice, as
-// sort_labelled puts them in order: sorted and label, of room for them. False: out of memory.
+// Lists those of value[0..count), none of them negative unless is_signed, that is_listed(i) says, which may be asked
+// twice, as sort_labelled puts them in order: sorted and label, of room for them. False: out of memory.
 template <bool is_signed = false, class IsListed>
 bool sort_listed(const double* value, std::uint32_t count, IsListed is_listed, double* sorted, std::uint32_t* label,
                  Arena& arena) {

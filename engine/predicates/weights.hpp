@@ -1,5 +1,5 @@
-// Weights of points. A point with a weight w has the power |x - p|^2 - w at x; its weight, or a radius r that stands for
-// the weight r^2, is the number behind its coordinates: D + 1 numbers at the start of each record.
+// Weights of points. A point with a weight w has the power |x - p|^2 - w at x; its weight, or a radius r that stands
+// for the weight r^2, is the number behind its coordinates: D + 1 numbers at the start of each record.
 #pragma once
 
 namespace netmesh {

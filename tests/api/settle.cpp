@@ -57,6 +57,13 @@ netmesh_simplices by_vertex_without_steps() {
     return simplices;
 }
 const netmesh_simplices unread_vertices = by_vertex_without_steps();
+// A number for each point, which nobody reads.
+void weighted(R& r) {
+    static const double numbers[1] = {};
+    r.points.weights = numbers;
+    r.weighting = &netmesh_radii;
+    r.filter = &netmesh_filter_alpha;
+}
 void seed(R& r, double x) { r.seed = static_cast<std::uint64_t>(x); }
 void set_values(R& r, int values) { std::memcpy(&r.values, &values, sizeof values); }
 
@@ -194,6 +201,24 @@ const std::vector<Row> bad_diagrams = {
     {NETMESH_FIELD_SEED, {7}, [](R& r, double x) { of_simplices(r), seed(r, x); }},
     {NETMESH_FIELD_SEED, {0, 7}, [](R& r, double x) { unsourced(r), seed(r, x); }},
     {NETMESH_FIELD_SEED, {7}, [](R& r, double x) { unsourced(r), r.filter = &netmesh_filter_alpha, seed(r, x); }},
+    // weights
+    {NETMESH_FIELD_SQUARES, {1, 2}, [](R& r, double x) { r.filter = &netmesh_filter_alpha, r.squares = std::uint32_t(x); }},
+    {NETMESH_FIELD_SQUARES, {2}, [](R& r, double x) { weighted(r), r.squares = std::uint32_t(x); }},
+    row(NETMESH_FIELD_WEIGHTING, [](R& r, double) { weighted(r), r.weighting = nullptr; }),
+    row(NETMESH_FIELD_WEIGHTING, [](R& r, double) { weighted(r), unsourced(r); }),
+    row(NETMESH_FIELD_WEIGHTING, [](R& r, double) { weighted(r), r.filter = &netmesh_filter_complete; }),
+    row(NETMESH_FIELD_WEIGHTING, [](R& r, double) { weighted(r), r.filter = &netmesh_filter_rips; }),
+    row(NETMESH_FIELD_WEIGHTING, [](R& r, double) { weighted(r), r.filter = &netmesh_filter_cech; }),
+    row(NETMESH_FIELD_WEIGHTING, [](R& r, double) { weighted(r), r.filter = &netmesh_filter_scales; }),
+    row(NETMESH_FIELD_WEIGHT_STRIDE_BYTES, [](R& r, double) { r.points.weight_stride_bytes = 8; }),
+    {NETMESH_FIELD_WEIGHT_STRIDE_BYTES,
+     {1, 4, 6, 9},
+     [](R& r, double x) { weighted(r), r.points.weight_stride_bytes = std::size_t(x); }},
+    row(NETMESH_FIELD_BOUNDS, [](R& r, double) { weighted(r), r.bounds = &netmesh_bounds; }),
+    row(NETMESH_FIELD_CYCLES, [](R& r, double) { weighted(r), r.cycles = &netmesh_cycles; }),
+    row(NETMESH_FIELD_BOUNDS,
+        [](R& r, double) { weighted(r), r.filter = &netmesh_filter_auto, r.bounds = &netmesh_bounds; }),
+    row(NETMESH_FIELD_METHOD, [](R& r, double) { weighted(r), r.mesh.method = &netmesh_method_svr; }),
     // for a function that is not there
     row(NETMESH_FIELD_SIZES, [](R& r, double) { r.mesh.sizes.user = &r; }),
     row(NETMESH_FIELD_SIZES, [](R& r, double) { r.filter = &netmesh_filter_alpha, r.mesh.sizes.user = &r; }),
@@ -212,7 +237,6 @@ const std::vector<Row> bad_diagrams = {
     {NETMESH_FIELD_FINISH, {2}, [](R& r, double x) { r.mesh.finish = std::uint32_t(x); }},
     {NETMESH_FIELD_WHOLE_CELLS, {2}, [](R& r, double x) { r.mesh.whole_cells = std::uint32_t(x); }},
     {NETMESH_FIELD_KEEP_MESH, {2}, [](R& r, double x) { r.keep_mesh = std::uint32_t(x); }},
-    {NETMESH_FIELD_REQUEST, {1}, [](R& r, double x) { r.reserved = std::uint32_t(x); }},
     {NETMESH_FIELD_REQUEST, {1}, [](R& r, double x) { r.mesh.reserved = std::uint32_t(x); }},
     // ratio
     {NETMESH_FIELD_RATIO,

@@ -1,5 +1,5 @@
-// Times with weights over times without, of uniform points: triangulation, and diagram of points alone. Runs go in pairs,
-// one of each after the other, and the least of each counts.
+// Times with weights over times without, of uniform points: triangulation, and diagram of points alone. Runs go in
+// pairs, one of each after the other, and the least of each counts.
 //
 //   bench_weights [--runs N]
 #include <netmesh.h>

@@ -31,8 +31,7 @@ struct Cloud {
 double extent_of(const Cloud& cloud) {
     double extent = 0;
     const std::size_t d = static_cast<std::size_t>(cloud.dim);
-    for (std::size_t i = d; i < cloud.x.size(); ++i)
-        extent = std::max(extent, std::fabs(cloud.x[i] - cloud.x[i % d]));
+    for (std::size_t i = d; i < cloud.x.size(); ++i) extent = std::max(extent, std::fabs(cloud.x[i] - cloud.x[i % d]));
     return extent > 0 && extent < 1e150 ? extent : 1;
 }
 
@@ -49,16 +48,16 @@ void weigh(families::Random& random, int kind, Cloud* cloud) {
         double w = 0;
         const double area = extent * extent;
         switch (kind) {
-        case 0: break;                                                       // none
-        case 1: w = equal * area; break;                                     // all equal
-        case 2: w = 0.1 * area * random.uniform(); break;                    // a few hidden
-        case 3: w = area * random.uniform(); break;                          // many hidden
-        case 4: w = area * random.uniform(-1, 1); break;                     // of both signs
+        case 0: break;                                     // none
+        case 1: w = equal * area; break;                   // all equal
+        case 2: w = 0.1 * area * random.uniform(); break;  // a few hidden
+        case 3: w = area * random.uniform(); break;        // many hidden
+        case 4: w = area * random.uniform(-1, 1); break;   // of both signs
         case 5: w = random.one_in(5) ? 1e6 * area : area * random.uniform(); break;
-        case 6: w = square; break;                                           // all lifts are near 0
+        case 6: w = square; break;  // all lifts are near 0
         case 7: w = square + random.whole(-1, 1); break;
-        case 8: w = families::moved(area, random.whole(-3, 3)); break;       // nearly equal
-        case 9: w = area * random.whole(0, 3); break;                        // ties
+        case 8: w = families::moved(area, random.whole(-3, 3)); break;  // nearly equal
+        case 9: w = area * random.whole(0, 3); break;                   // ties
         default: w = 1e-20 * area * random.uniform(); break;
         }
         if (!(std::fabs(w) < 1e300)) w = 1;
@@ -309,12 +308,13 @@ int main(int argc, char** argv) {
         const std::string fault = judge(block, random, cloud, &seen);
         if (fault.empty()) continue;
         ++seen.faults;
-        std::printf("cloud %zu, family %s: %s\n", i, families::all()[i / 4 % families::all().size()].name, fault.c_str());
+        std::printf("cloud %zu, family %s: %s\n", i, families::all()[i / 4 % families::all().size()].name,
+                    fault.c_str());
         print_cloud(cloud);
     }
-    std::printf("%zu clouds: %zu bars equal to the last bit; %zu hidden points in %zu clouds, %zu merged; %zu flat, %zu out "
-                "of range; %zu faults\n",
-                seen.clouds, seen.bars, seen.hidden, seen.with_hidden, seen.duplicates, seen.flat, seen.range,
-                seen.faults);
+    std::printf(
+        "%zu clouds: %zu bars equal to the last bit; %zu hidden points in %zu clouds, %zu merged; %zu flat, %zu out "
+        "of range; %zu faults\n",
+        seen.clouds, seen.bars, seen.hidden, seen.with_hidden, seen.duplicates, seen.flat, seen.range, seen.faults);
     return seen.faults > 0 || seen.clouds == 0 ? 1 : 0;
 }

@@ -1,10 +1,11 @@
 // Diagrams of a few weighted points by brute force and from definitions alone, in rationals. No code of the engine, no
 // triangulation, no float: doubles are read exactly at the beginning and made by correct rounding at the end.
 //
-// The union of the balls { x : |x - p|^2 - w <= a } has, by the nerve theorem, the homology of the nerve of these balls,
-// hidden ones included. A set S of points is a simplex from the least a on at which its balls meet: the minimum over x
-// of the largest power. That is a convex function of x, so it is the greatest such minimum of an affinely independent
-// subset whose orthogonal centre, the point of their affine hull with equal powers of all, is in their convex hull.
+// The union of the balls { x : |x - p|^2 - w <= a } has, by the nerve theorem, the homology of the nerve of these
+// balls, hidden ones included. A set S of points is a simplex from the least a on at which its balls meet: the minimum
+// over x of the largest power. That is a convex function of x, so it is the greatest such minimum of an affinely
+// independent subset whose orthogonal centre, the point of their affine hull with equal powers of all, is in their
+// convex hull.
 #pragma once
 #include <gmpxx.h>
 
@@ -215,8 +216,7 @@ private:
     bool solve(Set set, Sphere* sphere) const {
         const std::vector<std::size_t> v = members(set);
         const std::size_t k = v.size() - 1;
-        std::vector<std::vector<mpq_class>> edge(k, std::vector<mpq_class>(dim_)),
-            a(k, std::vector<mpq_class>(k + 1));
+        std::vector<std::vector<mpq_class>> edge(k, std::vector<mpq_class>(dim_)), a(k, std::vector<mpq_class>(k + 1));
         for (std::size_t i = 0; i < k; ++i)
             for (std::size_t c = 0; c < dim_; ++c) edge[i][c] = points_[v[i + 1]][c] - points_[v[0]][c];
         for (std::size_t i = 0; i < k; ++i) {
@@ -275,8 +275,7 @@ private:
         const std::vector<std::size_t> v = members(set);
         const std::size_t k = v.size() - 1;
         // Least squares of edges x = point i - v_0: exact where there is a solution at all.
-        std::vector<std::vector<mpq_class>> edge(k, std::vector<mpq_class>(dim_)),
-            a(k, std::vector<mpq_class>(k + 1));
+        std::vector<std::vector<mpq_class>> edge(k, std::vector<mpq_class>(dim_)), a(k, std::vector<mpq_class>(k + 1));
         std::vector<mpq_class> to(dim_);
         for (std::size_t c = 0; c < dim_; ++c) to[c] = points_[i][c] - points_[v[0]][c];
         for (std::size_t r = 0; r < k; ++r)

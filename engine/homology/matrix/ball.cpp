@@ -62,15 +62,13 @@ private:
     std::uint32_t pairs_[dimension_most() + 1] = {};  // of zero length, by the dimension of the coface
 };
 
-template <bool is_signed>
-bool BallHomology<is_signed>::take_bits(std::uint32_t k, BitSet* out) {
+template <bool is_signed> bool BallHomology<is_signed>::take_bits(std::uint32_t k, BitSet* out) {
     std::uint64_t* const words = arena_.take_high<std::uint64_t>(BitSet::words_needed(of(k).count));
     if (words != nullptr) out->adopt(words, of(k).count);
     return words != nullptr;
 }
 
-template <bool is_signed>
-Status BallHomology<is_signed>::begin() {
+template <bool is_signed> Status BallHomology<is_signed>::begin() {
     std::uint64_t total = 0;
     for (std::uint32_t k = 1; k <= ball_.dimension; ++k) total += of(k).count;
     progress_.monitor.begin(NETMESH_STAGE_REDUCE, total);
@@ -81,8 +79,7 @@ Status BallHomology<is_signed>::begin() {
 }
 
 // Finds the apparent pairs of zero length of (k-1)-faces and k-faces. mate, if any: the k-face's partner, or none.
-template <bool is_signed>
-Status BallHomology<is_signed>::match(std::uint32_t k, std::uint32_t* mate) {
+template <bool is_signed> Status BallHomology<is_signed>::match(std::uint32_t k, std::uint32_t* mate) {
     const HighScope scope(arena_);
     BitSet met;  // (k-1)-faces that have a cofacet of equal value among those before
     if (!take_bits(k - 1, &met)) return Status::out_of_memory;
@@ -118,8 +115,7 @@ Status BallHomology<is_signed>::match(std::uint32_t k, std::uint32_t* mate) {
 
 // Lists the faces that end no class of zero length. Facets of cells, which union-find takes, only if nothing is known
 // of them; what is a row further down can be positive.
-template <bool is_signed>
-Status BallHomology<is_signed>::order(std::uint32_t k, FaceOrder* out) {
+template <bool is_signed> Status BallHomology<is_signed>::order(std::uint32_t k, FaceOrder* out) {
     const bool are_facets = has_cells() && k + 1 == ball_.dim;
     const std::uint32_t count = of(k).count - pairs_[k] - (are_facets ? pairs_[k + 1] : 0);
     out->face = arena_.take_high<std::uint32_t>(count);
@@ -135,8 +131,7 @@ Status BallHomology<is_signed>::order(std::uint32_t k, FaceOrder* out) {
 }
 
 // Gives back what was taken at the high end since it was at `high`, but for this order. False: out of memory.
-template <bool is_signed>
-bool BallHomology<is_signed>::move_up(std::size_t high, FaceOrder* order) {
+template <bool is_signed> bool BallHomology<is_signed>::move_up(std::size_t high, FaceOrder* order) {
     const std::uint32_t* const from = order->face;
     arena_.release_high(high);
     order->face = arena_.take_high<std::uint32_t>(order->count);
@@ -146,8 +141,7 @@ bool BallHomology<is_signed>::move_up(std::size_t high, FaceOrder* order) {
 }
 
 // Degree 0. joining, if any: the edges that join two components.
-template <bool is_signed>
-Status BallHomology<is_signed>::unite_vertices(const FaceOrder& edges, BitSet* joining) {
+template <bool is_signed> Status BallHomology<is_signed>::unite_vertices(const FaceOrder& edges, BitSet* joining) {
     struct Graph {
         BallHomology& h;
         const FaceOrder& edges;
@@ -189,8 +183,7 @@ Status BallHomology<is_signed>::unite_vertices(const FaceOrder& edges, BitSet* j
 // Degree dim-1, backwards: a facet joins its two cells, or its cell and the outside. A cell whose facet is its mate
 // belongs to what is beyond that from the start on: no other facet of it comes before.
 // parent: [cells + 1], the mates of cells; taken over.
-template <bool is_signed>
-Status BallHomology<is_signed>::unite_cells(std::uint32_t* parent, const FaceOrder& facets) {
+template <bool is_signed> Status BallHomology<is_signed>::unite_cells(std::uint32_t* parent, const FaceOrder& facets) {
     const std::uint32_t dim = ball_.dim, columns = of(dim).count, width = dim + 1, outside = columns;
     std::uint32_t* const first = arena_.take_high<std::uint32_t>(of(dim - 1).count);
     if (first == nullptr || columns >= none >> 3) return Status::out_of_memory;
@@ -246,8 +239,7 @@ Status BallHomology<is_signed>::unite_cells(std::uint32_t* parent, const FaceOrd
 }
 
 // Degree dim-1, and its facets in order.
-template <bool is_signed>
-Status BallHomology<is_signed>::unite_top(FaceOrder* facets) {
+template <bool is_signed> Status BallHomology<is_signed>::unite_top(FaceOrder* facets) {
     const std::uint32_t dim = ball_.dim;
     const std::size_t high = arena_.high_mark();
     std::uint32_t* const parent = arena_.take_high<std::uint32_t>(std::size_t{of(dim).count} + 1);
@@ -260,8 +252,7 @@ Status BallHomology<is_signed>::unite_top(FaceOrder* facets) {
     return status;
 }
 
-template <bool is_signed>
-Status BallHomology<is_signed>::run_on_disk() {
+template <bool is_signed> Status BallHomology<is_signed>::run_on_disk() {
     Status status = begin();
     if (status != Status::ok) return status;
     FaceOrder edges;
@@ -384,8 +375,7 @@ Status BallHomology<is_signed>::reduce(std::uint32_t k, const FaceOrder& columns
     return fits ? Status::ok : Status::out_of_memory;
 }
 
-template <bool is_signed>
-Status BallHomology<is_signed>::run() {
+template <bool is_signed> Status BallHomology<is_signed>::run() {
     Status status = begin();
     const std::uint32_t top = ball_.dimension;
     const std::uint32_t highest = has_cells() ? top - 1 : top;  // of columns that are reduced

@@ -100,12 +100,12 @@ netmesh_status netmesh_get_hidden(const netmesh_context* context, uint64_t index
 typedef enum netmesh_check_what {
     NETMESH_CHECK_COMBINATORIAL = 1, /* neighbours mutual, facets shared by two */
     NETMESH_CHECK_GEOMETRIC = 2,     /* a triangulation of the convex hull of its vertices, exactly */
-    NETMESH_CHECK_DELAUNAY = 4,      /* GEOMETRIC, and every interior facet locally Delaunay, exactly. Not of points with
-                                        weights, whose triangulation is not Delaunay: WHAT has to leave it out */
-    NETMESH_CHECK_QUALITY = 8,       /* of meshes: clipped aspect ratios recomputed, at most tau, and sizes; with a
-                                        goal.ratio what it asks for instead; with cages the ratios of the hierarchy,
-                                        that no cage is encroached (4.5), and 4.6.1 and 4.6.2 of neighbours */
-    NETMESH_CHECK_BOUNDS = 16,       /* the bounds of netmesh_analyse: violated ones of chapters 3 (meshes) and 5 */
+    NETMESH_CHECK_DELAUNAY = 4, /* GEOMETRIC, and every interior facet locally Delaunay, exactly. Not of points with
+                                   weights, whose triangulation is not Delaunay: WHAT has to leave it out */
+    NETMESH_CHECK_QUALITY = 8,  /* of meshes: clipped aspect ratios recomputed, at most tau, and sizes; with a
+                                   goal.ratio what it asks for instead; with cages the ratios of the hierarchy,
+                                   that no cage is encroached (4.5), and 4.6.1 and 4.6.2 of neighbours */
+    NETMESH_CHECK_BOUNDS = 16,  /* the bounds of netmesh_analyse: violated ones of chapters 3 (meshes) and 5 */
     NETMESH_CHECK_ALL = 31
 } NETMESH_AN_INT netmesh_check_what;
 

@@ -21,9 +21,10 @@ extern "C" {
  *   stride_bytes  from one row to the next. 0: rows are packed. Else at least a row and a multiple of what a number is
  *                 aligned to: 4 for floats, 8 for doubles (4 on 32-bit x86). All rows fill at most half of the address
  *                 space
- *   weights       null: none. Else a number of `format` for each row, with request.weighting, which says what it is. Any
- *                 finite number, radii >= 0. Of equal points the first of those with the largest weight stays
- *   weight_stride_bytes  from one weight to the next. 0: they are packed. Else as stride_bytes of a row of one number */
+ *   weights       null: none. Else a number of `format` for each row, with request.weighting, which says what they are.
+ *                 Any finite numbers, radii >= 0. Of equal points the first of those with the largest weight stays
+ *   weight_stride_bytes
+ *                 from one weight to the next. 0: they are packed. Else as the stride of rows of one number */
 typedef struct netmesh_points {
     const void* coordinates;
     size_t count;

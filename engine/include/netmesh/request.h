@@ -46,25 +46,25 @@ extern const netmesh_filter netmesh_filter_alpha;
 
 /* ---- points with weights ---- */
 
-/* What points.weights are. A weighting is a constant object; a program that names none holds no code of it. A point p
- * with the weight w has the power |x - p|^2 - w at x. What grows is the set of places where some power is at most a: the
- * union of balls of radius sqrt(a + w), which are not there while a + w < 0. Balls around atoms, and points that enter
- * at different times, are such.
- *   filter      alpha; auto takes it without a choice. netmesh_mesh with it, or with the method delaunay. All else
- *               refuses weights: meshes, distances, pieces; bounds and cycles
- *   cells       the regular triangulation: of each cell some centre has equal powers of its vertices, and less power
- *               of no other point. Ties are broken by index. It does not depend on the order of insertion
- *   hidden      a point can be in no cell: where it is near, others have less power. It has no vertex, and no bar; see
- *               netmesh_get_hidden. The others are vertices, in the order of rows. Points equal to a heavier one, or to
- *               an earlier one as heavy, are duplicates, not hidden
- *   values      the least a at which all balls of a simplex meet where no other point has less power, as sign(a)
- *               sqrt(|a|), rounded to nearest, ties to even; with request.squares a itself, so rounded. Negative where
- *               balls as given meet. Vertices have values too: less than 0, but for negative weights, and that of a
- *               coface where another ball covers the point until then. So components are born one after the other, and
- *               the one that lasts at the least value of all. All weights 0: the diagram without weights, to the bit
- *   memory      at most 16 bytes a point above the same without weights. netmesh_plan counts it
- *   errors      INVALID_ARGUMENT (WEIGHTS): radius index_a is negative. NOT_FINITE: point or weight index_a.
- *               OUT_OF_RANGE: as of alpha, squares of radii and weights in place of squares of coordinates as well */
+/* What points.weights are. A weighting is a constant object; a program that names none holds no code of it.
+ *
+ * A point p with the weight w has the power |x - p|^2 - w at x. What grows is the set of places where some power is at
+ * most a: the union of balls of radius sqrt(a + w), which are not there while a + w < 0. Such are balls around atoms,
+ * and points that enter at different times.
+ *   filter    alpha; auto takes it without a choice. netmesh_mesh with alpha, or with the method delaunay. All else
+ *             refuses weights: other filters and methods, pieces, bounds, cycles
+ *   cells     the regular triangulation: some centre has equal powers of a cell's vertices, and less power of no other
+ *             point. Ties are broken by index. It does not depend on the order of insertion
+ *   hidden    a point can be in no cell: where it is nearest, others have less power. It is no vertex and has no bar;
+ *             see netmesh_get_hidden. The others are vertices, in the order of their rows. Points equal to a heavier
+ *             one, or to an earlier one as heavy, are duplicates, not hidden
+ *   values    sign(a) sqrt(|a|) for the least power a at which a simplex is there, rounded to nearest, ties to even;
+ *             with request.squares a itself, so rounded. Negative where the balls as given meet. Vertices enter at
+ *             less than their weight, or later, where another ball covers the point by then. So components are born
+ *             one after the other. All weights 0: the diagram without weights, to the bit
+ *   memory    at most 16 bytes a point above the same without weights. netmesh_plan counts them
+ *   errors    INVALID_ARGUMENT (WEIGHTS): the radius of point index_a is negative. NOT_FINITE: point or weight
+ *             index_a. OUT_OF_RANGE: as of alpha, and as far for radii and for roots of weights as for coordinates */
 typedef struct netmesh_weighting netmesh_weighting;
 
 /* Radii r >= 0: weights r^2, which are not rounded. */

@@ -1,0 +1,119 @@
+// Alpha diagrams of points with weights against GUDHI's exact ones, which are powers. NETMESH_WEIGHT_CLOUDS=200: so many
+// clouds of up to 5,000 points; without it a few of up to 600.
+#include <gudhi/Alpha_complex.h>
+#include <gudhi/Persistent_cohomology.h>
+#include <gudhi/Simplex_tree.h>
+
+#include <doctest/doctest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstdlib>
+#include <limits>
+#include <vector>
+
+#include "common/inputs.hpp"
+#include "netmesh.hpp"
+
+namespace {
+
+struct Bar {
+    int degree;
+    double birth, death;
+};
+using Bars = std::vector<Bar>;
+
+bool before(const Bar& a, const Bar& b) {
+    return a.degree != b.degree ? a.degree < b.degree : a.birth != b.birth ? a.birth < b.birth : a.death < b.death;
+}
+
+Bars bars_of_peer(int dim, const inputs::Points& points, const inputs::Points& weights) {
+    using Kernel = CGAL::Epeck_d<CGAL::Dynamic_dimension_tag>;
+    std::vector<Kernel::Point_d> rows;
+    std::vector<Kernel::FT> numbers(weights.begin(), weights.end());
+    for (auto at = points.begin(); at != points.end(); at += dim) rows.emplace_back(at, at + dim);
+    Gudhi::alpha_complex::Alpha_complex<Kernel, true> complex(rows, numbers);
+    Gudhi::Simplex_tree<> tree;
+    REQUIRE(complex.create_complex(tree, std::numeric_limits<double>::infinity(), true));
+    tree.initialize_filtration();
+    Gudhi::persistent_cohomology::Persistent_cohomology<Gudhi::Simplex_tree<>,
+                                                        Gudhi::persistent_cohomology::Field_Zp>
+        cohomology(tree);
+    cohomology.init_coefficients(2);
+    cohomology.compute_persistent_cohomology(-1);
+    Bars bars;
+    for (const auto& pair : cohomology.get_persistent_pairs())
+        bars.push_back({tree.dimension(std::get<0>(pair)), tree.filtration(std::get<0>(pair)),
+                        tree.filtration(std::get<1>(pair))});
+    return bars;
+}
+
+Bars bars_of_engine(int dim, const inputs::Points& points, const inputs::Points& weights, std::uint64_t* hidden) {
+    netmesh::Request request(&netmesh_filter_alpha);
+    request.set_points(static_cast<std::uint32_t>(dim), points).set_weights(&netmesh_weights, weights);
+    request.squares = 1;
+    std::vector<long double> memory((netmesh::plan(request) + (std::size_t(1) << 22)) / sizeof(long double));
+    netmesh::Engine engine(memory.data(), memory.size() * sizeof(long double));
+    REQUIRE(engine.persist(request) == NETMESH_OK);
+    auto report = netmesh::sized<netmesh_report>();
+    netmesh_get_report(engine.context(), &report);
+    *hidden += report.input.hidden;
+    Bars bars;
+    for (const netmesh_pair& pair : engine.pairs())
+        bars.push_back({static_cast<int>(pair.degree), pair.birth, pair.death});
+    return bars;
+}
+
+// Bars that are longer than what roundings can make, in order.
+Bars long_ones(const Bars& bars, double slack) {
+    Bars kept;
+    for (const Bar& bar : bars)
+        if (bar.death - bar.birth > 4 * slack) kept.push_back(bar);
+    std::sort(kept.begin(), kept.end(), before);
+    return kept;
+}
+
+}  // namespace
+
+TEST_CASE("diagrams of weighted points are GUDHI's") {
+    const char* const asked = std::getenv("NETMESH_WEIGHT_CLOUDS");
+    const int clouds = asked != nullptr ? std::atoi(asked) : 14;
+    const std::size_t most = asked != nullptr ? 5000 : 600;
+    std::uint64_t hidden = 0;
+    std::size_t compared = 0;
+    for (int i = 0; i < clouds; ++i) {
+        inputs::Random random(static_cast<std::uint64_t>(i) + 1);
+        const int dim = 2 + static_cast<int>(random.below(i % 10 == 9 ? 3 : 2));
+        std::size_t n = 20 + random.below(most - 20);
+        if (dim == 4) n = n / 10 + 10;
+        const int kind = static_cast<int>(random.below(3));
+        const inputs::Points points = kind == 0   ? inputs::uniform(dim, n, random.bits())
+                                      : kind == 1 ? inputs::gaussian(dim, n, random.bits())
+                                                  : inputs::clusters(dim, n, random.bits());
+        n = points.size() / static_cast<std::size_t>(dim);
+        // From a hundredth to ten times the square of the spacing.
+        const double spacing2 = std::pow(static_cast<double>(n), -2.0 / dim);
+        const double size = spacing2 * std::pow(10.0, 3 * random.uniform() - 2), low = random.below(2) == 0 ? 0 : -1;
+        inputs::Points weights(n);
+        for (double& w : weights) w = size * (low + (1 - low) * random.uniform());
+        INFO("cloud " << i << ", " << dim << "D, " << n << " points, weights of " << size);
+        const double slack = 1e-12 * (kind == 1 ? 100 : 1);
+        const Bars ours = long_ones(bars_of_engine(dim, points, weights, &hidden), slack);
+        const Bars theirs = long_ones(bars_of_peer(dim, points, weights), slack);
+        REQUIRE(ours.size() == theirs.size());
+        const auto near = [=](double a, double b) { return a == b || std::fabs(a - b) <= slack; };
+        std::size_t wrong = 0;
+        // By birth they are in the same order but for births that are nearly equal.
+        for (std::size_t k = 0; k < ours.size(); ++k) {
+            bool found = false;
+            for (std::size_t j = k > 20 ? k - 20 : 0; j < std::min(k + 20, theirs.size()) && !found; ++j)
+                found = ours[k].degree == theirs[j].degree && near(ours[k].birth, theirs[j].birth) &&
+                        near(ours[k].death, theirs[j].death);
+            wrong += !found;
+        }
+        CHECK(wrong == 0);
+        compared += ours.size();
+    }
+    CHECK(hidden > 0);
+    MESSAGE(clouds << " clouds, " << compared << " bars, " << hidden << " hidden points");
+}
