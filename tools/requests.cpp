@@ -35,7 +35,7 @@ netmesh_request asked_of(const Options& options, std::uint32_t dim) {
     if (options.distances) {
         r.distances = &any_distances;
     } else if (!persists || options.values_at.empty()) {
-        r.points = {nullptr, 1, dim, NETMESH_POINTS_FLOAT64, 0};
+        r.points = {nullptr, 1, dim, NETMESH_POINTS_FLOAT64, 0, nullptr, 0};
     }
     if (!options.table.weights.empty()) r.weighting = options.table.are_radii ? &netmesh_radii : &netmesh_weights;
     if (options.function || !options.values_at.empty() || (sizes && about(r.filter).needs_function != 0))
@@ -85,7 +85,7 @@ std::string option_against_auto(const Options& options) {
 
 double default_tau(std::uint32_t dim) {
     netmesh_request r = Request(&netmesh_filter_basic);
-    r.points = {nullptr, 1, dim, NETMESH_POINTS_FLOAT64, 0};
+    r.points = {nullptr, 1, dim, NETMESH_POINTS_FLOAT64, 0, nullptr, 0};
     return netmesh::settle(r, &r) == NETMESH_OK ? r.mesh.tau : 0;
 }
 
@@ -114,7 +114,7 @@ netmesh_request promised(netmesh_request request) {
 
 std::size_t plan_of(const Options& options, std::uint32_t dim, std::size_t points) {
     netmesh_request r = asked_of(options, dim);
-    r.points = {nullptr, points, dim, NETMESH_POINTS_FLOAT64, 0};
+    r.points = {nullptr, points, dim, NETMESH_POINTS_FLOAT64, 0, nullptr, 0};
     return makes_mesh_alone(options) ? plan_mesh(r) : plan(r);
 }
 
@@ -135,7 +135,7 @@ std::size_t plan_for_size(const Options& options) {
 
 std::size_t plan_to_read(std::uint32_t dim, std::size_t vertices) {
     netmesh_request r = Request(&netmesh_filter_basic);
-    r.points = {nullptr, vertices, dim, NETMESH_POINTS_FLOAT64, 0};
+    r.points = {nullptr, vertices, dim, NETMESH_POINTS_FLOAT64, 0, nullptr, 0};
     return plan(r);
 }
 

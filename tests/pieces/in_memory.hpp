@@ -39,7 +39,13 @@ public:
         netmesh_split_request r = {};
         r.struct_bytes = sizeof r;
         r.pieces = pieces;
-        r.points = {points.data(), points.size() / dim_, static_cast<std::uint32_t>(dim), NETMESH_POINTS_FLOAT64, 0};
+        r.points = {points.data(),
+                    points.size() / dim_,
+                    static_cast<std::uint32_t>(dim),
+                    NETMESH_POINTS_FLOAT64,
+                    0,
+                    nullptr,
+                    0};
         status = session.until_it_fits(0, [&] { return netmesh_split(session.context, &r); });
         if (status != NETMESH_OK) return;
         netmesh_split_result result = {};

@@ -91,8 +91,13 @@ EXPORT(fresh) netmesh_request* fresh(int is_watched) {
 }
 // Its source, and a function; arrays are where JavaScript has put them.
 EXPORT(set_points) void set_points(const void* coordinates, double count, std::uint32_t dim, int is_float) {
-    request.points = {coordinates, static_cast<std::size_t>(count), dim,
-                      is_float != 0 ? NETMESH_POINTS_FLOAT32 : NETMESH_POINTS_FLOAT64, 0, nullptr, 0};
+    request.points = {coordinates,
+                      static_cast<std::size_t>(count),
+                      dim,
+                      is_float != 0 ? NETMESH_POINTS_FLOAT32 : NETMESH_POINTS_FLOAT64,
+                      0,
+                      nullptr,
+                      0};
 }
 EXPORT(set_weights) void set_weights(const double* weights) { request.points.weights = weights; }
 EXPORT(set_distances) void set_distances(const double* numbers, double count) {
