@@ -103,7 +103,9 @@ TEST_CASE("equal radii r move a to a - r^2") {
         }
         REQUIRE(is.size() == was.size());
         const auto before = [](const Bar& a, const Bar& b) {
-            return a.degree != b.degree ? a.degree < b.degree : a.birth != b.birth ? a.birth < b.birth : a.death < b.death;
+            return a.degree != b.degree ? a.degree < b.degree
+                   : a.birth != b.birth ? a.birth < b.birth
+                                        : a.death < b.death;
         };
         std::sort(was.begin(), was.end(), before);
         std::sort(is.begin(), is.end(), before);
@@ -141,7 +143,8 @@ TEST_CASE("floats, rows apart, and another order of rows") {
     REQUIRE(b.engine.persist(apart) == NETMESH_OK);
     CHECK(report_of(a.engine).fingerprint == report_of(b.engine).fingerprint);
     Points turned, turned_numbers(numbers.rbegin(), numbers.rend());
-    for (std::size_t i = 120; i-- > 0;) turned.insert(turned.end(), exact.begin() + 3 * std::ptrdiff_t(i), exact.begin() + 3 * std::ptrdiff_t(i) + 3);
+    for (std::size_t i = 120; i-- > 0;)
+        turned.insert(turned.end(), exact.begin() + 3 * std::ptrdiff_t(i), exact.begin() + 3 * std::ptrdiff_t(i) + 3);
     REQUIRE(b.engine.persist(request_of(3, turned, turned_numbers)) == NETMESH_OK);
     CHECK(bars_of(a.engine) == bars_of(b.engine));
     std::vector<std::uint64_t> hidden = hidden_of(b.engine);

@@ -1,5 +1,5 @@
-// Alpha diagrams of points with weights against GUDHI's exact ones, which are powers. NETMESH_WEIGHT_CLOUDS=200: so many
-// clouds of up to 5,000 points; without it a few of up to 600.
+// Alpha diagrams of points with weights against the exact ones of GUDHI, which are powers. NETMESH_WEIGHT_CLOUDS=200:
+// 200 clouds of up to 5,000 points; without it a few of up to 600.
 #include <gudhi/Alpha_complex.h>
 #include <gudhi/Persistent_cohomology.h>
 #include <gudhi/Simplex_tree.h>
@@ -36,8 +36,7 @@ Bars bars_of_peer(int dim, const inputs::Points& points, const inputs::Points& w
     Gudhi::Simplex_tree<> tree;
     REQUIRE(complex.create_complex(tree, std::numeric_limits<double>::infinity(), true));
     tree.initialize_filtration();
-    Gudhi::persistent_cohomology::Persistent_cohomology<Gudhi::Simplex_tree<>,
-                                                        Gudhi::persistent_cohomology::Field_Zp>
+    Gudhi::persistent_cohomology::Persistent_cohomology<Gudhi::Simplex_tree<>, Gudhi::persistent_cohomology::Field_Zp>
         cohomology(tree);
     cohomology.init_coefficients(2);
     cohomology.compute_persistent_cohomology(-1);
