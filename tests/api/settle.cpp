@@ -202,7 +202,7 @@ const std::vector<Row> bad_diagrams = {
     {NETMESH_FIELD_SEED, {0, 7}, [](R& r, double x) { unsourced(r), seed(r, x); }},
     {NETMESH_FIELD_SEED, {7}, [](R& r, double x) { unsourced(r), r.filter = &netmesh_filter_alpha, seed(r, x); }},
     // weights
-    {NETMESH_FIELD_SQUARES, {1, 2}, [](R& r, double x) { r.filter = &netmesh_filter_alpha, r.squares = std::uint32_t(x); }},
+    {NETMESH_FIELD_SQUARES, {1, 2}, [](R& r, double x) { r.squares = std::uint32_t(x); }},
     {NETMESH_FIELD_SQUARES, {2}, [](R& r, double x) { weighted(r), r.squares = std::uint32_t(x); }},
     row(NETMESH_FIELD_WEIGHTING, [](R& r, double) { weighted(r), r.weighting = nullptr; }),
     row(NETMESH_FIELD_WEIGHTING, [](R& r, double) { weighted(r), unsourced(r); }),

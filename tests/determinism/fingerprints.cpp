@@ -210,6 +210,24 @@ void complexes_on_points(Session& session, int dim, std::size_t number) {
     complex("barycentric-rips", "uniform", session.points_request(ten, &netmesh_filter_barycentric_rips, 3, 0));
 }
 
+// Points with radii, some of which hide others, kept and not; a grid with weights that tie, as powers.
+void weighted(Watched& session, int dim, const Sizes& sizes) {
+    const inputs::Points points = inputs::uniform(dim, sizes.points / 2), grid = inputs::grid(dim, dim < 4 ? 6 : 3);
+    inputs::Points radii = inputs::uniform(1, sizes.points / 2, 11), weights;
+    for (double& r : radii) r *= dim == 2 ? 0.0625 : 0.25;
+    for (std::size_t i = 0; i < grid.size() / static_cast<std::size_t>(dim); ++i)
+        weights.push_back(0.25 * static_cast<double>(i % 3) - 0.25);
+    netmesh::Request request = session.alpha_request(points);
+    request.set_weights(&netmesh_radii, radii);
+    print("weighted-points", "uniform", session, session.persist(request));
+    request.keep_mesh = 1;
+    print("weighted", "uniform", session, session.persist(request));
+    netmesh::Request of_grid = session.alpha_request(grid);
+    of_grid.set_weights(&netmesh_weights, weights);
+    of_grid.keep_mesh = of_grid.squares = 1;
+    print("weighted", "grid", session, session.persist(of_grid));
+}
+
 void dimension(int dim) {
     const Sizes sizes = sizes_of(dim);
     Watched session(dim);
@@ -223,6 +241,7 @@ void dimension(int dim) {
     print("alpha-of-points", "uniform", session, session.persist(session.alpha_request(uniform)));
     complexes_on_points(session, dim, sizes.complex);
     print("alpha", "grid", session, session.alpha(inputs::grid(dim, dim < 4 ? sizes.side : 3)));
+    weighted(session, dim, sizes);
 }
 
 // Distances of the diagrams of two samples, to the last bit.
