@@ -53,8 +53,8 @@ template <class Wanted> std::string list_filters(Wanted&& wanted, const std::str
     return text.empty() ? last : text + " " + conjunction + " " + last;
 }
 
-// The function that a certified ratio is about: "closed offsets of the points in R^3", of points with weights "unions of
-// balls about the points in R^3", "sublevel sets of d_5 in R^3", ...
+// The function that a certified ratio is about: "closed offsets of the points in R^3", with weights "unions of balls
+// about the points in R^3", "sublevel sets of d_5 in R^3", ...
 std::string reference_name(const netmesh_report& report);
 
 }  // namespace netmesh::tool

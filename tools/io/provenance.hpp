@@ -3,9 +3,9 @@
 // are allowed. They come in this order; what does not apply is left out.
 //
 //   of the file         version
-//   options of persist  filter distances sparse threshold radii weights squares k values function values-at lipschitz cut error method finish
-//   tau fit memory ratio
-//                       whole-cells focus from to eps theta max-degree all bounds seed
+//   options of persist  filter distances sparse threshold radii weights squares k values function values-at lipschitz
+//                       cut error method finish tau fit memory ratio whole-cells focus from to eps theta max-degree
+//                       all bounds seed
 //   of the input        dim points duplicates, input or mesh; of distances points and input
 //   of the result       domain certified-ratio certified-from certified-error fitted-error reference
 //

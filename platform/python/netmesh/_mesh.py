@@ -221,8 +221,8 @@ def delaunay(points, *, purpose: str = "mesh", seed: int = 1, memory: Union[int,
     """The Delaunay triangulation of points, exact for all finite numbers, ties by index.
 
     ``points``: [n, D], D from 2 to 6; float64 or float32 is read where it lies. Duplicates are merged. ``purpose``:
-    "persist" plans for an alpha diagram. ``radii``, ``weights``:
-    [n], the regular triangulation of balls, see :func:`netmesh.persist`; hidden points are in no cell. ``seed`` and ``memory``: see :func:`netmesh.persist`. Raises
+    "persist" plans for an alpha diagram. ``radii``, ``weights``: [n], the regular triangulation of balls; hidden points
+    are in no cell. These, ``seed`` and ``memory``: see :func:`netmesh.persist`. Raises
     :class:`netmesh.errors.Flat` where there are fewer than D + 1 affinely independent points.
     """
     plan = choice(purpose, "purpose", {"mesh": lib.netmesh_plan_mesh, "persist": lib.netmesh_plan})

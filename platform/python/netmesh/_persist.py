@@ -158,8 +158,8 @@ def rips(points=None, threshold: float = math.inf, max_degree: int = 1, *, dista
     """The Vietoris-Rips diagram of points, or of anything that is known by its distances.
 
     points: [n, D], any D; Euclidean distances.
-    distances: instead of points: [n, n], symmetric but for rounding noise, up to 2^-36 of the largest distance, which is
-        taken off with a warning; [n (n - 1) / 2], the condensed form of
+    distances: instead of points: [n, n], symmetric but for rounding noise, up to 2^-36 of the largest distance, which
+        is taken off with a warning; [n (n - 1) / 2], the condensed form of
         ``scipy.spatial.distance.pdist``; or a sparse matrix of scipy, whose missing entries are never joined.
     threshold: a radius, as all values are: points farther apart than twice that are not joined.
     max_degree: the highest degree of homology.
