@@ -46,12 +46,12 @@ bool stack_dimensions(int dimension, std::uint32_t** facets, double** value, Are
 struct Radii : NoWeights {};
 template <int D>
 Status values_of_faces(const Faces<D>& faces, const PointRecords& points, const Radii&, const Work& work,
-                 double* const* value) {
+                       double* const* value) {
     return alpha_values(faces, points.coordinates, points.stride_bytes, work, value);
 }
 template <int D>
 Status values_of_faces(const Faces<D>& faces, const PointRecords& points, const PowerValues& powers, const Work& work,
-                 double* const* value) {
+                       double* const* value) {
     return alpha_values_weighted(faces, points.coordinates, points.stride_bytes, powers, work, value);
 }
 
@@ -122,7 +122,7 @@ Status diagram_of(const AlphaFiltration<D>& filtration, const W& weights, Diagra
 
 template <int D, class W>
 Status alpha_diagram(const AlphaFiltration<D>& filtration, const W& weights, DiagramRequest request, const Work& work,
-                    CountedPairs* out) {
+                     CountedPairs* out) {
     const std::size_t low = work.arena.low_mark(), high = work.arena.high_mark();
     if (request.max_degree >= D) request.max_degree = D - 1;
     PairList& found = out->pairs;
