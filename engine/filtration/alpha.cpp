@@ -272,7 +272,7 @@ inline Status AlphaValues<D, W>::find_batch(DimensionOf<K> k, Batch<K>& batch) {
 }  // namespace
 
 template <int D, class W>
-static Status values_of(const Faces<D>& faces, const PointRecords& points, const W& weights, const Work& work,
+static Status values_by(const Faces<D>& faces, const PointRecords& points, const W& weights, const Work& work,
                         double* const* value) {
     if constexpr (shared_dimension<D> == D && !circumsphere_is_shared)
         return AlphaValues<D, W>(D, faces, points, weights, work, value).run();
@@ -283,13 +283,13 @@ static Status values_of(const Faces<D>& faces, const PointRecords& points, const
 template <int D>
 Status alpha_values(const Faces<D>& faces, const double* coordinates, std::ptrdiff_t stride_bytes, const Work& work,
                     double* const* value) {
-    return values_of<D>(faces, {coordinates, stride_bytes}, RadiusValues{}, work, value);
+    return values_by<D>(faces, {coordinates, stride_bytes}, RadiusValues{}, work, value);
 }
 
 template <int D>
 Status alpha_values_weighted(const Faces<D>& faces, const double* coordinates, std::ptrdiff_t stride_bytes,
                              const PowerValues& powers, const Work& work, double* const* value) {
-    return values_of<D>(faces, {coordinates, stride_bytes}, powers, work, value);
+    return values_by<D>(faces, {coordinates, stride_bytes}, powers, work, value);
 }
 
 #define NETMESH_INSTANTIATE(D)                                                                                         \

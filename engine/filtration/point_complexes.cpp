@@ -9,6 +9,12 @@
 namespace netmesh {
 namespace {
 
+// A function of its own, so that its numbers are not on the stack while exact stages run.
+[[gnu::noinline]] Certainty sphere_of(std::uint32_t k, std::uint32_t dim, const double* const* const* point,
+                                      Circumsphere* sphere) {
+    return circumspheres_fast<double, any_dimension, any_dimension>(k, dim, point, sphere);
+}
+
 constexpr std::uint32_t count_max = 0x7FFFFFFFu;
 
 // The simplices whose edges are at most 2 * limit long, dimension by dimension. Their values are half their longest
@@ -121,7 +127,7 @@ public:
         for (std::uint32_t i = 0; i <= k; ++i) point[i] = coordinates_ + vertices[i] * std::size_t{space};
         Circumsphere sphere;
         const double* const* const one[] = {point};
-        const Certainty certain = circumspheres_fast<double, any_dimension, any_dimension>(k, space, one, &sphere);
+        const Certainty certain = sphere_of(k, space, one, &sphere);
         if (certain.within != 0 && (sphere.within != 0 || certain.radius != 0)) {
             if (sphere.within == 0) *out = sphere.radius;
             return Status::ok;

@@ -45,13 +45,13 @@ bool stack_dimensions(int dimension, std::uint32_t** facets, double** value, Are
 // Values by radii, or with weights by PowerValues.
 struct Radii : NoWeights {};
 template <int D>
-Status values_of(const Faces<D>& faces, const PointRecords& points, const Radii&, const Work& work,
-                 double* const* value) {
+Status values_of_faces(const Faces<D>& faces, const PointRecords& points, const Radii&, const Work& work,
+                       double* const* value) {
     return alpha_values(faces, points.coordinates, points.stride_bytes, work, value);
 }
 template <int D>
-Status values_of(const Faces<D>& faces, const PointRecords& points, const PowerValues& powers, const Work& work,
-                 double* const* value) {
+Status values_of_faces(const Faces<D>& faces, const PointRecords& points, const PowerValues& powers, const Work& work,
+                       double* const* value) {
     return alpha_values_weighted(faces, points.coordinates, points.stride_bytes, powers, work, value);
 }
 
@@ -99,7 +99,7 @@ Status diagram_of(const AlphaFiltration<D>& filtration, const W& weights, Diagra
         total += faces.count[k];
     }
     work.monitor.begin(NETMESH_STAGE_FILTER, total);
-    status = values_of(faces, points, weights, work, value);
+    status = values_of_faces(faces, points, weights, work, value);
     if (status != Status::ok) return status;
     work.arena.release_high(high);
 
@@ -121,8 +121,8 @@ Status diagram_of(const AlphaFiltration<D>& filtration, const W& weights, Diagra
 }
 
 template <int D, class W>
-Status make_diagram(const AlphaFiltration<D>& filtration, const W& weights, DiagramRequest request, const Work& work,
-                    CountedPairs* out) {
+Status alpha_diagram(const AlphaFiltration<D>& filtration, const W& weights, DiagramRequest request, const Work& work,
+                     CountedPairs* out) {
     const std::size_t low = work.arena.low_mark(), high = work.arena.high_mark();
     if (request.max_degree >= D) request.max_degree = D - 1;
     PairList& found = out->pairs;
@@ -137,13 +137,13 @@ Status make_diagram(const AlphaFiltration<D>& filtration, const W& weights, Diag
 template <int D>
 Status alpha_of_triangulation(const AlphaFiltration<D>& filtration, DiagramRequest request, const Work& work,
                               CountedPairs* out) {
-    return make_diagram(filtration, Radii{}, request, work, out);
+    return alpha_diagram(filtration, Radii{}, request, work, out);
 }
 
 template <int D>
 Status alpha_of_triangulation(const AlphaFiltration<D>& filtration, const PowerValues& powers, DiagramRequest request,
                               const Work& work, CountedPairs* out) {
-    return make_diagram(filtration, powers, request, work, out);
+    return alpha_diagram(filtration, powers, request, work, out);
 }
 
 #define NETMESH_INSTANTIATE(D)                                                                                         \

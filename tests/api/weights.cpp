@@ -255,6 +255,9 @@ TEST_CASE("every block: a diagram, or out of memory and a triangulation of what 
                 REQUIRE(status == NETMESH_OUT_OF_MEMORY);
                 if (report_of(c.engine).mesh.present == 0) continue;
                 ++parts;
+                // What is hidden stays so; points that were not come to are no hidden ones.
+                const std::vector<std::uint64_t> by_then = hidden_of(c.engine);
+                CHECK(std::includes(hidden.begin(), hidden.end(), by_then.begin(), by_then.end()));
                 auto check = netmesh::sized<netmesh_check_request>();
                 check.what = NETMESH_CHECK_COMBINATORIAL;
                 const netmesh_status checked = netmesh_check(c.engine.context(), &check);

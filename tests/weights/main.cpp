@@ -201,8 +201,9 @@ void print_cloud(const Cloud& cloud) {
 
 std::string judge(const Block& block, families::Random& random, const Cloud& cloud, Seen* seen) {
     const Truth truth(cloud.dim, cloud.x, cloud.numbers, cloud.are_radii);
-    ++seen->clouds;
     const Answer roots = ask(block, cloud, false);
+    if (roots.status == NETMESH_NOT_BUILT) return "";  // a build of other dimensions
+    ++seen->clouds;
     if (truth.is_flat) {
         ++seen->flat;
         return roots.status == NETMESH_FLAT ? "" : "flat points: status " + std::to_string(roots.status);

@@ -62,7 +62,8 @@ extern const netmesh_filter netmesh_filter_alpha;
  *             with request.squares a itself, so rounded. Negative where the balls as given meet. Vertices enter at
  *             less than their weight, or later, where another ball covers the point by then. So components are born
  *             one after the other. All weights 0: the diagram without weights, to the bit
- *   memory    at most 16 bytes a point above the same without weights. netmesh_plan counts them
+ *   memory    at most 16 bytes a point above the same without weights. netmesh_plan counts them. Stack:
+ *             NETMESH_STACK_BYTES(dim) of job.h
  *   errors    INVALID_ARGUMENT (WEIGHTS): the radius of point index_a is negative. NOT_FINITE: point or weight
  *             index_a. OUT_OF_RANGE: as of alpha, and as far for radii and for roots of weights as for coordinates */
 typedef struct netmesh_weighting netmesh_weighting;
