@@ -107,6 +107,8 @@ netmesh_request on_what_is_there(netmesh_request request) {
 
 netmesh_request promised(netmesh_request request) {
     request.points = {};
+    request.weighting = nullptr;
+    request.squares = 0;
     request.bounds = request.cycles = request.vines = request.fit = nullptr;
     request.goal.longer_than = 0;
     return request;

@@ -74,6 +74,8 @@ netmesh_status check_everything(Session& session) {
     const netmesh_request promise = session.promise();
     netmesh_check_request check = session.watched(sized<netmesh_check_request>());
     check.promised = &promise;
+    // A regular triangulation is not Delaunay.
+    if (session.request().weighting != nullptr) check.what = NETMESH_CHECK_COMBINATORIAL | NETMESH_CHECK_GEOMETRIC;
     return session.call(NETMESH_STAGE_CHECK, [&] { return session.engine().check(check); });
 }
 

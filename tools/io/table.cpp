@@ -345,17 +345,18 @@ Outcome TableParser::check_count_of_rows() const {
 
 // x, y or x, y, z, and then something else: all of it is taken, and said.
 void TableParser::note_other_names() {
-    if (names_.size() != width_ || columns_.empty()) return;
+    const std::size_t taken_count = columns_.size() - !options_.weights.empty();
+    if (names_.size() != width_ || taken_count == 0) return;
     const auto name_of = [&](std::size_t i) {
         std::string name = names_[columns_[i]];
         for (char& c : name) c = c >= 'A' && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : c;
         return name;
     };
     std::size_t places = 0;
-    while (places < columns_.size() && places < 3 && name_of(places) == std::string(1, "xyz"[places])) places++;
+    while (places < taken_count && places < 3 && name_of(places) == std::string(1, "xyz"[places])) places++;
     if (places < 2) return;
     std::string others;
-    for (std::size_t i = places; i < columns_.size(); i++) {
+    for (std::size_t i = places; i < taken_count; i++) {
         const std::string name = name_of(i);
         const bool is_letter = name.size() == 1 && name.find_first_of("tuvwxyz") == 0;
         const bool is_numbered = name.size() == 2 && name[0] == 'x' && name[1] >= '0' && name[1] <= '9';
@@ -365,7 +366,7 @@ void TableParser::note_other_names() {
     std::string taken;
     for (std::size_t i = 0; i < places; i++) taken += (i > 0 ? "," : "") + names_[columns_[i]];
     add_plain_note("took " + others + " for coordinates, too; --columns " + taken + " leaves " +
-                   (columns_.size() - places == 1 ? "that" : "them") + " out");
+                   (taken_count - places == 1 ? "that" : "them") + " out");
 }
 
 // 2019 2020 2021 above numbers that all have decimals: names, it may be, but read as a point.
@@ -396,19 +397,20 @@ Outcome TableParser::find_columns() {
         if (!outcome.good()) return outcome;
         note_whole_first_row();
         const Outcome found = find_index();
-        if (found.good()) note_other_names();
         std::vector<Field> first;
         const bool from_start =
             cut(lines_[0], &first) && !first.empty() && (first[0].text == "0" || first[0].text == "1");
         if (found.good() && columns_.size() == width_ && width_ > 2 && lines_.size() > 4 && from_start && counts(true))
             add_note("took column 1, which counts rows, as a coordinate; --columns 2-" + std::to_string(width_) +
                      " leaves it out");
-        if (!found.good() || options_.weights.empty()) return found;
+        if (!found.good()) return found;
     }
     std::vector<std::string> names = names_;
     if (names.size() + 1 == width_) names.insert(names.begin(), "");
     const std::string complaint = choose_columns(options_, width_, names, &columns_);
-    return complaint.empty() ? Outcome{} : fault(lines_[0].number, complaint);
+    if (!complaint.empty()) return fault(lines_[0].number, complaint);
+    if (options_.columns.empty()) note_other_names();
+    return {};
 }
 
 bool TableParser::is_word_column(std::size_t column) const {
