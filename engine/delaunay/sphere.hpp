@@ -29,13 +29,13 @@ template <int D> inline double power(const Cell<D>& cell, const double* q, doubl
 // less the largest weight, so at least the squared distance to each of them, and that is what errors are relative to. A
 // height is three roundings off at most.
 template <int D> inline double power(const Cell<D>& cell, const double* q, double height, double* bound) {
-    const double first = q[0] - cell.centre[0], last = q[D - 1] - cell.centre[D - 1];
+    const double first = q[0] - cell.centre[0];
     double d2 = first * first;
-    for (int i = 1; i < D - 1; ++i) {
+    for (int i = 1; i < D; ++i) {
         const double d = q[i] - cell.centre[i];
         d2 += d * d;
     }
-    d2 += last * last + height;
+    d2 += height;
     *bound = (static_cast<double>(cell.error) + (D + 12) * unit_roundoff) * (d2 + 3 * cell.radius2) + 0x1p-960;
     return d2 - cell.radius2;
 }
@@ -133,7 +133,7 @@ inline bool pencil_sphere(const Cell<D>& inside, const Cell<D>& outside, const d
     if (!(bound_in + bound_out < 0x1p-6 * sum)) return false;
     const double inverse = 1 / sum;
     const double w = a * inverse, v = b * inverse;
-    double apart2 = 0, radius2 = weighted ? height : 0, size2 = 0;
+    double apart2 = 0, radius2 = 0, size2 = 0;
     double centre[D];
     for (int i = 0; i < D; ++i) {
         const double d = inside.centre[i] - outside.centre[i];
@@ -143,6 +143,7 @@ inline bool pencil_sphere(const Cell<D>& inside, const Cell<D>& outside, const d
         const double e = q[i] - centre[i];
         radius2 += e * e;
     }
+    if (weighted) radius2 += height;
     const double in2 = static_cast<double>(inside.error) * inside.error * inside.radius2;
     const double out2 = static_cast<double>(outside.error) * outside.error * outside.radius2;
     const double w_error = 1.02 * (w * bound_in + v * bound_out) * inverse + 8 * u;

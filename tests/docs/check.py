@@ -306,6 +306,7 @@ RUNS = """0 sample circle -n 40 --noise 0.05 -o circle.csv
 0 persist circle.csv -o circle.pers
 0 persist circle.csv
 0 persist clifford.csv --top 2
+0 persist clifford.csv --weights 4 --squares
 0 persist circle.csv --filter complete --bounds
 0 persist circle.csv --filter complete --bounds -o bounded.pers --mesh complete.node
 0 persist circle.csv --filter complete --method svr --tau 3 --values thesis
