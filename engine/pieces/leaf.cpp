@@ -54,7 +54,8 @@ private:
     const std::uint32_t* facets_of(std::uint32_t k, std::uint64_t f) const {
         return of_.faces.facets_of(static_cast<int>(k), static_cast<std::uint32_t>(f));
     }
-    void vertices_of(std::uint32_t k, std::uint64_t f, std::uint32_t* vertex) const {
+    // Not inlined: compilers that do it warn of dimensions that there are not.
+    [[gnu::noinline]] void vertices_of(std::uint32_t k, std::uint64_t f, std::uint32_t* vertex) const {
         of_.faces.vertices(static_cast<int>(k), static_cast<std::uint32_t>(f), vertex);
     }
 
