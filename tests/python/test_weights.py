@@ -13,7 +13,7 @@ RADII = np.linspace(0, 0.3, 60)
 
 def bars_of_gudhi(points, weights):
     gudhi = pytest.importorskip("gudhi")
-    tree = gudhi.AlphaComplex(points=points, weights=weights, precision="exact").create_simplex_tree()
+    tree = gudhi.AlphaComplex(points=points, weights=list(weights), precision="exact").create_simplex_tree()
     tree.compute_persistence(homology_coeff_field=2)
     return [tree.persistence_intervals_in_dimension(degree) for degree in range(points.shape[1])]
 
@@ -65,8 +65,9 @@ def test_regular_triangulation():
     (dict(radii=RADII, weights=RADII), "weights"), (dict(radii=RADII[1:]), "radii"),
     (dict(radii=np.full((60, 1), 1.0)), "radii"), (dict(weights=["a"] * 60), "weights"),
     (dict(radii=-RADII), "radii"), (dict(radii=RADII, filter="rips"), "radii"),
-    (dict(radii=RADII, bounds=True), "bounds"), (dict(squares=True), "squares"),
-    (dict(weights=RADII, representatives=True), "representatives"), (dict(radii=RADII, pieces=2), "radii")])
+    (dict(radii=RADII, filter="alpha", bounds=True), "bounds"), (dict(squares=True), "squares"),
+    (dict(weights=RADII, filter="alpha", representatives=True), "representatives"),
+    (dict(radii=RADII, pieces=2), "radii")])
 def test_refusals(arguments, argument):
     with pytest.raises(errors.InvalidArgument) as raised:
         netmesh.persist(POINTS, **arguments)

@@ -217,7 +217,8 @@ class Mesh:
 
 
 def delaunay(points, *, purpose: str = "mesh", seed: int = 1, memory: Union[int, str, None] = None,
-             progress: Union[bool, Callable, None] = None, radii=None, weights=None) -> Mesh:
+             progress: Union[bool, Callable, None] = None, radii: Optional[Sequence[float]] = None,
+             weights: Optional[Sequence[float]] = None) -> Mesh:
     """The Delaunay triangulation of points, exact for all finite numbers, ties by index.
 
     ``points``: [n, D], D from 2 to 6; float64 or float32 is read where it lies. Duplicates are merged. ``purpose``:

@@ -4,7 +4,7 @@ import ctypes
 import math
 import os
 import warnings
-from typing import Callable, Optional, Tuple, Union
+from typing import Callable, Optional, Sequence, Tuple, Union
 
 import numpy as np
 
@@ -30,8 +30,8 @@ def persist(points, filter: str = "auto", max_degree: Optional[int] = None, *, k
             representatives: bool = False, seed: Optional[int] = None, memory: Union[int, str, None] = None,
             fit: bool = False, progress: Union[bool, Callable, None] = None, pieces: Union[int, str, None] = None,
             executor: Optional[concurrent.futures.Executor] = None,
-            scratch: Union[str, os.PathLike, None] = None, radii=None, weights=None, squares: bool = False,
-            **others) -> Diagram:
+            scratch: Union[str, os.PathLike, None] = None, radii: Optional[Sequence[float]] = None,
+            weights: Optional[Sequence[float]] = None, squares: bool = False, **others) -> Diagram:
     """The persistence diagram of points, over Z/2, with a certificate.
 
     points: [n, D], any array of numbers. float64 and float32 are read where they lie, also with gaps between rows;
