@@ -37,6 +37,7 @@ Complaint settle_alpha(const Settling& s) {
 
 netmesh_status run_alpha(netmesh_context* context) {
     const netmesh_request& r = context->request;
+    if (r.periods != nullptr) return dispatch(*r.periods, context);
     if (r.weighting != nullptr) return dispatch(*r.weighting, context);
     const bool of_points = source_of(r) == Source::points;
     if (of_points && r.keep_mesh == 0 && r.cycles == nullptr) return alpha_of_given_points(context);
@@ -86,7 +87,7 @@ extern "C" {
 extern const netmesh_filter netmesh_filter_alpha;
 const netmesh_filter netmesh_filter_alpha = {NETMESH_FILTER_ALPHA,
                                              given::method | given::cycles | given::keep_mesh | given::seed |
-                                                 given::weighting | given::squares,
+                                                 given::weighting | given::squares | given::periods,
                                              run_alpha,
                                              plan_of_alpha,
                                              settle_alpha,

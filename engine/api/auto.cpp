@@ -54,6 +54,10 @@ netmesh_why why_not_alpha(netmesh_status status, const Allowance& allowance) {
 netmesh_status run_auto(netmesh_context* context) {
     const netmesh_points& points = context->request.points;
     if (points.dim == 0) return refuse(context, NETMESH_FIELD_POINTS, "this filter begins with points");
+    if (context->request.periods != nullptr) {
+        context->request.filter = &netmesh_filter_alpha;
+        return dispatch(*context->request.periods, context);
+    }
     if (context->request.weighting != nullptr) {  // there is no mesh with weights
         context->request.filter = &netmesh_filter_alpha;
         context->request.keep_mesh = 1;
@@ -98,7 +102,7 @@ extern "C" {
 extern const netmesh_filter netmesh_filter_auto;
 const netmesh_filter netmesh_filter_auto = {NETMESH_FILTER_AUTO,
                                             given::cycles | given::keep_mesh | given::seed | given::weighting |
-                                                given::squares,
+                                                given::squares | given::periods,
                                             run_auto,
                                             plan_of_auto,
                                             settle_alpha_of_points,

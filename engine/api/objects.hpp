@@ -46,6 +46,7 @@ enum class Want { bounds, cycles, vines, fit };
     PART(keep_mesh, keep_mesh, KEEP_MESH, "keep_mesh")                                                                 \
     PART(weighting, weighting, WEIGHTING, "weighting")                                                                 \
     PART(squares, squares, SQUARES, "squares")                                                                         \
+    PART(periods, periods, PERIODS, "periods")                                                                         \
     PART(seed, seed, SEED, "seed")
 
 namespace netmesh {
@@ -112,6 +113,11 @@ struct netmesh_weighting {
     netmesh_status (*mesh)(netmesh_context* context);
 };
 
+// What points.lattice is. run: the diagram of the context's request, which is settled, by the filter alpha.
+struct netmesh_periods {
+    netmesh_status (*run)(netmesh_context* context);
+};
+
 namespace netmesh {
 
 // That of a row of the table of filters (filtration/filters.hpp).
@@ -134,6 +140,9 @@ const netmesh_filter* filter_object(std::uint32_t index);
 [[gnu::always_inline]] inline netmesh_status dispatch_mesh(const netmesh_weighting& weighting,
                                                            netmesh_context* context) {
     return weighting.mesh(context);
+}
+[[gnu::always_inline]] inline netmesh_status dispatch(const netmesh_periods& periods, netmesh_context* context) {
+    return periods.run(context);
 }
 // Within another want.
 [[gnu::always_inline]] inline netmesh_status dispatch_bounds(const netmesh_want& bounds, netmesh_context* context) {

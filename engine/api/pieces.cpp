@@ -66,6 +66,8 @@ netmesh_status netmesh_split(netmesh_context* context, const netmesh_split_reque
     Complaint complaint = complaint_about_dim(r.points.dim);
     if (complaint.text == nullptr) complaint = complaint_about_rows(r.points);
     if (complaint.text == nullptr) complaint = complaint_about_coordinates(r.points);
+    if (complaint.text == nullptr && (r.points.lattice != nullptr || r.points.lattice_count != 0))
+        complaint = {NETMESH_FIELD_LATTICE, "there are no pieces with periods yet; leave them out"};
     if (complaint.text == nullptr && (r.points.weights != nullptr || r.points.weight_stride_bytes != 0))
         complaint = {NETMESH_FIELD_WEIGHTS, "there are no pieces with weights yet; leave them out"};
     if (r.pieces == 0) r.pieces = 1;

@@ -216,6 +216,9 @@ netmesh_report report_of(const netmesh_context* context) {
     report.input.hidden = input.hidden.count;
     report.input.weighting = input.weighting;
     report.input.squares = input.squares;
+    report.input.periods = input.periods;
+    report.input.copies = input.copies;
+    report.input.moved = input.moved;
     if (context->mesh.present) {
         report_mesh(context, &report.mesh);
         report_predicates(context->mesh.store, &report.predicates);

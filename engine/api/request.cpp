@@ -20,6 +20,8 @@ netmesh_status TakenRequest::take(netmesh_context* context, const netmesh_reques
     if (complaint.text == nullptr && request.points.dim != 0) complaint = complaint_about_coordinates(request.points);
     if (complaint.text == nullptr && request.weighting != nullptr && request.points.weights == nullptr)
         complaint = {NETMESH_FIELD_WEIGHTS, "a weighting without weights; give points.weights"};
+    if (complaint.text == nullptr && request.periods != nullptr && request.points.lattice == nullptr)
+        complaint = {NETMESH_FIELD_LATTICE, "periods without a lattice; give points.lattice"};
     if (complaint.text == nullptr) return NETMESH_OK;
     __builtin_memset(&request, 0, sizeof request);
     return refuse(context, complaint);

@@ -65,6 +65,24 @@ Complaint settle_weights(const Settling& s) {
                : fine();
 }
 
+// The same of periods.
+Complaint settle_periods(const Settling& s) {
+    const netmesh_points& p = s.r.points;
+    if (s.r.periods == nullptr)
+        return p.lattice != nullptr || p.lattice_count != 0
+                   ? Complaint{NETMESH_FIELD_PERIODS, "a lattice without periods; name netmesh_periodic"}
+                   : fine();
+    if (s.is_promise()) return {NETMESH_FIELD_PERIODS, "nothing is promised with periods; leave them out"};
+    if (s.source != Source::points) return {NETMESH_FIELD_PERIODS, "periods are of points; give points"};
+    if (s.call == Call::mesh)
+        return {NETMESH_FIELD_PERIODS, "there are no triangulations and meshes with periods; call netmesh_persist"};
+    if (p.lattice_count == 0) return {NETMESH_FIELD_LATTICE_COUNT, "periods without vectors; give points.lattice"};
+    if (p.lattice_count > p.dim) return {NETMESH_FIELD_LATTICE_COUNT, "more vectors than dimensions"};
+    if (s.r.keep_mesh != 0)
+        return {NETMESH_FIELD_KEEP_MESH, "with periods no triangulation is kept; leave it out"};
+    return fine();
+}
+
 Complaint settle_source(const Settling& s) {
     const netmesh_points& p = s.r.points;
     if ((p.dim != 0) + (s.r.distances != nullptr) + (s.r.simplices != nullptr) > 1)
@@ -132,6 +150,7 @@ Complaint refuse_rest(const Settling& s) {
     Complaint complaint = refuse_unread(s.r, read, text);
     if (complaint.field == NETMESH_FIELD_THRESHOLD) complaint.text = "of the filter rips alone; leave it out";
     if (complaint.field == NETMESH_FIELD_WEIGHTING) complaint.text = "of the filter alpha alone; leave out weights";
+    if (complaint.field == NETMESH_FIELD_PERIODS) complaint.text = "of the filter alpha alone; leave out periods";
     if (complaint.field == NETMESH_FIELD_SEED)
         complaint.text = "of triangulations and meshes that are made; leave it out";
     return complaint;
@@ -180,6 +199,7 @@ Complaint settle_promise(std::uint32_t held_dim, netmesh_request* request) {
     Complaint complaint = settle_flags(*request);
     if (complaint.text == nullptr) complaint = settle_source(s);
     if (complaint.text == nullptr) complaint = settle_weights(s);
+    if (complaint.text == nullptr) complaint = settle_periods(s);
     if (complaint.text == nullptr) complaint = settle_promised_filter(s);
     if (complaint.text == nullptr) complaint = settle_values(s);
     if (complaint.text == nullptr && is_given(s.goal.theta)) complaint = {NETMESH_FIELD_THETA, "theta is of no mesh"};
@@ -195,6 +215,7 @@ Complaint settle(Call call, std::uint32_t held_dim, netmesh_request* request) {
     Complaint complaint = settle_flags(*request);
     if (complaint.text == nullptr) complaint = settle_source(s);
     if (complaint.text == nullptr) complaint = settle_weights(s);
+    if (complaint.text == nullptr) complaint = settle_periods(s);
     if (complaint.text == nullptr) complaint = settle_filter(s);
     if (complaint.text == nullptr) complaint = settle_values(s);
     if (complaint.text == nullptr && call == Call::persist) complaint = settle_wants(s);
@@ -223,12 +244,16 @@ Complaint settle_neighbours(const Settling& s) {
 }
 
 Complaint settle_mesh_degree(const Settling& s) {
-    const std::uint32_t top = (s.dim != 0 ? s.dim : NETMESH_DIM_MAX) - 1;
+    const std::uint32_t top = (s.dim != 0 ? s.dim : NETMESH_DIM_MAX) - (s.r.periods != nullptr ? 0 : 1);
     if (s.r.max_degree > top) s.r.max_degree = top;
     return fine();
 }
 
 Complaint settle_alpha_of_points(const Settling& s) {
+    if (s.r.periods != nullptr && s.r.bounds != nullptr)
+        return {NETMESH_FIELD_BOUNDS, "with periods each bar is the exact one, rounded; leave out bounds"};
+    if (s.r.periods != nullptr && s.r.cycles != nullptr)
+        return {NETMESH_FIELD_CYCLES, "there are no cycles with periods yet; leave them out"};
     if (s.r.weighting != nullptr && s.r.bounds != nullptr)
         return {NETMESH_FIELD_BOUNDS, "with weights each bar is the exact one, rounded; leave out bounds"};
     if (s.r.weighting != nullptr && s.r.cycles != nullptr)

@@ -68,6 +68,8 @@ const char* netmesh_field_text(netmesh_field field) {
     case NETMESH_FIELD_POINT_STRIDE_BYTES: return "stride_bytes";
     case NETMESH_FIELD_WEIGHTS: return "weights";
     case NETMESH_FIELD_WEIGHT_STRIDE_BYTES: return "weight_stride_bytes";
+    case NETMESH_FIELD_LATTICE: return "lattice";
+    case NETMESH_FIELD_LATTICE_COUNT: return "lattice_count";
     case NETMESH_FIELD_DISTANCES: return "distances";
     case NETMESH_FIELD_LAYOUT: return "layout";
     case NETMESH_FIELD_NUMBERS: return "numbers";

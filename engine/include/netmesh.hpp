@@ -184,6 +184,13 @@ struct Request : netmesh_request {
         weighting = what;
         return *this;
     }
+    // Vectors of `dim` numbers each, one after the other; after set_points.
+    template <class Container> Request& set_lattice(const Container& vectors) {
+        points.lattice = vectors.data();
+        points.lattice_count = static_cast<std::uint32_t>(vectors.size() / points.dim);
+        periods = &netmesh_periodic;
+        return *this;
+    }
 };
 struct Bottleneck : netmesh_bottleneck_request {
     Bottleneck() : netmesh_bottleneck_request(netmesh_default_bottleneck()) {}

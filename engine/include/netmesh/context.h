@@ -168,6 +168,10 @@ typedef enum netmesh_field {
     NETMESH_FIELD_WEIGHT_STRIDE_BYTES,
     NETMESH_FIELD_WEIGHTING,
     NETMESH_FIELD_SQUARES,
+    /* points that repeat */
+    NETMESH_FIELD_LATTICE, /* points.lattice; index_a: the first vector at fault */
+    NETMESH_FIELD_LATTICE_COUNT,
+    NETMESH_FIELD_PERIODS,
     NETMESH_FIELD_COUNT
 } NETMESH_AN_INT netmesh_field;
 

@@ -24,7 +24,10 @@ extern "C" {
  *   weights       null: none. Else a number of `format` for each row, with request.weighting, which says what they are.
  *                 Any finite numbers, radii >= 0. Of equal points the first of those with the largest weight stays
  *   weight_stride_bytes
- *                 from one weight to the next. 0: they are packed. Else as the stride of rows of one number */
+ *                 from one weight to the next. 0: they are packed. Else as the stride of rows of one number
+ *   lattice       null: none. Else lattice_count vectors of dim doubles each, packed, with request.periods: the points
+ *                 repeat by all sums of whole multiples of them. Finite, linearly independent, of either orientation
+ *   lattice_count 1 .. D; fewer than D: the other directions have no period */
 typedef struct netmesh_points {
     const void* coordinates;
     size_t count;
@@ -33,6 +36,8 @@ typedef struct netmesh_points {
     size_t stride_bytes;
     const void* weights;
     size_t weight_stride_bytes;
+    const double* lattice;
+    uint32_t lattice_count;
 } netmesh_points;
 
 #define NETMESH_RIPS_DIM_MAX 65536 /* coordinates of a point that rips takes */

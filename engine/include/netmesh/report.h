@@ -24,6 +24,9 @@ typedef struct netmesh_input_report {
     uint64_t hidden;             /* with weights: points in no cell */
     netmesh_weighting_id weighting;
     uint32_t squares; /* 1: values are powers, not their signed roots */
+    uint32_t periods; /* vectors of the lattice; 0: the points do not repeat */
+    uint64_t copies;  /* with periods: points beside those given that were triangulated */
+    double moved;     /* with periods: the farthest that a coordinate of a point or a lattice vector was moved */
 } netmesh_input_report;
 
 /* Of over-refinement. */

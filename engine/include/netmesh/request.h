@@ -80,6 +80,33 @@ typedef enum netmesh_weighting_id {
     NETMESH_WEIGHTING_WEIGHTS = 2
 } NETMESH_AN_INT netmesh_weighting_id;
 
+/* ---- points that repeat ---- */
+
+/* What points.lattice is. A constant object; a program that does not name it holds no code of it.
+ *
+ * The points stand for all p + k.b, k whole numbers, b the vectors of the lattice: crystals, boxes with periods. The
+ * diagram is that of the union of balls in R^D modulo the lattice, with weights or without: a loop can run from a point
+ * to its own copy. It takes any number of points from one on.
+ *   filter    alpha; auto takes it without a choice. All else refuses periods: other filters, netmesh_mesh, pieces,
+ *             bounds, cycles, keep_mesh
+ *   degrees   to D. With all D periods the classes that last are those of the torus, 1, D, .., 1 of them, in degree
+ *             D one where the balls cover all. Fewer periods: those of a smaller torus, or none where it stays open
+ *   points    may lie anywhere; which copy of a point is given does not matter. Points equal to a copy of an earlier
+ *             one are duplicates
+ *   numbers   a copy has to be a double, too. Where p + k.b are none, points and vectors are first moved to multiples
+ *             of a power of 2, 2^-50 of what coordinates reach; vectors to 48 times that, so that halves, thirds,
+ *             quarters of a moved vector are met by points that were halves, thirds, quarters. report.input.moved says
+ *             how far; 0: nothing was moved. Of the moved numbers the diagram is exact
+ *   ties      broken by index and, among copies of the same points, by the entries of x x^T, in this order: the
+ *             triangulation repeats, too. The diagram does not depend on it
+ *   memory    that of alpha for the points of a period and of a margin around it about as wide as the largest empty
+ *             ball; 48 bytes a point more. Few points take up to 4 D periods around. netmesh_plan counts points spread evenly
+ *   cost      of alpha for as many points
+ *   errors    INVALID_ARGUMENT (LATTICE): vector index_a is not finite or depends on those before it. OUT_OF_RANGE:
+ *             point index_a is more than 4,096 periods away, or alpha's. FLAT: with all copies */
+typedef struct netmesh_periods netmesh_periods;
+extern const netmesh_periods netmesh_periodic;
+
 /* ---- filters on meshes ---- */
 
 /* Of points, by way of a mesh that is made for them and kept; or of the mesh without cages that the context holds. One
@@ -396,6 +423,7 @@ typedef struct netmesh_request {
                            on meshes keep theirs anyway */
     uint32_t squares;   /* 1: with weights, values are powers a, not sign(a) sqrt(|a|) */
     const netmesh_weighting* weighting; /* &netmesh_radii or &netmesh_weights, with points.weights; or null */
+    const netmesh_periods* periods;     /* &netmesh_periodic, with points.lattice; or null */
 } netmesh_request;
 
 #ifdef __cplusplus
