@@ -264,12 +264,15 @@ template <int D, class W> [[gnu::noinline]] bool PlaneRun<D, W>::undecided_confl
         if (side != Sign::zero) return side == Sign::positive;
         collect(cells_[c].neighbour[infinite].cell(), p, ids);
     }
-    const VertexId id(order_[q_number_]);
-    if constexpr (W::has)
+    VertexId id(order_[q_number_]);
+    if constexpr (W::has) {
+        for (VertexId& v : ids) v = question_.weights.index_of(v);
+        id = question_.weights.index_of(id);
         return in_power_perturbed<D>(p, ids, q_, id, question_.weights.are_radii, state_.in_ball_counts) ==
                Sign::positive;
-    else
+    } else {
         return in_ball_perturbed<D>(p, ids, q_, id, state_.in_ball_counts) == Sign::positive;
+    }
 }
 
 // A cell in conflict: from the last cell on through the first edge beyond which q surely lies, until a circle surely

@@ -372,7 +372,7 @@ Status triangulate_weighted(Store<D>& store, const InputRows& points, std::size_
     VertexId ids[D + 1];
     if (!independent_points(store, order, count, ids)) return Status::flat;
     TriangulationRun<D, Weights> run(store);
-    run.weigh({largest_number(store), weights.are_radii});
+    run.weigh({largest_number(store), weights.are_radii, weights.index});
     status = run.open(order, low);
     if (status == Status::ok) status = run.start(ids);
     if (status != Status::ok) return status;

@@ -5,6 +5,18 @@
 // Perturbation: the weight of point i is less by something positive and infinitely small, and infinitely larger than
 // that of every point before it: that is the perturbation of predicates.cpp, for lifts, and nothing but lifts is asked
 // for here.
+//
+// Copies of one point have one index, and as much is taken off the weight of each. So on a sphere the sum of lambda_k
+// over the copies of a point decides, less 1 where q is a copy of it: the determinant with 1 for its copies in place of
+// lifts. Where all these sums are 0, as in a lattice of one point, the form |x|^2 is perturbed, too, by entries of x
+// x^T, each infinitely smaller than the one before it and than all weights: the determinant with products of two
+// coordinates in place of lifts. A translation changes such heights by an affine function, so copies of a cell are
+// cells.
+//
+// It leaves no tie. Let sum of l_i = 0, sum of l_i x_i = 0, sum of l_i x_i x_i^T = 0 be an affine dependency of points
+// of which no part is dependent, P those with l_i > 0, N those with l_i < 0. Let f be linear and 0 on N, the origin in
+// the affine hull of N: the sum of l_i f(x_i)^2 over P is 0, so P is in the affine hull of N, and N in that of P. Both
+// have |P| - 1 = |N| - 1 dimensions, the dependency has |P| + |N| - 2: one point each, and they are one point.
 #include "predicates/weighted.hpp"
 
 #include "predicates/exact_stage.hpp"
@@ -75,8 +87,27 @@ std::uint64_t difference_of(std::uint64_t a, std::uint64_t b, const ResiduePrime
     return a >= b ? a - b : a + prime.value - b;
 }
 
+// What stands in the last column: lifts; 1 for copies of a point; products of two coordinates.
+struct LastColumn {
+    enum Kind { lifts, copies, products } kind;
+    const VertexId* ids;  // of all points
+    VertexId id;          // copies of this one
+    int a, b;             // the two coordinates
+};
+
+// Entry `row` of that column, differences of coordinates in a.
+std::uint64_t entry_of(const LastColumn& last, const ResidueMatrix& a, int row, int rows, const ResiduePrime& prime) {
+    if (last.kind == LastColumn::products) {
+        UnsignedSum sum;
+        sum.add_product(a.entry[last.a][0][row], a.entry[last.b][0][row]);
+        return reduce(sum, prime);
+    }
+    const bool is_copy = last.ids[row] == last.id, is_base = last.ids[rows] == last.id;
+    return is_copy == is_base ? 0 : is_copy ? 1 : prime.value - 1;
+}
+
 // The sign of the determinant, which has the answer but for (-1)^dim.
-[[gnu::noinline]] int power_sign(int dim, const double* const* points, bool are_radii) {
+[[gnu::noinline]] int power_sign(int dim, const double* const* points, bool are_radii, const LastColumn& last) {
     const int rows = dim + 1;
     const PowerFrame frame(dim, points, are_radii);
     std::uint64_t residues[exact_primes_max];
@@ -93,6 +124,10 @@ std::uint64_t difference_of(std::uint64_t a, std::uint64_t b, const ResiduePrime
                 const std::uint64_t d = difference_of(residue_of(frame.x[i][c], power, prime), base[c], prime);
                 a.put(c, i, d, prime);
                 lift.add_product(d, d);
+            }
+            if (last.kind != LastColumn::lifts) {
+                a.put(dim, i, entry_of(last, a, i, rows, prime), prime);
+                continue;
             }
             const std::uint64_t number = residue_of(frame.x[i][dim], power, prime);
             const std::uint64_t less = difference_of(base[dim], number, prime);
@@ -132,6 +167,39 @@ template <int D> Sign break_power_tie(const double** points, const VertexId* ids
     }
 }
 
+template <int D> bool has_copies(const VertexId* ids) {
+    for (int i = 0; i <= D; ++i)
+        for (int k = i + 1; k <= D + 1; ++k)
+            if (ids[i] == ids[k]) return true;
+    return false;
+}
+
+// break_power_tie where points are copies of others. ids: of all D + 2 points.
+template <int D> Sign break_tie_of_copies(const double* const* points, const VertexId* ids, bool are_radii) {
+    LastColumn last = {LastColumn::copies, ids, VertexId(none), 0, 0};
+    for (;;) {
+        bool is_found = false;
+        VertexId next(0);
+        for (int i = 0; i <= D + 1; ++i)
+            if (ids[i] < last.id && (!is_found || ids[i] > next)) {
+                next = ids[i];
+                is_found = true;
+            }
+        if (!is_found) break;
+        last.id = next;
+        const int sign = power_sign(D, points, are_radii, last);
+        if (sign != 0) return static_cast<Sign>((D & 1) != 0 ? -sign : sign);
+    }
+    last.kind = LastColumn::products;
+    for (last.a = 0; last.a < D; ++last.a)
+        for (last.b = last.a; last.b < D; ++last.b) {
+            const int sign = power_sign(D, points, are_radii, last);
+            if (sign != 0) return static_cast<Sign>((D & 1) != 0 ? -sign : sign);
+        }
+    NETMESH_ASSERT(false);
+    return Sign::negative;
+}
+
 }  // namespace
 
 template <int D>
@@ -140,12 +208,16 @@ Sign in_power_perturbed(const double* const* cell, const VertexId* ids, const do
     const double* points[D + 2];
     for (int i = 0; i <= D; ++i) points[i] = cell[i];
     points[D + 1] = q;
-    const int sign = power_sign(D, points, are_radii);
+    const int sign = power_sign(D, points, are_radii, {LastColumn::lifts, nullptr, VertexId(none), 0, 0});
     if (sign != 0) {
         ++counts.calls[stage_exact];
         return static_cast<Sign>((D & 1) != 0 ? -sign : sign);
     }
     ++counts.calls[stage_tie];
+    VertexId all[D + 2];
+    for (int i = 0; i <= D; ++i) all[i] = ids[i];
+    all[D + 1] = q_id;
+    if (has_copies<D>(all)) return break_tie_of_copies<D>(points, all, are_radii);
     return break_power_tie<D>(points, ids, q_id);
 }
 

@@ -1,6 +1,9 @@
 // Weights of points. A point with a weight w has the power |x - p|^2 - w at x; its weight, or a radius r that stands
 // for the weight r^2, is the number behind its coordinates: D + 1 numbers at the start of each record.
 #pragma once
+#include <cstdint>
+
+#include "vocabulary/ids.hpp"
 
 namespace netmesh {
 
@@ -16,7 +19,10 @@ struct Weights {
     static constexpr bool has = true;
     double top = 0;  // the largest number
     bool are_radii = false;
+    // By vertex: the index by which ties are broken; null: its own. With periods copies of a point share one.
+    const std::uint32_t* index = nullptr;
 
+    VertexId index_of(VertexId v) const { return index == nullptr ? v : VertexId(index[v]); }
     // Of numbers a and b, at most three roundings off: the weight of a less that of b.
     double difference(double a, double b) const { return are_radii ? (a - b) * (a + b) : a - b; }
     double height(double number) const { return difference(top, number); }

@@ -27,11 +27,13 @@ struct FaceOrder {
     std::uint32_t count;
 };
 
-// is_signed: vertices differ in value, and values may be negative.
-template <bool is_signed> class BallHomology {
+// is_signed: vertices differ in value, and values may be negative. is_quotient: classes of any degree can last, and a
+// simplex can have a facet more than once; facets that it has an even number of times are not in its boundary.
+template <bool is_signed, bool is_quotient> class BallHomology {
 public:
     BallHomology(const FilteredBall& ball, DiagramRequest request, const Work& work)
-        : ball_(ball), arena_(work.arena), progress_{work.monitor}, writer_(work.arena, request) {}
+        : ball_(ball), arena_(work.arena), progress_{work.monitor}, writer_(work.arena, request),
+          max_degree_(request.max_degree) {}
 
     Status run();
     Status run_on_disk();
@@ -50,25 +52,28 @@ private:
     Status unite_vertices(const FaceOrder& edges, BitSet* joining);
     Status unite_cells(std::uint32_t* parent, const FaceOrder& facets);
     Status unite_top(FaceOrder* facets);
+    Status add_loops(const FaceOrder& edges, const BitSet& joining);
+    bool lists_degree(std::uint32_t degree) const { return max_degree_ >= degree; }
     Status reduce(std::uint32_t k, const FaceOrder& columns, FaceOrder* rows);
 
     const FilteredBall& ball_;
     Arena& arena_;
     Progress progress_;
     PairWriter writer_;
+    std::uint32_t max_degree_;
     // By dimension. positive_: faces that are known to give birth to a class. taken_: those that end one of zero
     // length.
     BitSet positive_[dimension_most() + 1], taken_[dimension_most() + 1];
     std::uint32_t pairs_[dimension_most() + 1] = {};  // of zero length, by the dimension of the coface
 };
 
-template <bool is_signed> bool BallHomology<is_signed>::take_bits(std::uint32_t k, BitSet* out) {
+template <bool is_signed, bool is_quotient> bool BallHomology<is_signed, is_quotient>::take_bits(std::uint32_t k, BitSet* out) {
     std::uint64_t* const words = arena_.take_high<std::uint64_t>(BitSet::words_needed(of(k).count));
     if (words != nullptr) out->adopt(words, of(k).count);
     return words != nullptr;
 }
 
-template <bool is_signed> Status BallHomology<is_signed>::begin() {
+template <bool is_signed, bool is_quotient> Status BallHomology<is_signed, is_quotient>::begin() {
     std::uint64_t total = 0;
     for (std::uint32_t k = 1; k <= ball_.dimension; ++k) total += of(k).count;
     progress_.monitor.begin(NETMESH_STAGE_REDUCE, total);
@@ -79,7 +84,7 @@ template <bool is_signed> Status BallHomology<is_signed>::begin() {
 }
 
 // Finds the apparent pairs of zero length of (k-1)-faces and k-faces. mate, if any: the k-face's partner, or none.
-template <bool is_signed> Status BallHomology<is_signed>::match(std::uint32_t k, std::uint32_t* mate) {
+template <bool is_signed, bool is_quotient> Status BallHomology<is_signed, is_quotient>::match(std::uint32_t k, std::uint32_t* mate) {
     const HighScope scope(arena_);
     BitSet met;  // (k-1)-faces that have a cofacet of equal value among those before
     if (!take_bits(k - 1, &met)) return Status::out_of_memory;
@@ -90,6 +95,7 @@ template <bool is_signed> Status BallHomology<is_signed>::match(std::uint32_t k,
             const double value = of(k).value[j];
             std::uint32_t above = 0;
             for (std::uint32_t i = 0; i <= k; ++i) {
+                if (is_quotient && !is_in_boundary(face, k, face[i])) continue;
                 const std::uint32_t next = below[face[i]] == value ? face[i] + 1 : 0;
                 above = next > above ? next : above;
             }
@@ -115,7 +121,7 @@ template <bool is_signed> Status BallHomology<is_signed>::match(std::uint32_t k,
 
 // Lists the faces that end no class of zero length. Facets of cells, which union-find takes, only if nothing is known
 // of them; what is a row further down can be positive.
-template <bool is_signed> Status BallHomology<is_signed>::order(std::uint32_t k, FaceOrder* out) {
+template <bool is_signed, bool is_quotient> Status BallHomology<is_signed, is_quotient>::order(std::uint32_t k, FaceOrder* out) {
     const bool are_facets = has_cells() && k + 1 == ball_.dim;
     const std::uint32_t count = of(k).count - pairs_[k] - (are_facets ? pairs_[k + 1] : 0);
     out->face = arena_.take_high<std::uint32_t>(count);
@@ -131,7 +137,7 @@ template <bool is_signed> Status BallHomology<is_signed>::order(std::uint32_t k,
 }
 
 // Gives back what was taken at the high end since it was at `high`, but for this order. False: out of memory.
-template <bool is_signed> bool BallHomology<is_signed>::move_up(std::size_t high, FaceOrder* order) {
+template <bool is_signed, bool is_quotient> bool BallHomology<is_signed, is_quotient>::move_up(std::size_t high, FaceOrder* order) {
     const std::uint32_t* const from = order->face;
     arena_.release_high(high);
     order->face = arena_.take_high<std::uint32_t>(order->count);
@@ -141,7 +147,7 @@ template <bool is_signed> bool BallHomology<is_signed>::move_up(std::size_t high
 }
 
 // Degree 0. joining, if any: the edges that join two components.
-template <bool is_signed> Status BallHomology<is_signed>::unite_vertices(const FaceOrder& edges, BitSet* joining) {
+template <bool is_signed, bool is_quotient> Status BallHomology<is_signed, is_quotient>::unite_vertices(const FaceOrder& edges, BitSet* joining) {
     struct Graph {
         BallHomology& h;
         const FaceOrder& edges;
@@ -183,7 +189,7 @@ template <bool is_signed> Status BallHomology<is_signed>::unite_vertices(const F
 // Degree dim-1, backwards: a facet joins its two cells, or its cell and the outside. A cell whose facet is its mate
 // belongs to what is beyond that from the start on: no other facet of it comes before.
 // parent: [cells + 1], the mates of cells; taken over.
-template <bool is_signed> Status BallHomology<is_signed>::unite_cells(std::uint32_t* parent, const FaceOrder& facets) {
+template <bool is_signed, bool is_quotient> Status BallHomology<is_signed, is_quotient>::unite_cells(std::uint32_t* parent, const FaceOrder& facets) {
     const std::uint32_t dim = ball_.dim, columns = of(dim).count, width = dim + 1, outside = columns;
     std::uint32_t* const first = arena_.take_high<std::uint32_t>(of(dim - 1).count);
     if (first == nullptr || columns >= none >> 3) return Status::out_of_memory;
@@ -234,25 +240,47 @@ template <bool is_signed> Status BallHomology<is_signed>::unite_cells(std::uint3
         positive_[dim - 1].insert(f);
         if (!writer_.add(of(dim - 1).value[f], value[cells.b], dim - 1)) return Status::out_of_memory;
     }
+    // Without an outside the last cell of each component closes a class.
+    bool fits = true;
+    if (is_quotient && lists_degree(dim))
+        arena_.each(columns, 3, [&](std::uint64_t j) {
+            if (parent[j] == j) fits = fits && writer_.add_essential(value[j], dim);
+        });
+    if (!fits) return Status::out_of_memory;
     progress_.done += columns;
     return Status::ok;
 }
 
 // Degree dim-1, and its facets in order.
-template <bool is_signed> Status BallHomology<is_signed>::unite_top(FaceOrder* facets) {
+template <bool is_signed, bool is_quotient> Status BallHomology<is_signed, is_quotient>::unite_top(FaceOrder* facets) {
     const std::uint32_t dim = ball_.dim;
     const std::size_t high = arena_.high_mark();
     std::uint32_t* const parent = arena_.take_high<std::uint32_t>(std::size_t{of(dim).count} + 1);
     if (parent == nullptr) return Status::out_of_memory;
     Status status = match(dim, parent);
     if (status == Status::ok) status = order(dim - 1, facets);
-    if (status == Status::ok && dim == 2) status = unite_vertices(*facets, nullptr);
+    BitSet joining;
+    const bool has_loops = is_quotient && dim == 2;
+    if (status == Status::ok && has_loops && !take_bits(1, &joining)) status = Status::out_of_memory;
+    if (status == Status::ok && dim == 2) status = unite_vertices(*facets, has_loops ? &joining : nullptr);
     if (status == Status::ok) status = unite_cells(parent, *facets);
+    if (status == Status::ok && has_loops) status = add_loops(*facets, joining);
     if (status == Status::ok && !move_up(high, facets)) status = Status::out_of_memory;
     return status;
 }
 
-template <bool is_signed> Status BallHomology<is_signed>::run_on_disk() {
+// Classes of degree 1 that last: edges that neither join components nor begin what a face ends.
+template <bool is_signed, bool is_quotient>
+Status BallHomology<is_signed, is_quotient>::add_loops(const FaceOrder& edges, const BitSet& joining) {
+    bool fits = true;
+    arena_.each(edges.count, 6, [&](std::uint64_t i) {
+        const std::uint32_t e = edges.face[i];
+        if (!joining.has(e) && !positive_[1].has(e)) fits = fits && writer_.add_essential(of(1).value[e], 1);
+    });
+    return fits ? Status::ok : Status::out_of_memory;
+}
+
+template <bool is_signed, bool is_quotient> Status BallHomology<is_signed, is_quotient>::run_on_disk() {
     Status status = begin();
     if (status != Status::ok) return status;
     FaceOrder edges;
@@ -262,10 +290,11 @@ template <bool is_signed> Status BallHomology<is_signed>::run_on_disk() {
 }
 
 // Columns from the first to the last; those of faces that are positive are zero (clearing).
-template <bool is_signed> class BallHomology<is_signed>::Recorder {
+template <bool is_signed, bool is_quotient> class BallHomology<is_signed, is_quotient>::Recorder {
 public:
-    using Columns = ListedColumns<RankedMatrix, KeptSums>;
-    Recorder(BallHomology& homology, Columns& columns, const RankedMatrix& matrix, const std::uint32_t* owner,
+    using Matrix = RankedMatrix<is_quotient>;
+    using Columns = ListedColumns<Matrix, KeptSums>;
+    Recorder(BallHomology& homology, Columns& columns, const Matrix& matrix, const std::uint32_t* owner,
              const FaceOrder& order)
         : h_(homology), columns_(columns), matrix_(matrix), owner_(owner), k_(matrix.k), order_(order) {}
 
@@ -286,10 +315,11 @@ public:
         if (owner_[pivot] == j) matrix_.note_owner(j, pivot);
         return Status::ok;
     }
-    // A ball has no class that lasts but the first, so this is of the highest dimension that is listed.
-    Status zero(std::uint32_t) {
-        NETMESH_ASSERT(k_ == h_.ball_.dimension);
-        return Status::ok;
+    // A ball has no class that lasts but the first, so there this is of the highest dimension that is listed.
+    Status zero(std::uint32_t j) {
+        NETMESH_ASSERT(is_quotient || k_ == h_.ball_.dimension);
+        if (!is_quotient || k_ == h_.ball_.dimension) return Status::ok;
+        return h_.writer_.add_essential(h_.of(k_).value[j], k_) ? Status::ok : Status::out_of_memory;
     }
 
 private:
@@ -308,7 +338,7 @@ private:
 
     BallHomology& h_;
     Columns& columns_;
-    const RankedMatrix& matrix_;
+    const Matrix& matrix_;
     const std::uint32_t* const owner_;
     std::uint32_t k_, next_ = 0;
     const FaceOrder order_;
@@ -316,8 +346,8 @@ private:
 
 // Degree k-1. rows: the (k-1)-faces that are not taken, without those that end a class when these are known. They have
 // been listed before their columns are reduced, which is a dimension further down.
-template <bool is_signed>
-Status BallHomology<is_signed>::reduce(std::uint32_t k, const FaceOrder& columns, FaceOrder* rows) {
+template <bool is_signed, bool is_quotient>
+Status BallHomology<is_signed, is_quotient>::reduce(std::uint32_t k, const FaceOrder& columns, FaceOrder* rows) {
     Status status = order(k - 1, rows);
     if (status != Status::ok) return status;
     const HighScope scope(arena_);
@@ -343,7 +373,7 @@ Status BallHomology<is_signed>::reduce(std::uint32_t k, const FaceOrder& columns
     arena_.each(rows->count, 6, [&](std::uint64_t i) { rank[rows->face[i]] = static_cast<std::uint32_t>(i); });
     ColumnStore store;
     store.open(arena_);
-    const RankedMatrix matrix = {of(k).faces, rank, k, others};
+    const typename Recorder::Matrix matrix = {of(k).faces, rank, k, others};
     typename Recorder::Columns reduced(matrix, {&store}, rows->count, owner, words, progress_);
     arena_.each(of(k).count, 8, [&](std::uint64_t at) {
         const std::uint32_t j = static_cast<std::uint32_t>(at);
@@ -359,7 +389,7 @@ Status BallHomology<is_signed>::reduce(std::uint32_t k, const FaceOrder& columns
         if (owner[i] != none && owner[i] >= ColumnStore::stored) owner[i] = store.column(owner[i])[0];
     });
     arena_.release_high(high_kept);
-    // By birth, so that there is little to sort.
+    // By birth, so that there is little to sort. Edges that nothing ends are loops that last.
     bool fits = true;
     arena_.each(rows->count, 20, [&](std::uint64_t i) {
         constexpr std::uint32_t far = 24;
@@ -367,6 +397,8 @@ Status BallHomology<is_signed>::reduce(std::uint32_t k, const FaceOrder& columns
             prefetch(of(k - 1).value + rows->face[i + far]);
             prefetch(of(k).value + owner[i + far]);
         }
+        if (is_quotient && k == 2 && owner[i] == none)
+            fits = fits && writer_.add_essential(of(1).value[rows->face[i]], 1);
         if (owner[i] == none || taken_[k].has(owner[i])) return;
         const std::uint32_t face = rows->face[i];
         positive_[k - 1].insert(face);
@@ -375,7 +407,7 @@ Status BallHomology<is_signed>::reduce(std::uint32_t k, const FaceOrder& columns
     return fits ? Status::ok : Status::out_of_memory;
 }
 
-template <bool is_signed> Status BallHomology<is_signed>::run() {
+template <bool is_signed, bool is_quotient> Status BallHomology<is_signed, is_quotient>::run() {
     Status status = begin();
     const std::uint32_t top = ball_.dimension;
     const std::uint32_t highest = has_cells() ? top - 1 : top;  // of columns that are reduced
@@ -401,14 +433,14 @@ template <bool is_signed> Status BallHomology<is_signed>::run() {
 
 // In place of BallHomology where nothing is left to reduce.
 template <bool is_signed> struct DiskHomology {
-    BallHomology<is_signed> homology;
+    BallHomology<is_signed, false> homology;
     Status run() { return homology.run_on_disk(); }
     PairList finish() { return homology.finish(); }
 };
 
-template <bool is_signed>
+template <bool is_signed, bool is_quotient = false>
 Status ball_diagram(const FilteredBall& ball, DiagramRequest request, const Work& work, PairList* out) {
-    BallHomology<is_signed> homology(ball, request, work);
+    BallHomology<is_signed, is_quotient> homology(ball, request, work);
     return write_diagram(homology, work.arena, out);
 }
 template <bool is_signed>
@@ -433,6 +465,10 @@ Status persist_signed_ball(const FilteredBall& ball, DiagramRequest request, con
 
 Status persist_signed_disk(const FilteredBall& ball, DiagramRequest request, const Work& work, PairList* out) {
     return disk_diagram<true>(ball, request, work, out);
+}
+
+Status persist_quotient(const FilteredBall& quotient, DiagramRequest request, const Work& work, PairList* out) {
+    return ball_diagram<true, true>(quotient, request, work, out);
 }
 
 }  // namespace netmesh

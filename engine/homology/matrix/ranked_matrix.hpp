@@ -9,8 +9,16 @@
 
 namespace netmesh {
 
-// Boundaries of k-faces. Rows have numbers of their own; faces without one count as absent.
-struct RankedMatrix {
+// Whether a k-face has this facet an odd number of times.
+inline bool is_in_boundary(const std::uint32_t* facets, std::uint32_t k, std::uint32_t facet) {
+    std::uint32_t times = 0;
+    for (std::uint32_t i = 0; i <= k; ++i) times += facets[i] == facet;
+    return (times & 1u) != 0;
+}
+
+// Boundaries of k-faces. Rows have numbers of their own; faces without one count as absent. repeats: a face can be
+// there more than once; twice is as good as not at all.
+template <bool repeats = false> struct RankedMatrix {
     const std::uint32_t* faces;
     const std::uint32_t* rank;
     std::uint32_t k;
@@ -22,6 +30,7 @@ struct RankedMatrix {
         std::uint32_t above = 0;  // rows + 1: 0 for none; no branches, which nobody could foresee
         for (std::uint32_t i = 0; i <= k; ++i) {
             const std::uint32_t next = rank[face[i]] + 1;
+            if (repeats && !(next > above && is_in_boundary(face, k, face[i]))) continue;
             above = next > above ? next : above;
         }
         return above - 1;

@@ -1,0 +1,62 @@
+// Points with periods: their alpha diagrams, with weights or without.
+#include "api/request.hpp"
+#include "jobs/alpha_of_periodic_points.hpp"
+
+namespace netmesh {
+namespace {
+
+netmesh_status fail(netmesh_context* context, Status status, const PeriodicReport& report) {
+    const std::uint64_t row = report.input.row_a;
+    if (report.has_bad_lattice && status == Status::invalid_argument) {
+        clear(context);
+        return refuse(context, {NETMESH_FIELD_LATTICE, "a vector is not finite, or depends on those before it"},
+                      static_cast<std::uint64_t>(report.culprit));
+    }
+    if (report.has_negative) {
+        clear(context);
+        return refuse(context, {NETMESH_FIELD_WEIGHTS, "a radius is negative"}, row);
+    }
+    return fail_and_clear(context, status, report.has_weight ? "a weight is not a finite number" : nullptr, row);
+}
+
+netmesh_status diagram_with_periods(netmesh_context* context) {
+    clear(context);
+    const netmesh_request& r = context->request;
+    const netmesh_points& p = r.points;
+    Monitor monitor = monitor_of(r.monitor);
+    const Watch watch(context->arena, monitor);
+    WeightRows weights = {};
+    if (r.weighting != nullptr)
+        weights = {{p.weights, p.weight_stride_bytes, p.format == NETMESH_POINTS_FLOAT32}, r.weighting->are_radii};
+    const AlphaOfPeriodicPoints wanted = {{rows_of(p), p.count, r.weighting != nullptr ? &weights : nullptr, p.lattice,
+                                           static_cast<int>(p.lattice_count)},
+                                          r.seed,
+                                          {r.max_degree, r.keep_zero_pairs != 0},
+                                          r.squares != 0};
+    PeriodicAlphaDiagram made = {};
+    const Status found = with_dimension(p.dim, [&](auto dimension) {
+        return alpha_of_periodic_points<decltype(dimension)::value>(wanted, {context->arena, monitor}, &made);
+    });
+    const Status status = watch.heed(found);
+    if (status != Status::ok) return fail(context, status, made.report);
+    context->complete = true;
+    KeptInput& input = context->input;
+    const InputReport& read = made.report.input;
+    input = {true, true, p.dim, read.rows, read.duplicates, read.fingerprint, made.distinct};
+    if (r.weighting != nullptr)
+        input.weighting = r.weighting->are_radii ? NETMESH_WEIGHTING_RADII : NETMESH_WEIGHTING_WEIGHTS;
+    input.squares = r.squares != 0;
+    input.periods = p.lattice_count;
+    input.copies = made.report.copies;
+    input.moved = made.report.moved;
+    keep_alpha(context, wanted.diagram, made.found);
+    return finish(context, status);
+}
+
+}  // namespace
+}  // namespace netmesh
+
+extern "C" {
+extern const netmesh_periods netmesh_periodic;
+const netmesh_periods netmesh_periodic = {netmesh::diagram_with_periods};
+}

@@ -1,0 +1,220 @@
+#include "jobs/alpha_of_periodic_points.hpp"
+
+#include "complex/faces.hpp"
+#include "filtration/alpha.hpp"
+#include "homology/matrix/ball.hpp"
+#include "periods/final_stars.hpp"
+#include "periods/orbits.hpp"
+#include "vocabulary/dimension.hpp"
+
+namespace netmesh {
+namespace {
+
+// Of points spread evenly, mostly enough: the largest empty balls are this many times as wide as points are apart.
+template <int D> constexpr double first_margin = D == 2 ? 5 : D == 3 ? 3.4 : 3;
+// So few copies are taken at once, and nothing is asked.
+constexpr double copies_at_once = 2000;
+
+template <int D> class PeriodicAlpha {
+public:
+    PeriodicAlpha(const AlphaOfPeriodicPoints& request, const Work& work, PeriodicAlphaDiagram* out)
+        : request_(request), work_(work), arena_(work.arena), out_(*out) {}
+
+    Status run() {
+        Status status = take_periodic_points<D>(request_.input, work_, &points_, &out_.report);
+        if (status == Status::ok) status = triangulate_copies();
+        if (status == Status::ok) status = find_values();
+        if (status == Status::ok) status = take_orbits(points_, copies_, dimension(), work_, &faces_, value_);
+        return status == Status::ok ? reduce() : status;
+    }
+
+private:
+    static constexpr int numbers = D + 1;
+    bool has_weights() const { return request_.input.weights != nullptr; }
+    bool are_radii() const { return has_weights() && request_.input.weights->are_radii; }
+    int dimension() const {
+        const std::uint32_t wanted = request_.diagram.max_degree + 1;
+        return wanted < D ? static_cast<int>(wanted) : D;
+    }
+
+    // How far points are apart, the box cut into cubes.
+    double spacing() const {
+        double sides[D], volume = 1;
+        for (int k = 0; k < D; ++k) {
+            double least = infinity, most = -infinity;
+            for (std::uint32_t i = 0; i < points_.count; ++i) {
+                const double x = points_.x[std::size_t{i} * numbers + static_cast<std::size_t>(k)];
+                least = x < least ? x : least;
+                most = x > most ? x : most;
+            }
+            sides[k] = most - least;
+        }
+        // Sides of the lattice take the place of as many of the longest ones.
+        for (int j = 0; j < points_.lattice.count; ++j) {
+            int longest = 0;
+            for (int k = 1; k < D; ++k)
+                if (sides[k] > sides[longest]) longest = k;
+            sides[longest] = -1;
+            volume *= points_.lattice.h[j];
+        }
+        int axes = points_.lattice.count;
+        for (int k = 0; k < D; ++k)
+            if (sides[k] > 0) {
+                volume *= sides[k];
+                ++axes;
+            }
+        // The root, by halves: nothing depends on its last digits but work.
+        double low = 0, high = 1;
+        for (int k = 0; k < points_.lattice.count; ++k) high += points_.lattice.h[k];
+        for (int k = 0; k < D; ++k) high += sides[k] > 0 ? sides[k] : 0;
+        for (int step = 0; step < 60; ++step) {
+            const double middle = 0.5 * (low + high);
+            double cubes = static_cast<double>(points_.count);
+            for (int k = 0; k < axes; ++k) cubes *= middle;
+            (cubes < volume ? low : high) = middle;
+        }
+        return high;
+    }
+    double copies_in_all() const {
+        double times = static_cast<double>(points_.count);
+        for (int j = 0; j < points_.lattice.count; ++j)
+            times *= 1 + (points_.high[j] - points_.low[j] + 2 * points_.far[j]) / points_.lattice.h[j];
+        return times;
+    }
+
+    Status triangulate_copies() {
+        const std::size_t low = arena_.low_mark(), high = arena_.high_mark();
+        const int count = points_.lattice.count;
+        double wanted = copies_in_all() <= copies_at_once ? infinity : first_margin<D> * spacing();
+        for (;;) {
+            double margin[Lattice::most];
+            bool are_all = true;
+            for (int j = 0; j < count; ++j) {
+                margin[j] = wanted < points_.far[j] ? wanted : points_.far[j];
+                are_all &= margin[j] == points_.far[j];
+            }
+            StarReach reach = {true, 0};
+            const Status status = triangulate_within(margin, are_all ? nullptr : &reach);
+            const bool is_cut_off = status == Status::flat && !are_all;
+            if (status != Status::ok && !is_cut_off) return status;
+            if (status == Status::ok && reach.are_final) return Status::ok;
+            arena_.release_low(low);
+            arena_.release_high(high);
+            const bool is_known = status == Status::ok && reach.wanted < infinity;
+            wanted = is_known && reach.wanted > 1.05 * wanted ? reach.wanted * (1 + 0x1p-10) : 2 * wanted;
+        }
+    }
+    // reach: what the stars of the points say; null: nothing is asked.
+    Status triangulate_within(const double* margin, StarReach* reach) {
+        Status status = make_copies<D>(points_, margin, work_, &copies_);
+        if (status != Status::ok) return status;
+        StoreState state = {};
+        Store<D> store(arena_, state);
+        InputReport input;
+        HiddenPoints hidden;
+        const WeightRows weights = {{copies_.x + D, sizeof(double) * numbers, false}, are_radii(), copies_.index};
+        status = triangulate_weighted<D>(store, {copies_.x, sizeof(double) * numbers, false}, copies_.count, weights,
+                                         request_.seed, work_.monitor, &input, &hidden);
+        if (status == Status::ok && input.duplicates != 0) return Status::internal;
+        if (status != Status::ok) return status;
+        if (reach != nullptr) {
+            Weights used;
+            used.are_radii = are_radii();
+            used.top = -infinity;
+            arena_.each(points_.count, 2, [&](std::uint64_t i) {
+                const double number = points_.x[i * numbers + D];
+                used.top = number > used.top ? number : used.top;
+            });
+            *reach = reach_of_stars<D>(store, points_, margin, has_weights() ? &used : nullptr);
+            if (!reach->are_final) return Status::ok;
+        }
+        return keep_cells(store) ? Status::ok : Status::out_of_memory;
+    }
+    // Of the triangulation nothing stays but the cells at points, by rows of the copies.
+    bool keep_cells(Store<D>& store) {
+        constexpr std::size_t row_bytes = sizeof(VertexId) * (D + 1);
+        const std::size_t begin = static_cast<std::size_t>(store.state.cells_offset);
+        unsigned char* rows = arena_.at(begin);
+        std::uint32_t kept = 0, seen = 0;
+        arena_.each(store.state.cell_slots, 20, [&](std::uint64_t c) {
+            const Cell<D>& cell = store.cell(static_cast<std::uint32_t>(c));
+            VertexId vertex[D + 1];
+            bool has_point = false;
+            for (int i = 0; i <= D; ++i) {
+                vertex[i] = VertexId(store.vertex(cell.vertex[i]).origin);
+                has_point |= vertex[i] < points_.count;
+            }
+            if (has_point) __builtin_memcpy(rows + std::size_t{kept++} * row_bytes, vertex, row_bytes);
+        });
+        arena_.each(store.state.vertex_count, 2, [&](std::uint64_t v) {
+            seen += store.vertex(static_cast<std::uint32_t>(v)).origin < points_.count;
+        });
+        out_.report.hidden = points_.count - seen;
+        out_.report.copies = copies_.count - points_.count;
+        out_.distinct = seen;
+        store.truncate_vertices(0);
+        arena_.release_low(begin);
+        unsigned char* const moved = arena_.template take_low<unsigned char>(std::size_t{kept} * row_bytes);
+        if (moved == nullptr) return false;
+        move_bytes(moved, rows, std::size_t{kept} * row_bytes, arena_);
+        cells_ = {moved, row_bytes, kept, copies_.count};
+        return true;
+    }
+
+    Status find_values() {
+        work_.monitor.begin(NETMESH_STAGE_FILTER, 0);
+        Faces<D> faces;
+        Status status = enumerate_faces(cells_, D, work_, &faces);
+        if (status != Status::ok) return status;
+        for (int k = 0; k <= D; ++k) {
+            value_[k] = arena_.template take_low<double>(faces.count[k]);
+            if (value_[k] == nullptr || faces.count[k] > 0x7FFFFFFFu) return Status::out_of_memory;
+        }
+        constexpr std::ptrdiff_t stride = sizeof(double) * numbers;
+        PowerValues powers = {};
+        powers.are_radii = are_radii();
+        powers.squares = request_.squares;
+        status = has_weights() ? alpha_values_weighted(faces, copies_.x, stride, powers, work_, value_)
+                               : alpha_values(faces, copies_.x, stride, work_, value_);
+        faces_ = faces.template of_dimension<any_dimension>();
+        return status;
+    }
+    Status reduce() {
+        FilteredBall quotient = {D, static_cast<std::uint32_t>(dimension()), false, {}};
+        out_.found.simplices = 0;
+        for (int k = 0; k <= dimension(); ++k) {
+            quotient.of[k] = {faces_.count[k], faces_.facets[k], value_[k]};
+            out_.found.simplices += faces_.count[k];
+        }
+        return persist_quotient(quotient, request_.diagram, work_, &out_.found.pairs);
+    }
+
+    const AlphaOfPeriodicPoints& request_;
+    const Work& work_;
+    Arena& arena_;
+    PeriodicAlphaDiagram& out_;
+    PeriodicPoints points_;
+    Copies copies_;
+    TriangulationView<D> cells_;
+    AnyFaces faces_;
+    double* value_[D + 1];
+};
+
+}  // namespace
+
+template <int D>
+Status alpha_of_periodic_points(const AlphaOfPeriodicPoints& request, const Work& work, PeriodicAlphaDiagram* out) {
+    const std::size_t low = work.arena.low_mark(), high = work.arena.high_mark();
+    *out = PeriodicAlphaDiagram{};
+    const Status status = PeriodicAlpha<D>(request, work, out).run();
+    work.arena.release_low(low);
+    work.arena.release_high(high);
+    return status == Status::ok ? move_pairs_down(low, work.arena, &out->found.pairs) : status;
+}
+
+#define NETMESH_INSTANTIATE(D)                                                                                         \
+    template Status alpha_of_periodic_points<D>(const AlphaOfPeriodicPoints&, const Work&, PeriodicAlphaDiagram*);
+NETMESH_EACH_DIMENSION(NETMESH_INSTANTIATE)
+#undef NETMESH_INSTANTIATE
+
+}  // namespace netmesh

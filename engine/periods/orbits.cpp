@@ -1,0 +1,223 @@
+#include "periods/orbits.hpp"
+
+#include "numerics/bits.hpp"
+#include "numerics/random.hpp"
+#include "numerics/sort.hpp"
+
+namespace netmesh {
+namespace {
+
+constexpr int vertices_most = dimension_most() + 1;
+
+// A simplex up to translations: its points with translations, less that of a vertex with the least point, ascending;
+// where points are alike, the least such list.
+struct NormalForm {
+    struct Item {
+        std::uint32_t point;
+        std::int64_t shift;
+    };
+    Item item[vertices_most];
+    int count;
+
+    std::uint64_t hash() const {
+        std::uint64_t h = static_cast<std::uint64_t>(count);
+        for (int i = 0; i < count; ++i) {
+            h = mix64(h ^ item[i].point);
+            h = mix64(h ^ static_cast<std::uint64_t>(item[i].shift));
+        }
+        return h;
+    }
+    static bool is_less(const Item& a, const Item& b) {
+        return a.point != b.point ? a.point < b.point : a.shift < b.shift;
+    }
+    // Below 0, 0 or above.
+    int compare(const NormalForm& other) const {
+        for (int i = 0; i < count; ++i) {
+            if (is_less(item[i], other.item[i])) return -1;
+            if (is_less(other.item[i], item[i])) return 1;
+        }
+        return 0;
+    }
+};
+
+class Orbits {
+public:
+    Orbits(const PeriodicPoints& points, const Copies& copies, int dimension, const Work& work, AnyFaces* faces,
+           double* const* value)
+        : points_(points), copies_(copies), dimension_(dimension), arena_(work.arena), faces_(*faces), value_(value) {}
+
+    Status run() {
+        Status status = find_shared();
+        if (status != Status::ok) return status;
+        for (int k = 0; k <= dimension_; ++k) {
+            status = find_orbits(k);
+            if (status != Status::ok) return status;
+            if (arena_.has_stopped()) return Status::cancelled;
+        }
+        for (int k = 0; k <= dimension_; ++k)
+            if (!write(k)) return Status::out_of_memory;
+        return Status::ok;
+    }
+
+private:
+    enum class Place { inside, across, outside };
+
+    Place place_of(int k, std::uint32_t face, std::uint32_t* vertex) const {
+        int own = 0;
+        faces_.vertices(k, face, vertex);
+        for (int i = 0; i <= k; ++i) own += vertex[i] < points_.count;
+        return own == k + 1 ? Place::inside : own > 0 ? Place::across : Place::outside;
+    }
+    [[gnu::noinline]] void normalise(int k, const std::uint32_t* vertex, NormalForm* best) const {
+        NormalForm form;
+        std::uint32_t least = none;
+        for (int i = 0; i <= k; ++i) {
+            const std::uint32_t point = copies_.point_of(vertex[i], points_.count);
+            least = point < least ? point : least;
+        }
+        best->count = 0;
+        for (int anchor = 0; anchor <= k; ++anchor) {
+            if (copies_.point_of(vertex[anchor], points_.count) != least) continue;
+            const std::int64_t from = copies_.shift_of(vertex[anchor], points_.count);
+            form.count = k + 1;
+            for (int i = 0; i <= k; ++i)
+                form.item[i] = {copies_.point_of(vertex[i], points_.count),
+                                copies_.shift_of(vertex[i], points_.count) - from};
+            insertion_sort(form.item, static_cast<std::uint64_t>(k) + 1, NormalForm::is_less);
+            if (best->count == 0 || form.compare(*best) < 0) *best = form;
+        }
+    }
+
+    // By open addressing: a face of each orbit that goes across.
+    struct Table {
+        std::uint32_t* slot;
+        std::uint64_t mask;
+    };
+    // The face of the table that is a translate of this one, or the slot where it would be.
+    std::uint32_t* look_up(const Table& table, int k, const NormalForm& form) const {
+        for (std::uint64_t at = form.hash();; ++at) {
+            std::uint32_t* const slot = table.slot + (at & table.mask);
+            if (*slot == none) return slot;
+            std::uint32_t vertex[vertices_most];
+            NormalForm other;
+            faces_.vertices(k, *slot, vertex);
+            normalise(k, vertex, &other);
+            if (form.compare(other) == 0) return slot;
+        }
+    }
+
+    // Own points of which copies are vertices, too.
+    Status find_shared() {
+        shared_ = arena_.take_high<std::uint8_t>(points_.count);
+        if (shared_ == nullptr) return Status::out_of_memory;
+        arena_.each(points_.count, 1, [this](std::uint64_t i) { shared_[i] = 0; });
+        arena_.each(faces_.count[0], 4, [this](std::uint64_t f) {
+            const std::uint32_t v = faces_.last_vertex[0][f];
+            if (v >= points_.count) shared_[copies_.own[v - points_.count]] = 1;
+        });
+        return Status::ok;
+    }
+    // Can a translate of the face be a facet of something that goes across?
+    bool is_shared(int k, Place place, const std::uint32_t* vertex) const {
+        if (place != Place::inside) return place == Place::across;
+        for (int i = 0; i <= k; ++i)
+            if (shared_[vertex[i]] == 0) return false;
+        return true;
+    }
+
+    // first_[k][f]: the face that stands for the orbit, or none where it is not asked for.
+    Status find_orbits(int k) {
+        const std::uint32_t count = faces_.count[k], width = static_cast<std::uint32_t>(k) + 1;
+        std::uint32_t* const first = first_[k] = arena_.take_high<std::uint32_t>(count);
+        if (first == nullptr) return Status::out_of_memory;
+        std::uint64_t listed = 0;
+        arena_.each(count, 10 * width, [&](std::uint64_t f) {
+            std::uint32_t vertex[vertices_most];
+            const Place place = place_of(k, static_cast<std::uint32_t>(f), vertex);
+            first[f] = place == Place::inside ? static_cast<std::uint32_t>(f) : none;
+            listed += is_shared(k, place, vertex);
+        });
+        const HighScope scope(arena_);
+        Table table = {nullptr, 1};
+        while (table.mask < 2 * listed) table.mask *= 2;
+        table.slot = arena_.take_high<std::uint32_t>(static_cast<std::size_t>(table.mask));
+        if (table.slot == nullptr) return Status::out_of_memory;
+        arena_.each(table.mask, 2, [&](std::uint64_t i) { table.slot[i] = none; });
+        --table.mask;
+        arena_.each(count, 10 * width, [&](std::uint64_t f) {
+            std::uint32_t vertex[vertices_most];
+            const Place place = place_of(k, static_cast<std::uint32_t>(f), vertex);
+            if (!is_shared(k, place, vertex)) return;
+            arena_.pass(width);
+            NormalForm form;
+            normalise(k, vertex, &form);
+            std::uint32_t* const slot = look_up(table, k, form);
+            if (*slot == none) *slot = static_cast<std::uint32_t>(f);
+            first[f] = *slot;
+        });
+        return k < dimension_ ? find_outside(k, table) : Status::ok;
+    }
+    // The same of facets without a vertex among the points.
+    Status find_outside(int k, const Table& table) {
+        std::uint32_t* const first = first_[k];
+        bool is_whole = true;
+        arena_.each(faces_.count[k + 1], 10 * (static_cast<std::uint32_t>(k) + 1), [&](std::uint64_t c) {
+            std::uint32_t vertex[vertices_most];
+            if (place_of(k + 1, static_cast<std::uint32_t>(c), vertex) != Place::across) return;
+            const std::uint32_t* const facet = faces_.facets_of(k + 1, static_cast<std::uint32_t>(c));
+            for (int i = 0; i <= k + 1; ++i) {
+                if (first[facet[i]] != none) continue;
+                faces_.vertices(k, facet[i], vertex);
+                NormalForm form;
+                normalise(k, vertex, &form);
+                first[facet[i]] = *look_up(table, k, form);
+                is_whole &= first[facet[i]] != none;
+            }
+        });
+        return is_whole ? Status::ok : Status::internal;
+    }
+
+    // Puts those that stand for others where the first faces were. first_ becomes their numbers.
+    bool write(int k) {
+        const HighScope scope(arena_);
+        const std::uint32_t count = faces_.count[k], width = static_cast<std::uint32_t>(k) + 1;
+        std::uint32_t* const number = arena_.take_high<std::uint32_t>(count);
+        if (number == nullptr) return false;
+        std::uint32_t kept = 0;
+        arena_.each(count, 5 * width, [&](std::uint64_t at) {
+            const auto f = static_cast<std::uint32_t>(at);
+            if (first_[k][f] != f) return;
+            if (k > 0) {
+                const std::uint32_t* const from = faces_.facets_of(k, f);
+                std::uint32_t* const to = faces_.facets[k] + std::size_t{kept} * width;
+                for (std::uint32_t i = 0; i < width; ++i) to[i] = first_[k - 1][from[i]];
+            }
+            value_[k][kept] = value_[k][f];
+            number[f] = kept++;
+        });
+        arena_.each(count, 4, [&](std::uint64_t f) {
+            if (first_[k][f] != none) first_[k][f] = number[first_[k][f]];
+        });
+        faces_.count[k] = kept;
+        return true;
+    }
+
+    const PeriodicPoints& points_;
+    const Copies& copies_;
+    const int dimension_;
+    Arena& arena_;
+    AnyFaces& faces_;
+    double* const* const value_;
+    std::uint8_t* shared_ = nullptr;
+    std::uint32_t* first_[vertices_most];
+};
+
+}  // namespace
+
+Status take_orbits(const PeriodicPoints& points, const Copies& copies, int dimension, const Work& work, AnyFaces* faces,
+                   double* const* value) {
+    const HighScope scope(work.arena);
+    return Orbits(points, copies, dimension, work, faces, value).run();
+}
+
+}  // namespace netmesh

@@ -1,0 +1,22 @@
+// Simplices modulo translations.
+#pragma once
+#include "complex/faces.hpp"
+#include "memory/work.hpp"
+#include "periods/periodic_points.hpp"
+
+namespace netmesh {
+
+// Two simplices are one where a translation takes one to the other. The first by number of those that have a vertex
+// among the points themselves stands for all. These are moved to the front, with their values, and their facets become
+// those that stand for them: a simplex can have a facet twice, or more often. Each of faces->count becomes how many.
+//
+// Translations move every simplex: none is taken to itself. So the quotient of the union of balls has the homology of
+// the quotient complex, whose simplices are whole although vertices may be one.
+//
+// Of dimensions 0..dimension. faces: all of the cells at points, with last_vertex. Scratch: 4 bytes a face, 4 a face of
+// the most frequent dimension, and up to 16 for those of them near the border. out_of_memory, cancelled; internal: a
+// facet is in no orbit.
+Status take_orbits(const PeriodicPoints& points, const Copies& copies, int dimension, const Work& work, AnyFaces* faces,
+                   double* const* value);
+
+}  // namespace netmesh

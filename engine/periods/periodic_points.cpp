@@ -1,0 +1,430 @@
+// Where copies are no doubles, points and vectors are moved first, to multiples of a power of two for each coordinate:
+// 2^-53 of what copies reach, so that each copy has at most 53 bits. A vector is moved to a multiple of 24 times that,
+// and points with it as if the space were stretched: what was a half, a third, a quarter, a sixth, an eighth, .. of a
+// vector is one after that, too, and symmetries of a crystal stay ties.
+#include "periods/periodic_points.hpp"
+
+#include "delaunay/spatial_order.hpp"
+#include "numerics/fingerprint.hpp"
+#include "numerics/sort.hpp"
+#include "numerics/vector.hpp"
+#include "vocabulary/dimension.hpp"
+
+namespace netmesh {
+namespace {
+
+constexpr double parts_of_vectors = 24;
+// Squares of lengths are far from the ends of the range of doubles.
+constexpr double length_most = 0x1p300, length_least = 0x1p-300;
+// Of multiples of the power of two that a coordinate may be.
+constexpr double multiples_most = 0x1p60;
+
+std::int64_t floor_of(double x) {
+    const auto whole = static_cast<std::int64_t>(x);
+    return static_cast<double>(whole) > x ? whole - 1 : whole;
+}
+
+// Moves points into one place.
+template <int D> class Grid {
+public:
+    // Of the vectors as they were given. far_beside[k]: how far points reach in coordinate k beside the lattice.
+    // False: out of range.
+    bool open(const Lattice& given, const double* far_beside, Lattice* moved, double* moved_by) {
+        given_ = given;
+        find_quanta(far_beside);
+        *moved = given;
+        is_moved_ = false;
+        for (int j = 0; j < given.count; ++j)
+            for (int k = 0; k < D; ++k) {
+                const double x = given.b[j][k];
+                if (x == 0 || is_multiple(x, quantum_[k])) continue;
+                const double unit = parts_of_vectors * quantum_[k], to = nearest_integer(x / unit) * unit;
+                stretch_[j][k] = to - x;
+                moved->b[j][k] = to;
+                is_moved_ = true;
+                note(to - x, moved_by);
+            }
+        return true;
+    }
+    void settle(const Lattice& reduced) {
+        lattice_ = reduced;
+        for (int j = 0; j < reduced.count; ++j)
+            for (int k = 0; k < D; ++k)
+                multiple_[j][k] = quantum_[k] == 0 ? 0 : static_cast<std::int64_t>(reduced.b[j][k] / quantum_[k]);
+    }
+
+    // The copy of p that stands for it: the same for all copies. False: out of range.
+    bool place(const double* p, double* x, double* moved_by) const {
+        std::int64_t n[D];
+        double to[D];
+        copy<D>(p, to);
+        if (is_moved_) stretch(p, to);
+        for (int k = 0; k < D; ++k) {
+            n[k] = 0;
+            x[k] = p[k];
+            if (quantum_[k] == 0) continue;
+            const double times = to[k] / quantum_[k];
+            if (!(absolute(times) < multiples_most)) return false;
+            n[k] = static_cast<std::int64_t>(nearest_integer(times));
+            note(static_cast<double>(n[k]) * quantum_[k] - p[k], moved_by);
+            x[k] = static_cast<double>(n[k]) * quantum_[k];
+        }
+        // Once more, as the first time numbers are large.
+        for (int turn = 0; turn < 2; ++turn)
+            for (int j = lattice_.count - 1; j >= 0; --j) add(j, -floor_of(lattice_.place(j, x) + edge), n, x);
+        if (is_near_edge(x)) choose(n, x);
+        return true;
+    }
+
+private:
+    // The place is [-edge, 1 - edge) in each direction; edges go to and fro with roundings. So of a point near an edge
+    // all copies are looked at that are in a place larger by 2^-40, which depends on the copies alone, and the least is
+    // taken.
+    static constexpr double edge = 0x1p-20, slack = 0x1p-40;
+
+    static bool is_multiple(double x, double quantum) {
+        return quantum == 0 || quantum_of(x) >= exponent_of(quantum);
+    }
+    static void note(double difference, double* most) {
+        if (absolute(difference) > *most) *most = absolute(difference);
+    }
+    // A coordinate that no vector has is left as it is.
+    void find_quanta(const double* far_beside) {
+        double far[Lattice::most];
+        Lattice reduced = given_;
+        if (!reduced.reduce()) reduced = given_;
+        reduced.find_far(far);
+        for (int k = 0; k < D; ++k) {
+            // Points, a margin, and one vector more; nothing of what was given is larger.
+            double reach = far_beside[k], longest = 0, given = 0;
+            for (int j = 0; j < given_.count; ++j) {
+                const double one = absolute(reduced.b[j][k]), other = absolute(given_.b[j][k]);
+                longest = one > longest ? one : longest;
+                given = other > given ? other : given;
+                reach += 1.01 * (reduced.h[j] + far[j]) * absolute(reduced.e[j][k]);
+            }
+            reach += longest;
+            reach = given > reach ? given : reach;
+            quantum_[k] = given > 0 ? power_of_two(exponent_of(reach) + 1 - 53) : 0;
+        }
+    }
+    void stretch(const double* p, double* to) const {
+        double rest[D];
+        copy<D>(p, rest);
+        for (int j = given_.count - 1; j >= 0; --j) {
+            const double part = given_.place(j, rest);
+            for (int k = 0; k < D; ++k) {
+                rest[k] -= part * given_.b[j][k];
+                to[k] += part * stretch_[j][k];
+            }
+        }
+    }
+    void add(int j, std::int64_t times, std::int64_t* n, double* x) const {
+        if (times == 0) return;
+        for (int k = 0; k < D; ++k) {
+            if (quantum_[k] == 0) continue;
+            n[k] += times * multiple_[j][k];
+            x[k] = static_cast<double>(n[k]) * quantum_[k];
+        }
+    }
+    bool is_near_edge(const double* x) const {
+        for (int j = 0; j < lattice_.count; ++j) {
+            const double t = lattice_.place(j, x) + edge;
+            if (!(t > 0.5 * edge && t < 1 - 0.5 * edge)) return true;
+        }
+        return false;
+    }
+    bool is_in_place(const double* x) const {
+        for (int j = 0; j < lattice_.count; ++j) {
+            const double t = lattice_.place(j, x) + edge;
+            if (!(t >= -slack && t < 1 + slack)) return false;
+        }
+        return true;
+    }
+    void choose(const std::int64_t* n, double* x) const {
+        int all = 1;
+        for (int j = 0; j < lattice_.count; ++j) all *= 3;
+        double best[D];
+        copy<D>(x, best);
+        bool is_found = false;
+        for (int i = 0; i < all; ++i) {
+            std::int64_t m[D];
+            double y[D];
+            for (int k = 0; k < D; ++k) m[k] = n[k];
+            copy<D>(x, y);
+            for (int j = 0, rest = i; j < lattice_.count; ++j, rest /= 3) add(j, rest % 3 - 1, m, y);
+            if (!is_in_place(y) || (is_found && !is_before(y, best))) continue;
+            copy<D>(y, best);
+            is_found = true;
+        }
+        copy<D>(best, x);
+    }
+    static bool is_before(const double* a, const double* b) {
+        for (int k = 0; k < D; ++k)
+            if (a[k] != b[k]) return a[k] < b[k];
+        return false;
+    }
+
+    Lattice given_, lattice_;
+    double quantum_[D];
+    double stretch_[Lattice::most][D] = {};  // what was added to vectors
+    std::int64_t multiple_[Lattice::most][D];
+    bool is_moved_;
+};
+
+template <int D> class Taking {
+public:
+    Taking(const PeriodicInput& input, const Work& work, PeriodicPoints* out, PeriodicReport* report)
+        : input_(input), arena_(work.arena), monitor_(work.monitor), out_(*out), report_(*report) {}
+
+    Status run() {
+        if (input_.count == 0 || input_.count > std::size_t{1} << 28) return Status::invalid_argument;
+        monitor_.begin(NETMESH_STAGE_SORT, input_.count);
+        Status status = take_lattice();
+        if (status == Status::ok) status = look_through();
+        if (status == Status::ok) status = place_all();
+        if (status == Status::ok) status = sort_all();
+        return status == Status::ok && arena_.has_stopped() ? Status::cancelled : status;
+    }
+
+private:
+    static constexpr int numbers = D + 1;
+
+    Status take_lattice() {
+        Lattice& lattice = out_.lattice;
+        lattice.dim = D;
+        lattice.count = input_.vector_count;
+        report_.has_bad_lattice = true;
+        for (int j = 0; j < lattice.count; ++j) {
+            report_.culprit = j;
+            double most = 0;
+            for (int k = 0; k < D; ++k) {
+                const double x = input_.vectors[j * D + k];
+                if (!is_finite(x)) return Status::invalid_argument;
+                lattice.b[j][k] = x + 0.0;
+                most = absolute(x) > most ? absolute(x) : most;
+            }
+            if (most != 0 && !(most > length_least && most < length_most)) {
+                report_.has_bad_lattice = false;
+                return Status::out_of_range;
+            }
+        }
+        if (!lattice.orthogonalise(&report_.culprit)) return Status::invalid_argument;
+        report_.has_bad_lattice = false;
+        return Status::ok;
+    }
+    // How far points reach beside the lattice, and the fingerprint of what was given.
+    Status look_through() {
+        const Lattice& lattice = out_.lattice;
+        Fingerprint fingerprint;
+        fingerprint.add(std::uint64_t{D});
+        fingerprint.add(static_cast<std::uint64_t>(lattice.count));
+        for (int j = 0; j < lattice.count; ++j)
+            for (int k = 0; k < D; ++k) fingerprint.add(lattice.b[j][k]);
+        if (input_.weights != nullptr) fingerprint.add(std::uint64_t{1} + input_.weights->are_radii);
+        for (std::size_t i = 0; i < input_.count; ++i) {
+            arena_.step(i, 20 * D);
+            double x[D];
+            report_.input.row_a = i;
+            if (!input_.points.read(i, D, x)) return Status::not_finite;
+            for (const double c : x) fingerprint.add(c);
+            if (input_.weights != nullptr) {
+                double number;
+                report_.has_weight = !input_.weights->rows.read(i, 1, &number);
+                if (report_.has_weight) return Status::not_finite;
+                report_.has_negative = input_.weights->are_radii && number < 0;
+                if (report_.has_negative) return Status::invalid_argument;
+                fingerprint.add(number);
+            }
+            for (int j = 0; j < lattice.count; ++j) {
+                const double along = dot<D>(lattice.e[j], x);
+                for (int k = 0; k < D; ++k) x[k] -= along * lattice.e[j][k];
+            }
+            for (int k = 0; k < D; ++k) beside_[k] = absolute(x[k]) > beside_[k] ? absolute(x[k]) : beside_[k];
+        }
+        report_.input.rows = input_.count;
+        report_.input.fingerprint = fingerprint.value();
+        return Status::ok;
+    }
+    Status place_all() {
+        Lattice moved;
+        if (!grid_.open(out_.lattice, beside_, &moved, &report_.moved)) return Status::out_of_range;
+        if (!moved.reduce()) {
+            report_.has_bad_lattice = true;
+            report_.culprit = moved.count - 1;
+            return Status::invalid_argument;
+        }
+        out_.lattice = moved;
+        grid_.settle(moved);
+        moved.find_far(out_.far);
+        out_.count = static_cast<std::uint32_t>(input_.count);
+        out_.x = arena_.take_low<double>(input_.count * numbers);
+        out_.row = arena_.take_low<std::uint32_t>(input_.count);
+        if (out_.x == nullptr || out_.row == nullptr) return Status::out_of_memory;
+        for (std::uint32_t i = 0; i < out_.count; ++i) {
+            arena_.step(i, 60 * D);
+            double p[D], *const x = out_.x + std::size_t{i} * numbers;
+            input_.points.read(i, D, p);
+            report_.input.row_a = i;
+            x[D] = 0;
+            if (input_.weights != nullptr) input_.weights->rows.read(i, 1, x + D);
+            if (!grid_.place(p, x, &report_.moved)) return Status::out_of_range;
+            for (int k = 0; k < D; ++k) x[k] += 0.0;
+            out_.row[i] = i;
+        }
+        report_.input.row_a = 0;
+        return Status::ok;
+    }
+    // Along a curve; of equal points the first of those with the largest weight stays.
+    Status sort_all() {
+        const HighScope scope(arena_);
+        std::uint32_t* const order = arena_.take_high<std::uint32_t>(out_.count);
+        if (order == nullptr) return Status::out_of_memory;
+        bool repeats;
+        const Status status = spatial_order<D>(reinterpret_cast<const unsigned char*>(out_.x),
+                                               static_cast<std::ptrdiff_t>(sizeof(double) * numbers), out_.count, 0,
+                                               arena_, order, &repeats, false);
+        if (status != Status::ok) return status;
+        double* const sorted = arena_.take_high<double>(std::size_t{out_.count} * numbers);
+        if (sorted == nullptr) return Status::out_of_memory;
+        std::uint32_t kept = 0;
+        arena_.each(out_.count, 20 * D, [&](std::uint64_t i) {
+            const double* const x = out_.x + std::size_t{order[i]} * numbers;
+            double* const last = sorted + std::size_t{kept} * numbers - numbers;
+            bool is_equal = kept > 0;
+            for (int k = 0; k < D && is_equal; ++k) is_equal = x[k] == last[k];
+            if (is_equal && !(x[D] > last[D])) return;
+            copy<numbers>(x, is_equal ? last : last + numbers);
+            if (!is_equal) ++kept;
+            order[kept - 1] = order[i];
+        });
+        for (int j = 0; j < out_.lattice.count; ++j) {
+            out_.low[j] = infinity;
+            out_.high[j] = -infinity;
+        }
+        arena_.each(kept, 20 * D, [&](std::uint64_t i) {
+            const double* const x = sorted + i * numbers;
+            copy<numbers>(x, out_.x + i * numbers);
+            out_.row[i] = order[i];
+            for (int j = 0; j < out_.lattice.count; ++j) {
+                const double y = dot<D>(out_.lattice.e[j], x);
+                out_.low[j] = y < out_.low[j] ? y : out_.low[j];
+                out_.high[j] = y > out_.high[j] ? y : out_.high[j];
+            }
+        });
+        report_.input.duplicates = out_.count - kept;
+        out_.count = kept;
+        return Status::ok;
+    }
+
+    const PeriodicInput& input_;
+    Arena& arena_;
+    Monitor& monitor_;
+    PeriodicPoints& out_;
+    PeriodicReport& report_;
+    Grid<D> grid_;
+    double beside_[D] = {};
+};
+
+// Calls visit(times, v) for each translation, sum of times[j] b[j] = v, that takes the box of the points to where it
+// meets the box with its margin; not for 0. False as soon as visit says so.
+template <int D, class Visit> bool each_translation(const PeriodicPoints& points, const double* margin, Visit&& visit) {
+    const Lattice& lattice = points.lattice;
+    int most[Lattice::most], times[Lattice::most];
+    for (int j = lattice.count - 1; j >= 0; --j) {
+        double reach = (margin[j] + points.high[j] - points.low[j]) * (1 + 0x1p-20) / lattice.h[j];
+        for (int i = j + 1; i < lattice.count; ++i) reach += absolute(lattice.place(j, lattice.b[i])) * most[i];
+        if (!(reach < 500)) return false;
+        most[j] = static_cast<int>(reach) + 1;
+        times[j] = -most[j];
+    }
+    for (;;) {
+        double v[D] = {};
+        bool meets = true, is_zero = true;
+        for (int j = 0; j < lattice.count; ++j) {
+            is_zero &= times[j] == 0;
+            for (int k = 0; k < D; ++k) v[k] += times[j] * lattice.b[j][k];
+        }
+        for (int j = 0; j < lattice.count; ++j)
+            meets &= absolute(dot<D>(lattice.e[j], v)) <=
+                     (points.high[j] - points.low[j] + margin[j]) * (1 + 0x1p-20);
+        if (meets && !is_zero && !visit(times, v)) return false;
+        int j = 0;
+        while (j < lattice.count && times[j] == most[j]) {
+            times[j] = -most[j];
+            ++j;
+        }
+        if (j == lattice.count) return true;
+        ++times[j];
+    }
+}
+
+}  // namespace
+
+template <int D>
+Status take_periodic_points(const PeriodicInput& input, const Work& work, PeriodicPoints* out, PeriodicReport* report) {
+    *report = PeriodicReport{};
+    return Taking<D>(input, work, out, report).run();
+}
+
+template <int D>
+Status make_copies(const PeriodicPoints& points, const double* margin, const Work& work, Copies* out) {
+    constexpr int numbers = D + 1;
+    const Lattice& lattice = points.lattice;
+    Arena& arena = work.arena;
+    // Calls act(i, place, times) for each copy, of point i.
+    const auto each_copy = [&](auto&& act) {
+        return each_translation<D>(points, margin, [&](const int* times, const double* v) {
+            double low[Lattice::most], high[Lattice::most];
+            for (int j = 0; j < lattice.count; ++j) {
+                const double along = dot<D>(lattice.e[j], v), more = margin[j] * (1 + 0x1p-20);
+                low[j] = points.low[j] - more - along;
+                high[j] = points.high[j] + more - along;
+            }
+            arena.each(points.count, 12 * static_cast<std::uint32_t>(lattice.count), [&](std::uint64_t i) {
+                const double* const x = points.x + i * numbers;
+                for (int j = 0; j < lattice.count; ++j) {
+                    const double y = dot<D>(lattice.e[j], x);
+                    if (!(y >= low[j] && y <= high[j])) return;
+                }
+                act(static_cast<std::uint32_t>(i), v, times);
+            });
+            return !arena.has_stopped();
+        });
+    };
+    std::uint64_t copies = 0;
+    if (!each_copy([&](std::uint32_t, const double*, const int*) { ++copies; }))
+        return arena.has_stopped() ? Status::cancelled : Status::out_of_range;
+    const std::uint64_t count = copies + points.count;
+    if (count > std::uint64_t{1} << 28) return Status::out_of_memory;
+    out->count = static_cast<std::uint32_t>(count);
+    out->x = arena.take_low<double>(static_cast<std::size_t>(count) * numbers);
+    out->index = arena.take_low<std::uint32_t>(static_cast<std::size_t>(count));
+    out->own = arena.take_low<std::uint32_t>(static_cast<std::size_t>(copies));
+    out->shift = arena.take_low<std::int64_t>(static_cast<std::size_t>(copies));
+    if (out->x == nullptr || out->index == nullptr || out->own == nullptr || out->shift == nullptr)
+        return Status::out_of_memory;
+    move_bytes(out->x, points.x, sizeof(double) * numbers * points.count, arena);
+    move_bytes(out->index, points.row, sizeof(std::uint32_t) * points.count, arena);
+    std::uint32_t at = 0;
+    each_copy([&](std::uint32_t i, const double* v, const int* times) {
+        const double* const from = points.x + std::size_t{i} * numbers;
+        double* const to = out->x + std::size_t{points.count + at} * numbers;
+        for (int k = 0; k < D; ++k) to[k] = from[k] + v[k] + 0.0;
+        to[D] = from[D];
+        out->index[points.count + at] = points.row[i];
+        out->own[at] = i;
+        std::int64_t shift = 0;
+        for (int j = lattice.count; j-- > 0;) shift = shift * 1024 + times[j];
+        out->shift[at++] = shift;
+    });
+    return arena.has_stopped() ? Status::cancelled : Status::ok;
+}
+
+#define NETMESH_INSTANTIATE(D)                                                                                         \
+    template Status take_periodic_points<D>(const PeriodicInput&, const Work&, PeriodicPoints*, PeriodicReport*);      \
+    template Status make_copies<D>(const PeriodicPoints&, const double*, const Work&, Copies*);
+NETMESH_EACH_DIMENSION(NETMESH_INSTANTIATE)
+#undef NETMESH_INSTANTIATE
+
+}  // namespace netmesh
