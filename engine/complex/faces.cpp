@@ -275,13 +275,13 @@ Status enumerate_faces(const TriangulationView<D>& complex, int dimension_max, c
 }
 
 template <int D>
-Status enumerate_faces_along(const TriangulationView<D>& complex, [[maybe_unused]] std::uint64_t hull_facets,
+Status enumerate_faces_along(const TriangulationView<D>& complex, [[maybe_unused]] const FaceCounting& counting,
                              std::uint32_t* order, bool drops_complex, const Work& work, Faces<D>* out) {
     const std::size_t high = work.arena.high_mark();
     const std::size_t low = drops_complex ? work.arena.offset_of(complex.cells) : work.arena.low_mark();
     Status status;
     if constexpr (lists_follow_order<D>) {
-        status = enumerate_along(complex, hull_facets, order, work, low, out);
+        status = enumerate_along(complex, counting, order, work, low, out);
     } else {
         status = enumerate_shared(complex, D, jumps_matter ? order : nullptr, work, low, out);
     }
@@ -294,7 +294,7 @@ Status enumerate_faces_along(const TriangulationView<D>& complex, [[maybe_unused
 
 #define NETMESH_INSTANTIATE(D)                                                                                         \
     template Status enumerate_faces<D>(const TriangulationView<D>&, int, const Work&, Faces<D>*);                      \
-    template Status enumerate_faces_along<D>(const TriangulationView<D>&, std::uint64_t, std::uint32_t*, bool,         \
+    template Status enumerate_faces_along<D>(const TriangulationView<D>&, const FaceCounting&, std::uint32_t*, bool,   \
                                              const Work&, Faces<D>*);
 NETMESH_EACH_INSTANCE(NETMESH_INSTANTIATE)
 #undef NETMESH_INSTANTIATE

@@ -69,17 +69,25 @@ using AnyFaces = Faces<any_dimension>;
 template <int D>
 Status enumerate_faces(const TriangulationView<D>& complex, int dimension_max, const Work& work, Faces<D>* out);
 
+// What is known of the numbers of faces before they are made. hull_facets: how many facets have one cell. is_ball: not
+// where cells are some of a triangulation; up to D = 3.
+struct FaceCounting {
+    FaceCounting(std::uint64_t facets, bool ball = true) : hull_facets(facets), is_ball(ball) {}  // NOLINT: of balls
+    std::uint64_t hull_facets;
+    bool is_ball;
+};
+
 // All faces, numbered so that those of vertices that are near in `order` mostly have near numbers and less jumps about
 // in memory; see lists_follow_order. A 0-face is not its vertex: last_vertex[0] says which one it is, and is `order`.
 // Built for small size: as above.
-// hull_facets: how many facets of cells are on the hull; only where lists follow the order.
+// counting: read only where lists follow the order.
 // order: [vertex_count] all vertices, the last piece at the arena's high end, where it is taken over; without
 // Status::ok it stays. drops_complex: the cells are the last piece at the arena's low end; they are given back once
 // they are read, in any case. Cost: as above; in D = 2, 3 and 4 a lookup for each face of each cell, and a word per
 // vertex of a cell, per cell and per face of up to D - 2 dimensions of scratch. As above, and internal: it is not the
 // triangulation of a ball.
 template <int D>
-Status enumerate_faces_along(const TriangulationView<D>& complex, std::uint64_t hull_facets, std::uint32_t* order,
+Status enumerate_faces_along(const TriangulationView<D>& complex, const FaceCounting& counting, std::uint32_t* order,
                              bool drops_complex, const Work& work, Faces<D>* out);
 
 // Facets on the hull, by the neighbours of the cells; 0 where lists do not follow an order and nobody asks. O(cells).

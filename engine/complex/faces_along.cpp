@@ -22,14 +22,14 @@ public:
     // Takes all that is needed of the cells; they are not read again. order[vertex_count]: all vertices; those that are
     // in cells stay, and are the 0-faces. hull_facets: how many facets have one cell. Sets count[0..D]. Scratch stays
     // at the high end. out_of_memory; internal: it is not the triangulation of a ball.
-    Status read_cells(std::uint32_t* order, std::uint64_t hull_facets, std::uint32_t* count);
+    Status read_cells(std::uint32_t* order, const FaceCounting& counting, std::uint32_t* count);
     // Makes the faces into facets[k][count[k]], taken by the caller. internal: it is not the triangulation of a ball.
     Status run(const std::uint32_t* count, std::uint32_t* const* facets, Monitor& monitor);
 
 private:
     void number_vertices(std::uint32_t* order, std::uint32_t* place);
     std::uint64_t count_edges(const std::uint32_t* order, std::uint32_t* seen_from) const;
-    Status count_faces(const std::uint32_t* order, std::uint64_t hull_facets, std::uint32_t* count) const;
+    Status count_faces(const std::uint32_t* order, const FaceCounting& counting, std::uint32_t* count) const;
     template <int K> std::uint32_t cone(std::uint32_t face);
     void visit(FacetId incidence);
 
@@ -88,13 +88,15 @@ template <int D> std::uint64_t FacesAlong<D>::count_edges(const std::uint32_t* o
 // A facet belongs to two cells or is on the hull; a ball has Euler characteristic 1. That leaves the edges in R^4.
 // last_cone_[0] is scratch.
 template <int D>
-Status FacesAlong<D>::count_faces(const std::uint32_t* order, std::uint64_t hull_facets, std::uint32_t* count) const {
-    const std::uint64_t vertices = vertices_, cells = complex_.cell_count, facets = ((D + 1) * cells + hull_facets) / 2;
+Status FacesAlong<D>::count_faces(const std::uint32_t* order, const FaceCounting& counting,
+                                  std::uint32_t* count) const {
+    const std::uint64_t vertices = vertices_, cells = complex_.cell_count,
+                        facets = ((D + 1) * cells + counting.hull_facets) / 2;
     std::uint64_t of[D + 1] = {vertices};
     of[D] = cells;
     of[D - 1] = facets;
-    if (D == 2 && facets + 1 != vertices + cells) return Status::internal;
-    if constexpr (D == 3) of[1] = vertices + facets - cells - 1;
+    if (D == 2 && counting.is_ball && facets + 1 != vertices + cells) return Status::internal;
+    if constexpr (D == 3) of[1] = counting.is_ball ? vertices + facets - cells - 1 : count_edges(order, last_cone_[0]);
     if constexpr (D == 4) {
         of[1] = count_edges(order, last_cone_[0]);
         of[2] = 1 + of[1] + facets - vertices - cells;
@@ -108,7 +110,7 @@ Status FacesAlong<D>::count_faces(const std::uint32_t* order, std::uint64_t hull
 }
 
 template <int D>
-Status FacesAlong<D>::read_cells(std::uint32_t* order, std::uint64_t hull_facets, std::uint32_t* count) {
+Status FacesAlong<D>::read_cells(std::uint32_t* order, const FaceCounting& counting, std::uint32_t* count) {
     const std::size_t n = complex_.vertex_count, cells = complex_.cell_count;
     begin_ = arena_.take_high<std::uint32_t>(n + 1);
     incidence_ = arena_.take_high<FacetId>(cells * (D + 1));
@@ -129,7 +131,7 @@ Status FacesAlong<D>::read_cells(std::uint32_t* order, std::uint64_t hull_facets
             incidence_[begin_[at[i] + 1]++] = FacetId(cell, before);
         }
     });
-    const Status status = count_faces(order, hull_facets, count);
+    const Status status = count_faces(order, counting, count);
     for (int k = 1; k + 1 < D && status == Status::ok; ++k) {
         last_cone_[k] = arena_.take_high<std::uint32_t>(count[k]);
         if (last_cone_[k] == nullptr) return Status::out_of_memory;
@@ -197,7 +199,7 @@ template <int D> Status FacesAlong<D>::run(const std::uint32_t* count, std::uint
 }  // namespace
 
 template <int D>
-Status enumerate_along(const TriangulationView<D>& complex, std::uint64_t hull_facets, std::uint32_t* order,
+Status enumerate_along(const TriangulationView<D>& complex, const FaceCounting& counting, std::uint32_t* order,
                        const Work& work, std::size_t low, Faces<D>* out) {
     if constexpr (lists_follow_order<D>) {
         Arena& arena = work.arena;
@@ -205,7 +207,7 @@ Status enumerate_along(const TriangulationView<D>& complex, std::uint64_t hull_f
         Faces<D> faces = {};
         faces.dimension_max = D;
         FacesAlong<D> along(complex, arena);
-        Status status = along.read_cells(order, hull_facets, faces.count);
+        Status status = along.read_cells(order, counting, faces.count);
         if (status != Status::ok) return status;
         arena.release_low(low);
         for (int k = 1; k <= D; ++k) {
@@ -225,7 +227,7 @@ Status enumerate_along(const TriangulationView<D>& complex, std::uint64_t hull_f
 }
 
 #define NETMESH_INSTANTIATE(D)                                                                                         \
-    template Status enumerate_along<D>(const TriangulationView<D>&, std::uint64_t, std::uint32_t*, const Work&,        \
+    template Status enumerate_along<D>(const TriangulationView<D>&, const FaceCounting&, std::uint32_t*, const Work&,  \
                                        std::size_t, Faces<D>*);
 NETMESH_EACH_DIMENSION(NETMESH_INSTANTIATE)
 #undef NETMESH_INSTANTIATE

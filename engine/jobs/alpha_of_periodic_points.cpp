@@ -2,6 +2,7 @@
 
 #include "complex/faces.hpp"
 #include "filtration/alpha.hpp"
+#include "filtration/point_records.hpp"
 #include "homology/matrix/ball.hpp"
 #include "periods/final_stars.hpp"
 #include "periods/orbits.hpp"
@@ -136,15 +137,24 @@ private:
         const std::size_t begin = static_cast<std::size_t>(store.state.cells_offset);
         unsigned char* rows = arena_.at(begin);
         std::uint32_t kept = 0, seen = 0;
+        arena_.each(store.state.cell_slots, 5 * D, [&](std::uint64_t c) {
+            Cell<D>& cell = store.cell(static_cast<std::uint32_t>(c));
+            cell.mark = 0;
+            for (const VertexId v : cell.vertex) cell.mark |= store.vertex(v).origin < points_.count;
+        });
+        outer_facets_ = 0;
         arena_.each(store.state.cell_slots, 20, [&](std::uint64_t c) {
             const Cell<D>& cell = store.cell(static_cast<std::uint32_t>(c));
+            if (cell.mark == 0) return;
+            for (const FacetId facet : cell.neighbour)
+                outer_facets_ += facet == none || store.cell(facet.cell()).mark == 0;
+        });
+        arena_.each(store.state.cell_slots, 20, [&](std::uint64_t c) {
+            const Cell<D>& cell = store.cell(static_cast<std::uint32_t>(c));
+            if (cell.mark == 0) return;
             VertexId vertex[D + 1];
-            bool has_point = false;
-            for (int i = 0; i <= D; ++i) {
-                vertex[i] = VertexId(store.vertex(cell.vertex[i]).origin);
-                has_point |= vertex[i] < points_.count;
-            }
-            if (has_point) __builtin_memcpy(rows + std::size_t{kept++} * row_bytes, vertex, row_bytes);
+            for (int i = 0; i <= D; ++i) vertex[i] = VertexId(store.vertex(cell.vertex[i]).origin);
+            __builtin_memcpy(rows + std::size_t{kept++} * row_bytes, vertex, row_bytes);
         });
         arena_.each(store.state.vertex_count, 2, [&](std::uint64_t v) {
             seen += store.vertex(static_cast<std::uint32_t>(v)).origin < points_.count;
@@ -161,21 +171,39 @@ private:
         return true;
     }
 
+    // Along the curve of the points and that of each of their translates, where faces of some cells are counted by these.
+    Status list_faces(Faces<D>* faces, PointRecords* points) {
+        if constexpr (lists_follow_order<D> && D < 4) {
+            std::uint32_t* const order = arena_.template take_high<std::uint32_t>(copies_.count);
+            if (order == nullptr) return Status::out_of_memory;
+            arena_.each(copies_.count, 1, [order](std::uint64_t v) { order[v] = static_cast<std::uint32_t>(v); });
+            const Status status =
+                enumerate_faces_along<D>(cells_, FaceCounting(outer_facets_, false), order, true, work_, faces);
+            if (status != Status::ok) return status;
+            return points->template put_in_order<numbers>(order, faces->count[0], arena_) ? Status::ok
+                                                                                         : Status::out_of_memory;
+        } else {
+            static_cast<void>(points);
+            return enumerate_faces(cells_, D, work_, faces);
+        }
+    }
     Status find_values() {
         work_.monitor.begin(NETMESH_STAGE_FILTER, 0);
         Faces<D> faces;
-        Status status = enumerate_faces(cells_, D, work_, &faces);
+        PointRecords points = {copies_.x, sizeof(double) * numbers};
+        Status status = list_faces(&faces, &points);
         if (status != Status::ok) return status;
         for (int k = 0; k <= D; ++k) {
             value_[k] = arena_.template take_low<double>(faces.count[k]);
             if (value_[k] == nullptr || faces.count[k] > 0x7FFFFFFFu) return Status::out_of_memory;
         }
-        constexpr std::ptrdiff_t stride = sizeof(double) * numbers;
+        const double* const x = points.coordinates;
+        const std::ptrdiff_t stride = points.stride_bytes;
         PowerValues powers = {};
         powers.are_radii = are_radii();
         powers.squares = request_.squares;
-        status = has_weights() ? alpha_values_weighted(faces, copies_.x, stride, powers, work_, value_)
-                               : alpha_values(faces, copies_.x, stride, work_, value_);
+        status = has_weights() ? alpha_values_weighted(faces, x, stride, powers, work_, value_)
+                               : alpha_values(faces, x, stride, work_, value_);
         faces_ = faces.template of_dimension<any_dimension>();
         return status;
     }
@@ -196,6 +224,7 @@ private:
     PeriodicPoints points_;
     Copies copies_;
     TriangulationView<D> cells_;
+    std::uint64_t outer_facets_ = 0;  // of cells at points
     AnyFaces faces_;
     double* value_[D + 1];
 };

@@ -47,7 +47,7 @@ public:
         : points_(points), copies_(copies), dimension_(dimension), arena_(work.arena), faces_(*faces), value_(value) {}
 
     Status run() {
-        Status status = find_shared();
+        Status status = mark();
         if (status != Status::ok) return status;
         for (int k = 0; k <= dimension_; ++k) {
             status = find_orbits(k);
@@ -60,13 +60,48 @@ public:
     }
 
 private:
-    enum class Place { inside, across, outside };
+    // Of a face: has it a vertex among the points, are all of them, and have all of them copies that are vertices?
+    enum Mark : std::uint8_t { has_point = 1, all_points = 2, all_shared = 4 };
+    bool is_across(int k, std::uint64_t f) const { return (mark_[k][f] & (has_point | all_points)) == has_point; }
+    // Can a translate of the face be a facet of something that goes across?
+    bool is_listed(int k, std::uint64_t f) const { return is_across(k, f) || (mark_[k][f] & all_shared) != 0; }
 
-    Place place_of(int k, std::uint32_t face, std::uint32_t* vertex) const {
-        int own = 0;
-        faces_.vertices(k, face, vertex);
-        for (int i = 0; i <= k; ++i) own += vertex[i] < points_.count;
-        return own == k + 1 ? Place::inside : own > 0 ? Place::across : Place::outside;
+    Status mark_vertices() {
+        const HighScope scope(arena_);
+        std::uint8_t* const shared = arena_.take_high<std::uint8_t>(points_.count);
+        if (shared == nullptr) return Status::out_of_memory;
+        arena_.each(points_.count, 1, [shared](std::uint64_t i) { shared[i] = 0; });
+        const std::uint32_t* const vertex = faces_.last_vertex[0];
+        arena_.each(faces_.count[0], 4, [&](std::uint64_t f) {
+            if (vertex[f] >= points_.count) shared[copies_.own[vertex[f] - points_.count]] = all_shared;
+        });
+        arena_.each(faces_.count[0], 4, [&](std::uint64_t f) {
+            const bool is_point = vertex[f] < points_.count;
+            mark_[0][f] = is_point ? static_cast<std::uint8_t>(has_point | all_points | shared[vertex[f]]) : 0;
+        });
+        return Status::ok;
+    }
+    // The vertices of the first and of the last facet are all.
+    void mark_faces(int k) {
+        const std::uint8_t* const below = mark_[k - 1];
+        arena_.each(faces_.count[k], 5, [&](std::uint64_t f) {
+            const std::uint32_t* const facet = faces_.facets_of(k, static_cast<std::uint32_t>(f));
+            const unsigned a = below[facet[0]], b = below[facet[k]];
+            mark_[k][f] = static_cast<std::uint8_t>(((a | b) & has_point) | (a & b & (all_points | all_shared)));
+        });
+    }
+    Status mark() {
+        for (int k = 0; k <= dimension_; ++k) {
+            mark_[k] = arena_.take_high<std::uint8_t>(faces_.count[k]);
+            if (mark_[k] == nullptr) return Status::out_of_memory;
+            if (k > 0) {
+                mark_faces(k);
+                continue;
+            }
+            const Status status = mark_vertices();
+            if (status != Status::ok) return status;
+        }
+        return Status::ok;
     }
     [[gnu::noinline]] void normalise(int k, const std::uint32_t* vertex, NormalForm* best) const {
         NormalForm form;
@@ -106,36 +141,15 @@ private:
         }
     }
 
-    // Own points of which copies are vertices, too.
-    Status find_shared() {
-        shared_ = arena_.take_high<std::uint8_t>(points_.count);
-        if (shared_ == nullptr) return Status::out_of_memory;
-        arena_.each(points_.count, 1, [this](std::uint64_t i) { shared_[i] = 0; });
-        arena_.each(faces_.count[0], 4, [this](std::uint64_t f) {
-            const std::uint32_t v = faces_.last_vertex[0][f];
-            if (v >= points_.count) shared_[copies_.own[v - points_.count]] = 1;
-        });
-        return Status::ok;
-    }
-    // Can a translate of the face be a facet of something that goes across?
-    bool is_shared(int k, Place place, const std::uint32_t* vertex) const {
-        if (place != Place::inside) return place == Place::across;
-        for (int i = 0; i <= k; ++i)
-            if (shared_[vertex[i]] == 0) return false;
-        return true;
-    }
-
     // first_[k][f]: the face that stands for the orbit, or none where it is not asked for.
     Status find_orbits(int k) {
         const std::uint32_t count = faces_.count[k], width = static_cast<std::uint32_t>(k) + 1;
         std::uint32_t* const first = first_[k] = arena_.take_high<std::uint32_t>(count);
         if (first == nullptr) return Status::out_of_memory;
         std::uint64_t listed = 0;
-        arena_.each(count, 10 * width, [&](std::uint64_t f) {
-            std::uint32_t vertex[vertices_most];
-            const Place place = place_of(k, static_cast<std::uint32_t>(f), vertex);
-            first[f] = place == Place::inside ? static_cast<std::uint32_t>(f) : none;
-            listed += is_shared(k, place, vertex);
+        arena_.each(count, 5, [&](std::uint64_t f) {
+            first[f] = (mark_[k][f] & all_points) != 0 ? static_cast<std::uint32_t>(f) : none;
+            listed += is_listed(k, f);
         });
         const HighScope scope(arena_);
         Table table = {nullptr, 1};
@@ -144,12 +158,12 @@ private:
         if (table.slot == nullptr) return Status::out_of_memory;
         arena_.each(table.mask, 2, [&](std::uint64_t i) { table.slot[i] = none; });
         --table.mask;
-        arena_.each(count, 10 * width, [&](std::uint64_t f) {
-            std::uint32_t vertex[vertices_most];
-            const Place place = place_of(k, static_cast<std::uint32_t>(f), vertex);
-            if (!is_shared(k, place, vertex)) return;
+        arena_.each(count, 5, [&](std::uint64_t f) {
+            if (!is_listed(k, f)) return;
             arena_.pass(width);
+            std::uint32_t vertex[vertices_most];
             NormalForm form;
+            faces_.vertices(k, static_cast<std::uint32_t>(f), vertex);
             normalise(k, vertex, &form);
             std::uint32_t* const slot = look_up(table, k, form);
             if (*slot == none) *slot = static_cast<std::uint32_t>(f);
@@ -162,8 +176,8 @@ private:
         std::uint32_t* const first = first_[k];
         bool is_whole = true;
         arena_.each(faces_.count[k + 1], 10 * (static_cast<std::uint32_t>(k) + 1), [&](std::uint64_t c) {
+            if (!is_across(k + 1, c)) return;
             std::uint32_t vertex[vertices_most];
-            if (place_of(k + 1, static_cast<std::uint32_t>(c), vertex) != Place::across) return;
             const std::uint32_t* const facet = faces_.facets_of(k + 1, static_cast<std::uint32_t>(c));
             for (int i = 0; i <= k + 1; ++i) {
                 if (first[facet[i]] != none) continue;
@@ -208,7 +222,7 @@ private:
     Arena& arena_;
     AnyFaces& faces_;
     double* const* const value_;
-    std::uint8_t* shared_ = nullptr;
+    std::uint8_t* mark_[vertices_most];
     std::uint32_t* first_[vertices_most];
 };
 

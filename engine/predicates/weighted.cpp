@@ -208,7 +208,13 @@ Sign in_power_perturbed(const double* const* cell, const VertexId* ids, const do
     const double* points[D + 2];
     for (int i = 0; i <= D; ++i) points[i] = cell[i];
     points[D + 1] = q;
-    const int sign = power_sign(D, points, are_radii, {LastColumn::lifts, nullptr, VertexId(none), 0, 0});
+    bool are_equal = true;
+    for (int i = 0; i <= D; ++i) are_equal &= points[i][D] == q[D];
+    if (are_equal) {
+        const Sign sign = in_ball<D>(cell, q, counts);
+        if (sign != Sign::zero) return sign;
+    }
+    const int sign = are_equal ? 0 : power_sign(D, points, are_radii, {LastColumn::lifts, nullptr, VertexId(none), 0, 0});
     if (sign != 0) {
         ++counts.calls[stage_exact];
         return static_cast<Sign>((D & 1) != 0 ? -sign : sign);

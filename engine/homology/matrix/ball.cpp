@@ -95,10 +95,10 @@ template <bool is_signed, bool is_quotient> Status BallHomology<is_signed, is_qu
             const double value = of(k).value[j];
             std::uint32_t above = 0;
             for (std::uint32_t i = 0; i <= k; ++i) {
-                if (is_quotient && !is_in_boundary(face, k, face[i])) continue;
                 const std::uint32_t next = below[face[i]] == value ? face[i] + 1 : 0;
                 above = next > above ? next : above;
             }
+            if (is_quotient && above != 0 && !is_in_boundary(face, k, above - 1)) above = 0;
             std::uint32_t last = above - 1;
             if (last != none) {
                 const bool is_first = !met.has(last);

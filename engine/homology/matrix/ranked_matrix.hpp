@@ -27,10 +27,10 @@ template <bool repeats = false> struct RankedMatrix {
 
     std::uint32_t pivot_of(std::uint32_t j) const {
         const std::uint32_t* const face = faces + std::size_t{j} * (k + 1);
+        if (repeats && has_repeats(face)) return odd_pivot_of(face);
         std::uint32_t above = 0;  // rows + 1: 0 for none; no branches, which nobody could foresee
         for (std::uint32_t i = 0; i <= k; ++i) {
             const std::uint32_t next = rank[face[i]] + 1;
-            if (repeats && !(next > above && is_in_boundary(face, k, face[i]))) continue;
             above = next > above ? next : above;
         }
         return above - 1;
@@ -51,6 +51,20 @@ template <bool repeats = false> struct RankedMatrix {
             if (other[i] != none) to.toggle(other[i]);
         }
         return 1;
+    }
+    bool has_repeats(const std::uint32_t* face) const {
+        bool found = false;
+        for (std::uint32_t i = 1; i <= k; ++i)
+            for (std::uint32_t other = 0; other < i; ++other) found |= face[other] == face[i];
+        return found;
+    }
+    [[gnu::noinline]] std::uint32_t odd_pivot_of(const std::uint32_t* face) const {
+        std::uint32_t above = 0;
+        for (std::uint32_t i = 0; i <= k; ++i) {
+            const std::uint32_t next = rank[face[i]] + 1;
+            if (next > above && is_in_boundary(face, k, face[i])) above = next;
+        }
+        return above - 1;
     }
     // Column j, as it is, owns its pivot.
     void note_owner(std::uint32_t j, std::uint32_t pivot) const {
