@@ -12,7 +12,7 @@ namespace netmesh {
 namespace {
 
 // Of points spread evenly, mostly enough: the largest empty balls are this many times as wide as points are apart.
-template <int D> constexpr double first_margin = D == 2 ? 5 : D == 3 ? 3.4 : 3;
+template <int D> constexpr double first_margin = D == 2 ? 3.5 : 2.9;
 // So few copies are taken at once, and nothing is asked.
 constexpr double copies_at_once = 2000;
 

@@ -8,6 +8,13 @@ namespace {
 
 constexpr double independent = 0x1p-45;
 
+// a - times * b. It is a double although the product may be none: of whole numbers the last 64 bits are enough.
+double difference(double a, double times, double b, double quantum) {
+    const auto whole = [](double x) { return static_cast<std::uint64_t>(static_cast<std::int64_t>(x)); };
+    const std::uint64_t n = whole(a / quantum) - whole(times) * whole(b / quantum);
+    return static_cast<double>(static_cast<std::int64_t>(n)) * quantum;
+}
+
 }  // namespace
 
 bool Lattice::orthogonalise(int* culprit) {
@@ -30,7 +37,7 @@ bool Lattice::orthogonalise(int* culprit) {
     return true;
 }
 
-bool Lattice::reduce() {
+bool Lattice::reduce(const double* quantum) {
     int culprit;
     if (!orthogonalise(&culprit)) return false;
     // Each exchange makes a product of lengths shorter by a factor; the bound is never met.
@@ -38,7 +45,11 @@ bool Lattice::reduce() {
     for (int turn = 0; turn < 4000 && j < count; ++turn) {
         for (int i = j - 1; i >= 0; --i) {
             const double times = nearest_integer(dot(dim, e[i], b[j]) / h[i]);
-            for (int k = 0; k < dim; ++k) b[j][k] -= times * b[i][k];
+            if (!(absolute(times) < 0x1p62)) return false;
+            for (int k = 0; k < dim; ++k)
+                b[j][k] = quantum == nullptr ? b[j][k] - times * b[i][k]
+                          : quantum[k] == 0  ? 0
+                                             : difference(b[j][k], times, b[i][k], quantum[k]);
         }
         const double along = dot(dim, e[j - 1], b[j]);
         if (h[j] * h[j] + along * along >= 0.75 * h[j - 1] * h[j - 1]) {

@@ -23,9 +23,10 @@ struct Lattice {
 
     // Finds e and h. False: vector *culprit depends on those before it, as far as 2^-45 of its length.
     bool orthogonalise(int* culprit);
-    // Another basis, short and nearly orthogonal (Lenstra, Lenstra, Lovasz). Sums of vectors have to be doubles, as
-    // those of multiples of one number are; then the lattice is the same. False: as above.
-    bool reduce();
+    // Another basis, short and nearly orthogonal (Lenstra, Lenstra, Lovasz). quantum: of each coordinate a power of two
+    // of which all are multiples, 2^53 of it at most; then the lattice is the same. Null: about the same. False: as
+    // above.
+    bool reduce(const double* quantum);
     // How far copies of a point matter, by direction: the Delaunay star of p among all copies is that among those whose
     // e[j] . (q - p) is at most far[j] in size.
     //

@@ -17,7 +17,7 @@ constexpr double parts_of_vectors = 24;
 // Squares of lengths are far from the ends of the range of doubles.
 constexpr double length_most = 0x1p300, length_least = 0x1p-300;
 // Of multiples of the power of two that a coordinate may be.
-constexpr double multiples_most = 0x1p60;
+constexpr double multiples_most = 0x1p62;
 
 std::int64_t floor_of(double x) {
     const auto whole = static_cast<std::int64_t>(x);
@@ -28,10 +28,15 @@ std::int64_t floor_of(double x) {
 template <int D> class Grid {
 public:
     // Of the vectors as they were given. far_beside[k]: how far points reach in coordinate k beside the lattice.
-    // False: out of range.
-    bool open(const Lattice& given, const double* far_beside, Lattice* moved, double* moved_by) {
+    // coarser: by so many bits than is thought to do.
+    void open(const Lattice& given, const double* far_beside, int coarser, Lattice* moved, double* moved_by) {
         given_ = given;
-        find_quanta(far_beside);
+        *moved = given;
+        if (!moved->reduce(nullptr)) *moved = given;
+        for (int k = 0; k < D; ++k) {
+            const double reach = reach_of(*moved, far_beside, k);
+            quantum_[k] = reach > 0 ? power_of_two(exponent_of(reach) + 1 - 53 + coarser) : 0;
+        }
         *moved = given;
         is_moved_ = false;
         for (int j = 0; j < given.count; ++j)
@@ -44,8 +49,15 @@ public:
                 is_moved_ = true;
                 note(to - x, moved_by);
             }
-        return true;
     }
+    // Whether copies are doubles indeed.
+    bool fits(const Lattice& reduced, const double* far_beside) const {
+        bool does = true;
+        for (int k = 0; k < D; ++k)
+            does &= quantum_[k] == 0 || reach_of(reduced, far_beside, k) <= 0x1p53 * quantum_[k];
+        return does;
+    }
+    const double* quanta() const { return quantum_; }
     void settle(const Lattice& reduced) {
         lattice_ = reduced;
         for (int j = 0; j < reduced.count; ++j)
@@ -88,25 +100,19 @@ private:
     static void note(double difference, double* most) {
         if (absolute(difference) > *most) *most = absolute(difference);
     }
-    // A coordinate that no vector has is left as it is.
-    void find_quanta(const double* far_beside) {
-        double far[Lattice::most];
-        Lattice reduced = given_;
-        if (!reduced.reduce()) reduced = given_;
+    // How far copies reach in coordinate k, those within a margin, and one vector more; what was given is no larger. 0:
+    // no vector has it, and it is left as it is.
+    double reach_of(const Lattice& reduced, const double* far_beside, int k) const {
+        double far[Lattice::most], longest = 0, given = 0, reach = far_beside[k];
         reduced.find_far(far);
-        for (int k = 0; k < D; ++k) {
-            // Points, a margin, and one vector more; nothing of what was given is larger.
-            double reach = far_beside[k], longest = 0, given = 0;
-            for (int j = 0; j < given_.count; ++j) {
-                const double one = absolute(reduced.b[j][k]), other = absolute(given_.b[j][k]);
-                longest = one > longest ? one : longest;
-                given = other > given ? other : given;
-                reach += 1.01 * (reduced.h[j] + far[j]) * absolute(reduced.e[j][k]);
-            }
-            reach += longest;
-            reach = given > reach ? given : reach;
-            quantum_[k] = given > 0 ? power_of_two(exponent_of(reach) + 1 - 53) : 0;
+        for (int j = 0; j < given_.count; ++j) {
+            const double one = absolute(reduced.b[j][k]), other = absolute(given_.b[j][k]);
+            longest = one > longest ? one : longest;
+            given = other > given ? other : given;
+            reach += 1.01 * (reduced.h[j] + far[j]) * absolute(reduced.e[j][k]);
         }
+        reach += longest;
+        return given == 0 ? 0 : given > reach ? given : reach;
     }
     void stretch(const double* p, double* to) const {
         double rest[D];
@@ -123,7 +129,10 @@ private:
         if (times == 0) return;
         for (int k = 0; k < D; ++k) {
             if (quantum_[k] == 0) continue;
-            n[k] += times * multiple_[j][k];
+            // Sums are small, whatever is on the way.
+            n[k] = static_cast<std::int64_t>(static_cast<std::uint64_t>(n[k]) +
+                                             static_cast<std::uint64_t>(times) *
+                                                 static_cast<std::uint64_t>(multiple_[j][k]));
             x[k] = static_cast<double>(n[k]) * quantum_[k];
         }
     }
@@ -248,11 +257,15 @@ private:
     }
     Status place_all() {
         Lattice moved;
-        if (!grid_.open(out_.lattice, beside_, &moved, &report_.moved)) return Status::out_of_range;
-        if (!moved.reduce()) {
-            report_.has_bad_lattice = true;
-            report_.culprit = moved.count - 1;
-            return Status::invalid_argument;
+        for (int coarser = 0;; ++coarser) {
+            report_.moved = 0;
+            grid_.open(out_.lattice, beside_, coarser, &moved, &report_.moved);
+            if (!moved.reduce(grid_.quanta()) || coarser == 16) {
+                report_.has_bad_lattice = true;
+                report_.culprit = moved.count - 1;
+                return Status::invalid_argument;
+            }
+            if (grid_.fits(moved, beside_)) break;
         }
         out_.lattice = moved;
         grid_.settle(moved);

@@ -94,16 +94,16 @@ typedef enum netmesh_weighting_id {
  *   points    may lie anywhere; which copy of a point is given does not matter. Points equal to a copy of an earlier
  *             one are duplicates
  *   numbers   a copy has to be a double, too. Where p + k.b are none, points and vectors are first moved to multiples
- *             of a power of 2, 2^-50 of what coordinates reach; vectors to 48 times that, so that halves, thirds,
- *             quarters of a moved vector are met by points that were halves, thirds, quarters. report.input.moved says
- *             how far; 0: nothing was moved. Of the moved numbers the diagram is exact
+ *             of a power of two, 2^-53 of what copies reach; vectors to 24 times that, and points with them, so that
+ *             halves, thirds, quarters, sixths and eighths of a vector stay what they are. report.input.moved says how
+ *             far; 0: nothing was moved. Of the moved numbers the diagram is exact
  *   ties      broken by index and, among copies of the same points, by the entries of x x^T, in this order: the
  *             triangulation repeats, too. The diagram does not depend on it
- *   memory    that of alpha for the points of a period and of a margin around it about as wide as the largest empty
- *             ball; 48 bytes a point more. Few points take up to 4 D periods around. netmesh_plan counts points spread evenly
- *   cost      of alpha for as many points
+ *   memory    that of alpha with weights for the points of one period and of a margin around it about as wide as the
+ *             largest empty ball, and 44 bytes a point more. netmesh_plan counts points spread evenly
+ *   cost      that of as many points
  *   errors    INVALID_ARGUMENT (LATTICE): vector index_a is not finite or depends on those before it. OUT_OF_RANGE:
- *             point index_a is more than 4,096 periods away, or alpha's. FLAT: with all copies */
+ *             point index_a is some hundred periods away, or alpha's. FLAT: with all copies */
 typedef struct netmesh_periods netmesh_periods;
 extern const netmesh_periods netmesh_periodic;
 
