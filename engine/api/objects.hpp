@@ -113,9 +113,11 @@ struct netmesh_weighting {
     netmesh_status (*mesh)(netmesh_context* context);
 };
 
-// What points.lattice is. run: the diagram of the context's request, which is settled, by the filter alpha.
+// What points.lattice is. run: the diagram of the context's request, which is settled, by the filter alpha. plan: its
+// bytes.
 struct netmesh_periods {
     netmesh_status (*run)(netmesh_context* context);
+    double (*plan)(const netmesh_request& request);
 };
 
 namespace netmesh {
@@ -147,6 +149,9 @@ const netmesh_filter* filter_object(std::uint32_t index);
 // Within another want.
 [[gnu::always_inline]] inline netmesh_status dispatch_bounds(const netmesh_want& bounds, netmesh_context* context) {
     return bounds.run(context);
+}
+[[gnu::always_inline]] inline double dispatch_plan(const netmesh_periods& periods, const netmesh_request& request) {
+    return periods.plan(request);
 }
 [[gnu::always_inline]] inline double dispatch_plan(const netmesh_filter& filter, const netmesh_request& request) {
     return filter.plan(request);

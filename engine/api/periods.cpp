@@ -1,4 +1,5 @@
 // Points with periods: their alpha diagrams, with weights or without.
+#include "api/plan.hpp"
 #include "api/request.hpp"
 #include "jobs/alpha_of_periodic_points.hpp"
 
@@ -46,6 +47,7 @@ netmesh_status diagram_with_periods(netmesh_context* context) {
     if (r.weighting != nullptr)
         input.weighting = r.weighting->are_radii ? NETMESH_WEIGHTING_RADII : NETMESH_WEIGHTING_WEIGHTS;
     input.squares = r.squares != 0;
+    input.hidden = Slice<std::uint32_t>::of(context->arena, made.hidden.rows, made.hidden.count);
     input.periods = p.lattice_count;
     input.copies = made.report.copies;
     input.moved = made.report.moved;
@@ -53,10 +55,28 @@ netmesh_status diagram_with_periods(netmesh_context* context) {
     return finish(context, status);
 }
 
+// Points spread evenly, a margin of three times their spacing around them, or few points and all copies that matter.
+// Of each 64 bytes: its weight and place, that it is a copy of which by which translation, and marks of faces.
+double plan_with_periods(const netmesh_request& r) {
+    const double points = static_cast<double>(r.points.count);
+    double side = 1;
+    for (double cubes = 1; cubes < points; side += 0.125) {
+        cubes = 1;
+        for (std::uint32_t k = 0; k < r.points.dim; ++k) cubes *= side;
+    }
+    const double around = 1 + 5.8 / side, all = 3.2;
+    double copies = points, in_all = points;
+    for (std::uint32_t j = 0; j < r.points.lattice_count; ++j) in_all *= all;
+    for (std::uint32_t j = 0; j < r.points.lattice_count; ++j) copies *= in_all < 3000 || around > all ? all : around;
+    netmesh_request planned = r;
+    planned.points.count = copies < NETMESH_POINTS_MAX ? static_cast<std::size_t>(copies) : NETMESH_POINTS_MAX;
+    return plan_of_alpha(planned) + 64 * copies;
+}
+
 }  // namespace
 }  // namespace netmesh
 
 extern "C" {
 extern const netmesh_periods netmesh_periodic;
-const netmesh_periods netmesh_periodic = {netmesh::diagram_with_periods};
+const netmesh_periods netmesh_periodic = {netmesh::diagram_with_periods, netmesh::plan_with_periods};
 }

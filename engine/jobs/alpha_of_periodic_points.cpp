@@ -4,6 +4,7 @@
 #include "filtration/alpha.hpp"
 #include "filtration/point_records.hpp"
 #include "homology/matrix/ball.hpp"
+#include "numerics/sort.hpp"
 #include "periods/final_stars.hpp"
 #include "periods/orbits.hpp"
 #include "vocabulary/dimension.hpp"
@@ -156,10 +157,10 @@ private:
             for (int i = 0; i <= D; ++i) vertex[i] = VertexId(store.vertex(cell.vertex[i]).origin);
             __builtin_memcpy(rows + std::size_t{kept++} * row_bytes, vertex, row_bytes);
         });
-        arena_.each(store.state.vertex_count, 2, [&](std::uint64_t v) {
+        const std::uint32_t vertices = store.state.vertex_count;
+        arena_.each(vertices, 2, [&](std::uint64_t v) {
             seen += store.vertex(static_cast<std::uint32_t>(v)).origin < points_.count;
         });
-        out_.report.hidden = points_.count - seen;
         out_.report.copies = copies_.count - points_.count;
         out_.distinct = seen;
         store.truncate_vertices(0);
@@ -168,6 +169,29 @@ private:
         if (moved == nullptr) return false;
         move_bytes(moved, rows, std::size_t{kept} * row_bytes, arena_);
         cells_ = {moved, row_bytes, kept, copies_.count};
+        return list_hidden(points_.count - seen);
+    }
+    // Points in no cell, by rows, ascending: at the high end, where nothing else is.
+    bool list_hidden(std::uint32_t count) {
+        HiddenPoints& hidden = out_.hidden;
+        hidden.count = count;
+        if (count == 0) return true;
+        hidden.rows = arena_.template take_high<std::uint32_t>(count);
+        const std::size_t low = arena_.low_mark();
+        std::uint8_t* const seen = arena_.template take_low<std::uint8_t>(points_.count);
+        if (hidden.rows == nullptr || seen == nullptr) return false;
+        arena_.each(points_.count, 1, [seen](std::uint64_t i) { seen[i] = 0; });
+        arena_.each(cells_.cell_count, 3 * D, [&](std::uint64_t c) {
+            const VertexId* const vertex = cells_.vertices(CellId(static_cast<std::uint32_t>(c)));
+            for (int i = 0; i <= D; ++i)
+                if (vertex[i] < points_.count) seen[vertex[i]] = 1;
+        });
+        std::uint32_t listed = 0;
+        arena_.each(points_.count, 3, [&](std::uint64_t i) {
+            if (seen[i] == 0) hidden.rows[listed++] = points_.row[i];
+        });
+        arena_.release_low(low);
+        sort(hidden.rows, count, Ascending{}, arena_);
         return true;
     }
 
@@ -237,7 +261,8 @@ Status alpha_of_periodic_points(const AlphaOfPeriodicPoints& request, const Work
     *out = PeriodicAlphaDiagram{};
     const Status status = PeriodicAlpha<D>(request, work, out).run();
     work.arena.release_low(low);
-    work.arena.release_high(high);
+    const bool keeps = status == Status::ok && out->hidden.count > 0;
+    work.arena.release_high(keeps ? work.arena.offset_of(out->hidden.rows) : high);
     return status == Status::ok ? move_pairs_down(low, work.arena, &out->found.pairs) : status;
 }
 

@@ -17,6 +17,7 @@ struct PeriodicAlphaDiagram {
     CountedPairs found;
     std::uint32_t distinct;  // after merging, without hidden ones
     PeriodicReport report;
+    HiddenPoints hidden;  // with weights; the list stays at the arena's high end
 };
 
 // Copies within a margin are triangulated with the points. Where that was not enough the margin becomes as wide as the

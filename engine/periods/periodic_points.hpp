@@ -26,7 +26,7 @@ struct PeriodicReport {
     bool has_negative;     // invalid_argument: the radius of row_a
     bool has_weight;       // not_finite: it is the number of row_a, not a coordinate
     double moved;          // the farthest that a coordinate was moved
-    std::uint64_t copies, hidden;
+    std::uint64_t copies;  // beside the points, that were triangulated
 };
 
 // Different points, no two of them copies of one another, near the origin. Rows have D coordinates and a weight, or 0.
