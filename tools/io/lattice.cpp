@@ -60,7 +60,8 @@ std::string take_sides_and_angles(const std::vector<double>& of, Lattice* lattic
                          : "angle " + number_text(of[i]) + " has to be above 0 and below 180 degrees";
     const double in_b = cosine(of[5]), across_b = sine(of[5]);
     const double x = cosine(of[4]), y = (cosine(of[3]) - x * in_b) / across_b, z2 = 1 - x * x - y * y;
-    if (!(z2 > 0))
+    const double sum = of[3] + of[4] + of[5];
+    if (!(2 * std::max({of[3], of[4], of[5]}) < sum && sum < 360 && z2 > 0))
         return "no cell has these angles: each is less than the sum of the two others, and all are less than 360";
     take_vectors({{of[0], 0, 0}, {of[1] * in_b, of[1] * across_b, 0}, {of[2] * x, of[2] * y, of[2] * std::sqrt(z2)}},
                  lattice);
