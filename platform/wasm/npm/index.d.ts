@@ -98,6 +98,11 @@ export interface PersistOptions extends PointOptions, MeshRules, Omit<MeshPersis
     weights?: Float64Array | Float32Array | number[];
     /** With these births and deaths are a^2 with the sign of a. */
     squares?: boolean;
+    /** Of the filter alpha: points repeat by these vectors, 1 to D, as in a crystal or a box with periodic boundaries:
+     * the diagram is that of the union of balls modulo them, to degree D. The report has `input.periods`, `copies`, how
+     * many points were triangulated beside those given, and `moved`, by how much numbers were moved at most so that
+     * copies are exact. */
+    lattice?: (Float64Array | Float32Array | number[])[];
 }
 export interface MeshOptions extends PointOptions, MeshRules {
     /** What it is for: itself, a diagram ("complete"), the filter "tight". */
