@@ -297,7 +297,7 @@ function diagramOf(job) {
     const fields = { filter: filterOf(report['diagram.filter']), certifiedRatio: report['diagram.certified_ratio'] ?? 0,
         certifiedError: report['diagram.certified_error'] ?? 0, fingerprint: report.fingerprint,
         peakBytes: report['memory.peak_bytes'], why: job.text(job.exports.why()), bounds: null,
-        representatives: null };
+        representatives: null, copies: report['input.copies'] ?? 0, moved: report['input.moved'] ?? 0 };
     if (report['diagram.certain']) {
         const [numbers, certain] = job.read('bounds', [BigInt(count)], [Float64Array, 5 * count], [Uint8Array, count]);
         fields.bounds = { numbers, certain };
@@ -329,7 +329,8 @@ export class Vineyard {
         for (let degree = 0; degree <= this.maxDegree; ++degree)
             starts.push(starts[degree] + at.filter(i => this.degrees[i] === degree).length);
         return new Diagram({ filter: this.filter, certifiedRatio: this.ratios[k - this.k[0]], certifiedError: 0,
-            fingerprint: '', peakBytes: this.peakBytes, why: '', bounds: null, representatives: null },
+            fingerprint: '', peakBytes: this.peakBytes, why: '', bounds: null, representatives: null,
+            copies: 0, moved: 0 },
         Float64Array.from(at.flatMap(i => [x[2 * i], x[2 * i + 1]])), starts);
     }
     /** The path of one vine: { ks, intervals }. */
