@@ -23,6 +23,7 @@ std::size_t edits_between(const std::string& a, const std::string& b) {
 }
 
 std::string did_you_mean(const std::string& given, const std::vector<std::string>& names) {
+    if (std::find(names.begin(), names.end(), given) != names.end()) return {};
     const std::string* found = nullptr;
     std::size_t begun = 0, fewest = SIZE_MAX;
     for (const std::string& name : names) {

@@ -80,6 +80,7 @@ std::string reference_name(const netmesh_report& report) {
                                                                         : about(report.diagram.filter).reference;
     replace(text, "{k}", std::to_string(report.diagram.k));
     replace(text, "{D}", std::to_string(report.input.dim));
+    if (report.input.periods > 0) text += " modulo the lattice";
     return text;
 }
 

@@ -54,7 +54,7 @@ template <class Wanted> std::string list_filters(Wanted&& wanted, const std::str
 }
 
 // The function that a certified ratio is about: "closed offsets of the points in R^3", with weights "unions of balls
-// about the points in R^3", "sublevel sets of d_5 in R^3", ...
+// about the points in R^3", with periods "... modulo the lattice", "sublevel sets of d_5 in R^3", ...
 std::string reference_name(const netmesh_report& report);
 
 }  // namespace netmesh::tool

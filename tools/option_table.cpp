@@ -259,6 +259,14 @@ template <bool are_radii> std::string apply_weights(Options& options, const std:
     return text.empty() ? "must be a column: a number from 1, or a name of the header" : "";
 }
 
+template <bool is_box> std::string apply_lattice(Options& options, const std::string& text) {
+    Lattice& lattice = options.table.lattice;
+    const char* const other = is_box ? "--cell" : "--box";
+    if (lattice.kind != Lattice::none && lattice.option() == std::string(other))
+        return "goes without " + std::string(other) + ", which says the same otherwise";
+    return is_box ? parse_box(text, &lattice) : parse_cell(text, &lattice);
+}
+
 std::string apply_delimiter(Options& options, const std::string& text) {
     constexpr std::pair<const char*, char> names[] = {{"tab", '\t'},  {"\\t", '\t'},  {"blank", ' '},
                                                       {"space", ' '}, {"comma", ','}, {"semicolon", ';'}};
@@ -356,6 +364,15 @@ const std::vector<OptionEntry>& option_entries() {
          "the same by squares of radii, of any sign"},
         {"--squares", persist | check, nullptr, "squares",
          "with these: births and deaths are the squares that are added to those of all radii, not roots with a sign"},
+        {"--box", persist, "LO:HI,...", apply_lattice<true>,
+         "points repeat, for filter alpha: the box of one period, for each axis LO:HI, a length from 0 on, or a dash for\n"
+         "                    no period: 0:10,5,-. The diagram is that of the box with opposite sides glued, up to\n"
+         "                    degree D; the report and the file's head say `copies`, points triangulated besides, and\n"
+         "                    `moved`, by how much numbers were moved at most so that copies are exact"},
+        {"--cell", persist, "VECTORS|file", apply_lattice<false>,
+         "the same by D vectors: 4,0,0/1,4,0/0,0,5, a dash for one that is no period; in space by sides and angles in\n"
+         "                    degrees, a along x, b in the plane of x and y: 4,4,5,90,90,120; file: by the cell that\n"
+         "                    extended .xyz or .pdb says"},
         {"-n", sample, "N", apply_count, "number of points"},
         {"--dim", size | sample, "D", apply_dim, "dimension, 2 to 6"},
         {"--points", size, "N", apply_count, "number of points"},
@@ -452,7 +469,7 @@ const std::vector<OptionEntry>& option_entries() {
          "refine until each birth and death of the function's diagram is off by at most E"},
         {"--k", vineyard, "A..B", apply_range_of_k, "the numbers of neighbours, the point itself counted"},
         {"--max-degree", persist | pieces | vineyard | size | check, "P", "max_degree",
-         "highest homology degree (D-1; 1 for " + list_filters(on_points, "and") + ")"},
+         "highest homology degree (D-1, of points that repeat D; 1 for " + list_filters(on_points, "and") + ")"},
         {"--max-degree", homology, "P", "max_degree", "highest homology degree (the dimension of the complex)"},
         {"--representatives", persist | homology, "FILE", apply_path<&Options::representatives>,
          ".vtu, .obj or .svg: a cycle for each bar to look at; .txt or .cycles: a line `bar DEGREE BIRTH DEATH N`,\n"
@@ -517,6 +534,7 @@ std::vector<std::string> words_of(const OptionEntry& option, Command command) {
     if (name == "--axis") return {"log", "linear"};
     if (name == "--focus" && command == Command::persist) return {"auto"};
     if (name == "--pieces") return {"auto"};
+    if (name == "--cell") return {"file"};
     std::vector<std::string> words;
     if (name == "--audit") {
         words = engine_words("audit");
@@ -565,7 +583,13 @@ std::vector<std::string> option_names(netmesh_field field) {
                   {NETMESH_FIELD_CYCLES, "--representatives"},
                   {NETMESH_FIELD_KEEP_MESH, "--mesh"},
                   {NETMESH_FIELD_WEIGHTING, "--radii"},
-                  {NETMESH_FIELD_WEIGHTING, "--weights"}};
+                  {NETMESH_FIELD_WEIGHTING, "--weights"},
+                  {NETMESH_FIELD_PERIODS, "--box"},
+                  {NETMESH_FIELD_PERIODS, "--cell"},
+                  {NETMESH_FIELD_LATTICE, "--box"},
+                  {NETMESH_FIELD_LATTICE, "--cell"},
+                  {NETMESH_FIELD_LATTICE_COUNT, "--box"},
+                  {NETMESH_FIELD_LATTICE_COUNT, "--cell"}};
     std::vector<std::string> names;
     const auto add = [&](const char* name) {
         if (std::find(names.begin(), names.end(), name) == names.end()) names.emplace_back(name);

@@ -28,7 +28,10 @@ Outcome find_option(const std::string& name, Command command, const OptionEntry*
         *found = &entry;
         return {};
     }
-    if (elsewhere) return usage_error("option " + name + " does not apply to " + command_name(command));
+    const bool of_periods = name == "--box" || name == "--cell";
+    if (elsewhere)
+        return usage_error("option " + name + " does not apply to " + command_name(command) +
+                           (of_periods ? "; points repeat for persist alone" : ""));
     std::vector<std::string> names;
     for (const OptionEntry& entry : option_entries())
         if ((entry.commands & bit(command)) != 0) names.emplace_back(entry.name);
@@ -220,6 +223,12 @@ Outcome check_together(const Options& options) {
     }
     if (!options.table.weights.empty() && goes_by_pieces(options))
         return usage_error(weights_option(options.table) + " does not go with --pieces, which are of points alone");
+    const Lattice& lattice = options.table.lattice;
+    if (lattice.kind != Lattice::none && goes_by_pieces(options))
+        return usage_error(std::string(lattice.option()) + " does not go with --pieces, which are of points alone");
+    if (lattice.kind != Lattice::none && options.check)
+        return usage_error("--check does not go with " + std::string(lattice.option()) +
+                           ": there is no second opinion of points that repeat yet");
     if (options.sparse && !options.distances) return usage_error("--sparse goes with --distances");
     if (r.goal.longer_than > 0 && !options.focus_auto) return usage_error("--longer-than goes with --focus auto");
     if (options.focus_auto && was_given(options, "--fit"))

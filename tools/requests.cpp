@@ -28,6 +28,24 @@ bool wants_cycles(const Options& options) {
     return !options.representatives.empty() || (at_once && options.check && filter.has_representatives != 0);
 }
 
+// Points that were not read.
+netmesh_points points_without_places(std::uint32_t dim, std::size_t count) {
+    netmesh_points points = {};
+    points.count = count;
+    points.dim = dim;
+    points.format = NETMESH_POINTS_FLOAT64;
+    return points;
+}
+
+// Before points are read their lattice may be of another dimension, or not known.
+void put_lattice(const Lattice& lattice, netmesh_points* points) {
+    static constexpr double any_vector[NETMESH_DIM_MAX] = {1};
+    if (lattice.kind == Lattice::none) return;
+    const bool fits = lattice.dim == points->dim;
+    points->lattice = fits ? lattice.vectors.data() : any_vector;
+    points->lattice_count = fits ? lattice.count() : 1;
+}
+
 // Of points, unless a mesh or distances are there.
 netmesh_request asked_of(const Options& options, std::uint32_t dim) {
     netmesh_request r = options.request;
@@ -35,8 +53,10 @@ netmesh_request asked_of(const Options& options, std::uint32_t dim) {
     if (options.distances) {
         r.distances = &any_distances;
     } else if (!persists || options.values_at.empty()) {
-        r.points = {nullptr, 1, dim, NETMESH_POINTS_FLOAT64, 0, nullptr, 0};
+        r.points = points_without_places(dim, 1);
+        put_lattice(options.table.lattice, &r.points);
     }
+    if (options.table.lattice.kind != Lattice::none) r.periods = &netmesh_periodic;
     if (!options.table.weights.empty()) r.weighting = options.table.are_radii ? &netmesh_radii : &netmesh_weights;
     if (options.function || !options.values_at.empty() || (sizes && about(r.filter).needs_function != 0))
         r.function = &any_function;
@@ -85,19 +105,21 @@ std::string option_against_auto(const Options& options) {
 
 double default_tau(std::uint32_t dim) {
     netmesh_request r = Request(&netmesh_filter_basic);
-    r.points = {nullptr, 1, dim, NETMESH_POINTS_FLOAT64, 0, nullptr, 0};
+    r.points = points_without_places(dim, 1);
     return netmesh::settle(r, &r) == NETMESH_OK ? r.mesh.tau : 0;
 }
 
 netmesh_request on_points(netmesh_request request, const PointCloud& cloud) {
     request.points = points_of(cloud.dim, cloud.coordinates);
     if (!cloud.weights.empty()) request.points.weights = cloud.weights.data();
+    put_lattice(cloud.lattice, &request.points);
     return request;
 }
 
 netmesh_request on_what_is_there(netmesh_request request) {
     request.points = {};
     request.weighting = nullptr;
+    request.periods = nullptr;
     request.goal = {};
     request.mesh = {};
     request.fit = nullptr;
@@ -108,6 +130,7 @@ netmesh_request on_what_is_there(netmesh_request request) {
 netmesh_request promised(netmesh_request request) {
     request.points = {};
     request.weighting = nullptr;
+    request.periods = nullptr;
     request.squares = 0;
     request.bounds = request.cycles = request.vines = request.fit = nullptr;
     request.goal.longer_than = 0;
@@ -116,7 +139,8 @@ netmesh_request promised(netmesh_request request) {
 
 std::size_t plan_of(const Options& options, std::uint32_t dim, std::size_t points) {
     netmesh_request r = asked_of(options, dim);
-    r.points = {nullptr, points, dim, NETMESH_POINTS_FLOAT64, 0, nullptr, 0};
+    r.points = points_without_places(dim, points);
+    put_lattice(options.table.lattice, &r.points);
     return makes_mesh_alone(options) ? plan_mesh(r) : plan(r);
 }
 
@@ -137,7 +161,7 @@ std::size_t plan_for_size(const Options& options) {
 
 std::size_t plan_to_read(std::uint32_t dim, std::size_t vertices) {
     netmesh_request r = Request(&netmesh_filter_basic);
-    r.points = {nullptr, vertices, dim, NETMESH_POINTS_FLOAT64, 0, nullptr, 0};
+    r.points = points_without_places(dim, vertices);
     return plan(r);
 }
 

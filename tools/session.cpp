@@ -111,6 +111,8 @@ Outcome Session::explain_argument(const netmesh_detail& detail, const PointCloud
     case NETMESH_FIELD_DIM:  // of a library built without it: the tool itself takes 2..6 only
         return file_error(cloud.name, "dimension " + std::to_string(dim_) + ": " + said);
     case NETMESH_FIELD_POINT_COUNT: return file_error(cloud.name, said);
+    case NETMESH_FIELD_LATTICE:
+        return usage_error(option + ": vector " + std::to_string(detail.index_a + 1) + ": " + said);
     case NETMESH_FIELD_NET_SPACING:
     case NETMESH_FIELD_TAU:
     case NETMESH_FIELD_K:
@@ -137,6 +139,7 @@ Outcome Session::explain(netmesh_status status, const PointCloud& cloud, std::si
             return usage_error(option_of(options_, NETMESH_FIELD_FUNCTION) + ": not finite at a vertex of the mesh");
         return cloud.fault(detail.index_a, "a coordinate is not finite");
     case NETMESH_OUT_OF_RANGE:
+        if (cloud.lattice.kind != Lattice::none) return cloud.fault(detail.index_a, said);
         if (filter_of(options_) == NETMESH_FILTER_ALPHA)
             return file_error(cloud.name, "coordinates too far apart in size for an exact alpha complex: it has room "
                                           "for 2^2075 units in space, 2^1185 in R^6");
@@ -147,6 +150,11 @@ Outcome Session::explain(netmesh_status status, const PointCloud& cloud, std::si
     case NETMESH_INVALID_ARGUMENT: return explain_argument(detail, cloud, said);
     case NETMESH_FLAT: {
         const std::string constant = cloud.constant_coordinate();
+        if (cloud.lattice.kind != Lattice::none)
+            return file_error(cloud.name,
+                              "flat with all copies: in directions without a period points have to differ; leave "
+                              "those coordinates out of points and lattice",
+                              Exit::degenerate);
         return file_error(cloud.name,
                           "flat: fewer than " + std::to_string(dim_ + 1) +
                               " affinely independent points in dimension " + std::to_string(dim_) +

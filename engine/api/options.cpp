@@ -72,6 +72,8 @@ constexpr Option options[] = {
            words(weighting_words)),
     NUMBER("squares", FLAG, SQUARES, squares, "0 or 1", "0",
            "with a weighting: values are squares of radii, not their roots with a sign"),
+    OPTION("periods", FLAG, PERIODS, periods, "0 or 1", "0",
+           "of the filter alpha: points repeat by the vectors of their lattice", &netmesh_periodic, no_words),
     NUMBER("keep_zero_pairs", FLAG, KEEP_ZERO_PAIRS, keep_zero_pairs, "0 or 1", "0", "keep bars of length zero"),
     NUMBER("seed", UINT64, SEED, seed, "0 to 2^64 - 1", "1", "of every random choice"),
     NUMBER("ratio", DOUBLE, RATIO, goal.ratio, "1.4143 or more", "sqrt(2 + tau); of fit 4",

@@ -52,10 +52,10 @@ inline Span<const std::uint32_t> vertices(const netmesh_simplex& simplex) {
 // Points that stay where they are until the job is done: container.data() and .size() of doubles or floats, dim numbers
 // a point. Numbers behind the last whole point are not read.
 inline netmesh_points points_of(std::uint32_t dim, const double* numbers, std::size_t count) {
-    return {numbers, dim == 0 ? 0 : count / dim, dim, NETMESH_POINTS_FLOAT64, 0, nullptr, 0};
+    return {numbers, dim == 0 ? 0 : count / dim, dim, NETMESH_POINTS_FLOAT64, 0, nullptr, 0, nullptr, 0};
 }
 inline netmesh_points points_of(std::uint32_t dim, const float* numbers, std::size_t count) {
-    return {numbers, dim == 0 ? 0 : count / dim, dim, NETMESH_POINTS_FLOAT32, 0, nullptr, 0};
+    return {numbers, dim == 0 ? 0 : count / dim, dim, NETMESH_POINTS_FLOAT32, 0, nullptr, 0, nullptr, 0};
 }
 template <class Container> netmesh_points points_of(std::uint32_t dim, const Container& container) {
     return points_of(dim, container.data(), container.size());

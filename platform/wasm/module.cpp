@@ -52,7 +52,7 @@ netmesh::Request request_of(const double* points, std::uint32_t n, std::uint32_t
                             std::uint32_t max_degree, double ratio) {
     filter = {};
     netmesh::Request request(choose(id));
-    request.points = {points, n, dim, NETMESH_POINTS_FLOAT64, 0, nullptr, 0};
+    request.points = {points, n, dim, NETMESH_POINTS_FLOAT64, 0, nullptr, 0, nullptr, 0};
     request.max_degree = max_degree;
     request.monitor = monitor;
     if (filter.needs_k != 0) request.k = k;

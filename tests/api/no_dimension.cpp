@@ -30,7 +30,7 @@ void refuses(Fixture& f, netmesh::Request request, std::uint32_t dim, Fixture::J
     const OwnPoints points(dim);
     // As whoever computes the count with the dimension has it, whoever does not, and without points.
     for (const std::size_t count : {points.count, std::size_t{0}, Fixture::many}) {
-        request.points = {points.place, count, dim, NETMESH_POINTS_FLOAT64, 0, nullptr, 0};
+        request.points = {points.place, count, dim, NETMESH_POINTS_FLOAT64, 0, nullptr, 0, nullptr, 0};
         f.refused(job(f.c, &request), NETMESH_FIELD_DIM);
         CHECK(plan(&request) == 0);
         request.points.coordinates = nullptr;
@@ -78,7 +78,7 @@ TEST_CASE("a dimension that is none is refused by every call and every plan") {
         }
         auto settled = netmesh::sized<netmesh_request>();
         auto detail = netmesh::sized<netmesh_detail>();
-        by_ratio.points = {nullptr, 5, dim, NETMESH_POINTS_FLOAT64, 0, nullptr, 0};
+        by_ratio.points = {nullptr, 5, dim, NETMESH_POINTS_FLOAT64, 0, nullptr, 0, nullptr, 0};
         CHECK(netmesh_settle(&by_ratio, &settled, &detail) == NETMESH_INVALID_ARGUMENT);
         CHECK(detail.field == NETMESH_FIELD_DIM);
         CHECK(settled.mesh.tau == 0);
@@ -102,7 +102,7 @@ TEST_CASE("a dimension that is none is refused by every call and every plan") {
 
         // What is promised: of the dimension of the mesh, or of none and without points.
         const netmesh_field field = dim == 0 ? NETMESH_FIELD_DIM : NETMESH_FIELD_PROMISED;
-        mesh.points = {vertices.place, vertices.count, dim, NETMESH_POINTS_FLOAT64, 0, nullptr, 0};
+        mesh.points = {vertices.place, vertices.count, dim, NETMESH_POINTS_FLOAT64, 0, nullptr, 0, nullptr, 0};
         auto check = netmesh::sized<netmesh_check_request>();
         check.promised = &mesh;
         f.refused(netmesh_check(f.c, &check), field);

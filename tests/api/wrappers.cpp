@@ -322,7 +322,7 @@ TEST_CASE("the C++ layer: plans") {
     CHECK(netmesh::plan(request) == netmesh_plan(&request));
     CHECK(netmesh::plan(request) > homology);
     netmesh::Request points(&netmesh_filter_rips);
-    points.points = {nullptr, 20, 2, NETMESH_POINTS_FLOAT64, 0, nullptr, 0};
+    points.points = {nullptr, 20, 2, NETMESH_POINTS_FLOAT64, 0, nullptr, 0, nullptr, 0};
     CHECK(netmesh::plan(points) == netmesh_plan(&points));
     CHECK(netmesh::plan(points) > 0);
     points.filter = &netmesh_filter_barycentric_rips;

@@ -304,6 +304,7 @@ RUNS = """0 sample circle -n 40 --noise 0.05 -o circle.csv
 0 mesh torus.csv --audit location -o torus.node
 0 delaunay torus.csv -o torus.off --check --analyse
 0 persist circle.csv -o circle.pers
+0 persist circle.csv --box -2:2,-2:2 -o periods.pers
 0 persist circle.csv
 0 persist clifford.csv --top 2
 0 persist clifford.csv --weights 4 --squares

@@ -137,6 +137,18 @@ assert.deepEqual([[...loop.ks], [...loop.intervals]], [[1, 2], [2, 3, 2, 5]]);
 const byVertex = netmesh.vineyard(null, { simplices: triangle, steps: [[0, 1, 2]], byVertex: true });
 assert.deepEqual([...byVertex.diagram(1).intervals(0)], [0, Infinity]);
 
+// Points that repeat: a square and a cubic lattice, and what goes with them.
+const births = (made, degree) => [...made.intervals(degree)].filter((_, i) => i % 2 === 0);
+const square = netmesh.persist([[0.25, 0.75]], { lattice: [[1, 0], [0, 1]] });
+assert.deepEqual([0, 1, 2].map(degree => births(square, degree)), [[0], [0.5, 0.5], [Math.SQRT1_2]]);
+assert.ok(square.copies > 0 && square.moved === 0 && diagram.copies === 0);
+assert.ok(netmesh.persist([[1 / 3, 0.1]], { lattice: [[1 / 3, 0], [0, 0.7]] }).moved > 0);
+const sides = [[1, 0, 0], [0, 1, 0], Float64Array.of(0, 0, 1)];
+const cubic = netmesh.persist(new Float32Array(3), { dim: 3, lattice: sides });
+assert.deepEqual(births(cubic, 3), [Math.sqrt(3) / 2]);
+assert.deepEqual(births(netmesh.persist([[0, 0]], { lattice: [[1, 0], [0, 1]], radii: [0.25], squares: true }), 1),
+    [0.1875, 0.1875]);
+
 // Errors name argument and row.
 const refused = (make, status, argument, row = null) => {
     try {
@@ -187,6 +199,10 @@ refused(() => netmesh.persist(circle, { focus: [1, 2] }), 'invalid-argument', 'f
 refused(() => netmesh.persist(circle, { longerThan: 2 }), 'invalid-argument', 'longerThan');
 assert.throws(() => netmesh.persist(circle, { ...heights, function: () => { throw new RangeError('mine'); } }),
     RangeError);
+for (const lattice of [3, [], [1, 2], [[1, 0, 0]], [['a', 0]], [[1, 0], [2, 0]], [[NaN, 0]], [[1, 0], [0, 1], [1, 1]]])
+    refused(() => netmesh.persist(circle, { lattice }), 'invalid-argument', 'lattice');
+refused(() => netmesh.persist(circle, { filter: 'rips', lattice: [[9, 0]] }), 'invalid-argument', 'lattice');
+refused(() => netmesh.persist(circle, { periods: true }), 'invalid-argument', 'periods');
 refused(() => netmesh.bottleneck(Float64Array.of(2, 1), diagram), 'invalid-argument', 'a', 0);
 refused(() => netmesh.mesh(circle, { tau: 1.5 }), 'invalid-argument', 'tau');
 refused(() => diagram.intervals(2), 'invalid-argument', 'degree');

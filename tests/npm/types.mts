@@ -9,6 +9,7 @@ const mesh: Mesh = netmesh.mesh(new Float64Array(6), { dim: 2, progress: now => 
 const cells: Int32Array = mesh.cells;
 const sure: Uint8Array | undefined = diagram.bounds?.certain;
 const other: Diagram = await (await loadWorker()).rips(null, { distances: [[0, 1], [1, 0]], threshold: 1 });
+const repeating: Diagram = netmesh.persist([[0, 0]], { lattice: [[1, 0], new Float64Array([0, 1])] });
 const distance: number = netmesh.bottleneck(diagram, bars, { log: true }) + netmesh.wasserstein(other, bars).lower;
 const vines: Vineyard = netmesh.vineyard([[0, 0], [1, 0]], { k: [1, 2], filter: 'kdistance' });
 const path: Float64Array = vines.vine(0).intervals;

@@ -190,7 +190,7 @@ void prepare(Job job, Kind kind, Random& random, const netmesh_monitor& monitor)
         }
         break;
     }
-    request.points = {points, count, DIM, NETMESH_POINTS_FLOAT64, 0, nullptr, 0};
+    request.points = {points, count, DIM, NETMESH_POINTS_FLOAT64, 0, nullptr, 0, nullptr, 0};
 }
 
 // The calls of a job one after the other; `make` makes each of them.

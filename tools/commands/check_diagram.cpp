@@ -371,6 +371,9 @@ Options making_of(const Options& options, const DiagramFile& file) {
 Outcome check_diagram(const Options& options, RunReport* run) {
     DiagramFile file;
     Outcome outcome = read_diagram(options.positionals[0], options, &file);
+    if (outcome.good() && file.head && file.head->options.table.lattice.kind != Lattice::none)
+        return usage_error(file.name + ": is of points that repeat, of which there is no second opinion yet; persist "
+                                       "with the options of its head makes it again");
     if (outcome.good() && file.head) outcome = check_contradiction(*file.head, file.name, options);
     if (!outcome.good()) return outcome;
     const auto essential =

@@ -102,6 +102,7 @@ Outcome read_input(Options* asked, Input* input) {
     const bool has_values = persists(options) && !options.values_at.empty();
     if (!outcome.good() || goes_by_pieces(options)) return outcome;  // these read points themselves
     outcome = has_values ? read_mesh(asked, input) : read_cloud(options, options.positionals[0], cloud);
+    if (outcome.good()) asked->table.lattice = cloud->lattice;  // with what --cell file stands for
     if (outcome.good()) outcome = check_outputs(options, cloud->dim);
     if (outcome.good()) outcome = check_coordinates(options, cloud->dim);
     return outcome;

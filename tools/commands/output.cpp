@@ -236,7 +236,8 @@ Outcome read_cloud(const Options& options, const std::string& path, PointCloud* 
     tell_note(options, cloud->name, cloud->note);
     // Without a mesh such points are refused, with the same words.
     const bool has_mesh = options.command != Command::delaunay && filter_of(options) != NETMESH_FILTER_ALPHA;
-    if (!any && has_mesh) tell_note(options, cloud->name, cloud->constant_coordinate());
+    if (!any && has_mesh && cloud->lattice.kind == Lattice::none)
+        tell_note(options, cloud->name, cloud->constant_coordinate());
     return {};
 }
 

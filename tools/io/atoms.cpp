@@ -90,10 +90,9 @@ Columns columns_of(std::string_view comment) {
     return is_layout ? Columns::extended : is_mentioned ? Columns::other : Columns::plain;
 }
 
-void note_atoms(const char* format, std::uint64_t left_out, std::uint64_t models, bool has_cell, PointCloud* cloud) {
+void note_atoms(const char* format, std::uint64_t left_out, std::uint64_t models, PointCloud* cloud) {
     cloud->note = std::string("read as atoms of ") + format;
     if (left_out > 0) cloud->note += ", without " + std::to_string(left_out) + " at alternate places";
-    if (has_cell) cloud->note += ", without its periodic cell: atoms near opposite sides are far apart";
     if (models > 1) cloud->note += ", those of the first of its " + std::to_string(models) + " models";
 }
 
@@ -134,7 +133,7 @@ Outcome parse_xyz_atoms(std::string_view content, bool with_radii, PointCloud* c
     if (!parse_unsigned(std::string(line), &count) || count == 0)
         return line_error(cloud->name, 1, quoted(line) + " is not a number of atoms");
     reader.next(&line);
-    const bool has_cell = line.find("Lattice=") != std::string_view::npos;
+    if (line.find("Lattice=") != std::string_view::npos) cloud->cell = {std::string(line), reader.number()};
     if (columns_of(line) == Columns::other)
         return line_error(
             cloud->name, reader.number(),
@@ -159,7 +158,7 @@ Outcome parse_xyz_atoms(std::string_view content, bool with_radii, PointCloud* c
                           "more than the " + counted(count, "atom", "atoms") +
                               " that line 1 speaks of; of several frames cut one out: head -n " +
                               std::to_string(count + 2));
-    note_atoms(".xyz", 0, 1, has_cell, cloud);
+    note_atoms(".xyz", 0, 1, cloud);
     return {};
 }
 
@@ -167,12 +166,11 @@ Outcome parse_pdb_atoms(std::string_view content, bool with_radii, PointCloud* c
     LineReader reader(content, false);
     std::string_view line;
     std::uint64_t models = 0, left_out = 0;
-    bool has_cell = false;
     char place = ' ';  // the alternate places that are taken: those of the first letter
     cloud->dim = 3;
     while (reader.next(&line)) {
         if (starts(line, "MODEL")) models++;
-        has_cell = has_cell || is_crystal(line);
+        if (cloud->cell.line == 0 && is_crystal(line)) cloud->cell = {std::string(line), reader.number()};
         if (models > 1 || (!starts(line, "ATOM") && !starts(line, "HETATM"))) continue;
         if (line.size() < 54)
             return line_error(cloud->name, reader.number(),
@@ -193,7 +191,7 @@ Outcome parse_pdb_atoms(std::string_view content, bool with_radii, PointCloud* c
     if (cloud->rows() == 0)
         return line_error(cloud->name, reader.number() == 0 ? 1 : reader.number(),
                           "no line ATOM or HETATM: no atom; a table is named .txt or .csv");
-    note_atoms(".pdb", left_out, models, has_cell, cloud);
+    note_atoms(".pdb", left_out, models, cloud);
     return {};
 }
 
@@ -219,7 +217,7 @@ Outcome parse_pqr_atoms(std::string_view content, bool with_radii, PointCloud* c
     if (cloud->rows() == 0)
         return line_error(cloud->name, reader.number() == 0 ? 1 : reader.number(),
                           "no line ATOM or HETATM: no atom; a table is named .txt or .csv");
-    note_atoms(".pqr", 0, 1, false, cloud);
+    note_atoms(".pqr", 0, 1, cloud);
     return {};
 }
 

@@ -325,7 +325,37 @@ Outcome parse_source(const Source& source, const TableOptions& options, Table* t
     table->values = std::move(cloud.coordinates);
     table->lines = std::move(cloud.lines);
     table->note = std::move(cloud.note);
+    if (!cloud.cell.text.empty() && options.lattice.kind == Lattice::none)
+        table->note +=
+            ", without its periodic cell: atoms near opposite sides are far apart; persist --cell file takes it";
+    table->cell = std::move(cloud.cell);
     return outcome;
+}
+
+// The lattice that is asked for, with that of the file where it is that.
+Outcome take_lattice(const Lattice& asked, PointCloud* cloud) {
+    Lattice& lattice = cloud->lattice = asked;
+    if (asked.kind == Lattice::none) return {};
+    const std::string option = asked.option();
+    if (asked.kind == Lattice::file) {
+        const FileCell& cell = cloud->cell;
+        if (cell.text.empty())
+            return usage_error("--cell file: " + cloud->name +
+                               " has no periodic cell, Lattice=\"...\" of extended .xyz or CRYST1 of .pdb with sides "
+                               "above 1; --cell takes its vectors");
+        const std::string complaint = parse_file_cell(cell.text, &lattice);
+        if (!complaint.empty()) return line_error(cloud->name, cell.line, "--cell file: " + complaint);
+    }
+    if (lattice.dim != cloud->dim)
+        return usage_error(option + " " + lattice.text + ": is in " + std::to_string(lattice.dim) + " dimensions, " +
+                           cloud->name + " in " + std::to_string(cloud->dim) +
+                           "; a direction without a period has a dash");
+    const std::uint64_t outside = points_outside(lattice, cloud->coordinates);
+    if (outside > 0)
+        cloud->note += (cloud->note.empty() ? "" : "; ") +
+                       counted(outside, "point stands for its copy", "points stand for their copies") + " inside the " +
+                       (lattice.kind == Lattice::box ? "box" : "cell");
+    return {};
 }
 
 }  // namespace
@@ -359,7 +389,8 @@ Outcome read_points(const std::string& path, const TableOptions& options, PointC
     Table table;
     Outcome outcome = read_table(path, options, &table);
     if (outcome.good()) outcome = take_table(std::move(table), cloud, columns_max);
-    return outcome.good() && options.are_radii ? check_radii(*cloud) : outcome;
+    if (outcome.good() && options.are_radii) outcome = check_radii(*cloud);
+    return outcome.good() ? take_lattice(options.lattice, cloud) : outcome;
 }
 
 Outcome PointStream::begin(const Table& table) {
@@ -415,6 +446,7 @@ Outcome take_table(Table table, PointCloud* cloud, std::uint32_t columns_max) {
     }
     cloud->coordinates = std::move(table.values);
     cloud->lines = std::move(table.lines);
+    cloud->cell = std::move(table.cell);
     cloud->note = std::move(table.note);
     return {};
 }

@@ -19,7 +19,9 @@ struct PointCloud {
     std::uint32_t dim = 0;             // 2..6; more where these were asked for
     std::vector<double> coordinates;   // [rows][dim], finite, no -0.0
     std::vector<double> weights;       // [rows], radii or weights; empty: none
+    Lattice lattice;                   // by which they repeat; the cell of the file, where that was asked for
     std::vector<std::uint64_t> lines;  // physical line of each row, counted from 1; empty for binary formats
+    FileCell cell;                     // of atoms
     std::string note;                  // what was left out or understood; empty when nothing
 
     std::size_t rows() const { return dim == 0 ? 0 : coordinates.size() / dim; }
@@ -39,9 +41,10 @@ struct PointCloud {
 // Reads `path` ("-" is stdin). Its ending says what it holds: .npy .npz .off .ply .node .obj .stl .pdb .ent .pqr, of
 // FILE.npz:NAME one array; .xyz with a number of atoms in front is a list of these; anything else is a table in text.
 // .gz around any of them is unpacked. Content that gives itself away as another format is read as that where there is
-// no ending, and refused where the ending says something else. Every fault is Exit::data with file and line and, where
-// there is one, what to do; options of tables for something else are Exit::usage; an interrupt while reading is
-// Exit::cancelled.
+// no ending, and refused where the ending says something else. A lattice of another dimension is Exit::usage; how many
+// points are outside of its period stands in the note, as does a cell that is not asked for. Every fault is Exit::data
+// with file and line and, where there is one, what to do; options of tables for something else are Exit::usage; an
+// interrupt while reading is Exit::cancelled.
 Outcome read_points(const std::string& path, const TableOptions& options, PointCloud* cloud,
                     std::uint32_t columns_max = dim_max);
 inline Outcome read_points(const std::string& path, PointCloud* cloud) { return read_points(path, {}, cloud); }

@@ -31,6 +31,8 @@ constexpr HeadOption head_options[] = {{"filter", "filter"},
                                        {"radii", nullptr},
                                        {"weights", nullptr},
                                        {"squares", "squares"},
+                                       {"box", nullptr},
+                                       {"cell", nullptr},
                                        {"k", "k"},
                                        {"values", "values"},
                                        {"function", nullptr},
@@ -91,6 +93,8 @@ bool is_said(const Options& options, const std::string& name) {
     if (name == "sparse") return options.sparse;
     if (name == "radii" || name == "weights")
         return !options.table.weights.empty() && options.table.are_radii == (name == "radii");
+    if (name == "box" || name == "cell")
+        return options.table.lattice.kind == (name == "box" ? Lattice::box : Lattice::cell);
     return name == "filter" || name == "max-degree" || is_given(r, find_option(name)->member);
 }
 
@@ -102,6 +106,7 @@ std::string said_value(const Options& options, const HeadOption& option) {
     if (name == "values-at")
         return options.vertex_function ? options.vertex_function->values_fingerprint() : options.values_at;
     if (name == "radii" || name == "weights") return options.table.weights;
+    if (name == "box" || name == "cell") return options.table.lattice.text;
     if (name == "lipschitz") return number_text(options.lipschitz.value_or(0));
     if (name == "cut") return number_text(options.cut.value_or(0));
     return name == "memory" ? std::to_string(options.memory_bytes) : "";
@@ -135,6 +140,8 @@ Head head_of(const Options& options, const netmesh_report& report) {
     if (!options.distances) add("duplicates", std::to_string(input.duplicates));
     options.vertex_function ? add("mesh", options.vertex_function->mesh_fingerprint())
                             : add("input", hexadecimal(input.fingerprint));
+    if (input.periods > 0) add("copies", std::to_string(input.copies));
+    if (input.moved > 0) add("moved", number_text(input.moved));
     if (report.mesh.is_mesh != 0) {
         std::string ball;
         for (std::uint32_t k = 0; k <= input.dim; k++) ball += (k > 0 ? " " : "") + number_text(report.mesh.domain[k]);
@@ -244,7 +251,8 @@ Outcome HeadReader::take_options() {
         if (!is_option(line.name)) continue;
         const std::string complaint = apply_option(&options, "--" + line.name, line.value);
         if (!complaint.empty()) return fault(line, complaint);
-        if (line.value == "auto") return fault(line, "contradicts the other lines, which are of what was taken");
+        if (line.value == "auto" || options.table.lattice.kind == Lattice::file)
+            return fault(line, "contradicts the other lines, which are of what was taken");
     }
     if (options.request.filter == nullptr) options.request.filter = &netmesh_filter_complete;
     // Beside a ratio that does not follow from it tau says nothing; check_tau looks at it.
@@ -268,14 +276,17 @@ Outcome HeadReader::check_names() {
         for (const char* fact : {"dim", "duplicates"}) due.push_back({fact, ""});
     if (about(found_.options.request.filter).is_on_mesh != 0) due.push_back({"domain", ""});
     due.push_back({found_.options.values_at.empty() ? "input" : "mesh", ""});
+    const bool repeats = found_.options.table.lattice.kind != Lattice::none;
+    if (repeats) due.push_back({"copies", ""});
     if (filter_of(found_.options) == NETMESH_FILTER_FUNCTION) due.push_back({"certified-error", ""});
     if (fits_error(found_.options.request)) due.push_back({"fitted-error", ""});
     for (const HeadLine& line : found_.lines) {
         if (find_line(found_.lines, line.name) != &line)
             return fault(line, "the head says that twice; leave one of the two lines out");
-        if (find_line(due, line.name) != nullptr || line.name == "certified-from") continue;
-        constexpr const char* others[] = {"dim",  "duplicates",      "domain",      "input",
-                                          "mesh", "certified-error", "fitted-error"};
+        const bool may_be = line.name == "certified-from" || (line.name == "moved" && repeats);
+        if (find_line(due, line.name) != nullptr || may_be) continue;
+        constexpr const char* others[] = {"dim",   "duplicates", "domain",          "input",       "mesh",
+                                          "moved", "copies",     "certified-error", "fitted-error"};
         if (!is_option(line.name) &&
             std::none_of(std::begin(others), std::end(others), [&](const char* other) { return line.name == other; }))
             return fault(line, "not a line of a head; comments of your own go behind the bars or before the head");
@@ -317,7 +328,7 @@ Outcome HeadReader::check_version() {
 }
 
 Outcome HeadReader::check_facts() {
-    for (const char* name : {"dim", "points", "duplicates"}) {
+    for (const char* name : {"dim", "points", "duplicates", "copies"}) {
         std::uint64_t count;
         const HeadLine* const line = found_.find(name);
         if (line != nullptr && !parse_unsigned(line->value, &count)) return fault(*line, "must be a whole number");
@@ -335,15 +346,19 @@ Outcome HeadReader::check_facts() {
     const HeadLine* const domain = found_.find("domain");
     if (domain != nullptr && !is_ball(domain->value, dim))
         return fault(*domain, "must be a centre of as many coordinates as # dim says, and a radius above 0");
-    for (const char* name : {"certified-ratio", "certified-from", "certified-error", "fitted-error"}) {
+    for (const char* name : {"moved", "certified-ratio", "certified-from", "certified-error", "fitted-error"}) {
         const HeadLine* const line = found_.find(name);
         const double least = name == std::string_view("certified-ratio") ? 1 : 0;
         if (line != nullptr && !is_number(line->value, least))
             return fault(*line, "must be a number, at least " + number_text(least));
     }
     const HeadLine& degree = *found_.find("max-degree");
-    if (!is_on_points(filter_of(found_.options)) && found_.options.request.max_degree >= dim)
-        return fault(degree, "contradicts # dim: at most " + std::to_string(dim - 1));
+    const Lattice& lattice = found_.options.table.lattice;
+    const std::uint64_t top = dim - (lattice.kind == Lattice::none ? 1 : 0);
+    if (!is_on_points(filter_of(found_.options)) && found_.options.request.max_degree > top)
+        return fault(degree, "contradicts # dim: at most " + std::to_string(top));
+    if (lattice.kind != Lattice::none && lattice.dim != dim)
+        return fault(*found_.find(lattice.option() + 2), "contradicts # dim: has another number of entries");
     return {};
 }
 

@@ -3,10 +3,10 @@
 // are allowed. They come in this order; what does not apply is left out.
 //
 //   of the file         version
-//   options of persist  filter distances sparse threshold radii weights squares k values function values-at lipschitz
-//                       cut error method finish tau fit memory ratio whole-cells focus from to eps theta max-degree
-//                       all bounds seed
-//   of the input        dim points duplicates, input or mesh; of distances points and input
+//   options of persist  filter distances sparse threshold radii weights squares box cell k values function values-at
+//                       lipschitz cut error method finish tau fit memory ratio whole-cells focus from to eps theta
+//                       max-degree all bounds seed
+//   of the input        dim points duplicates, input or mesh, copies moved; of distances points and input
 //   of the result       domain certified-ratio certified-from certified-error fitted-error reference
 //
 // Options are what decides the bars, each with the value that was used, given or not: `netmesh persist POINTS` with all
@@ -15,7 +15,9 @@
 // values at the vertices of a mesh and of the vertices' coordinates; `domain` centre and radius of the ball that was
 // meshed; `reference` the function that the ratio is about, from the scale `certified-from` on; `certified-error`, of
 // the filter function, how far births and deaths are off at most, with --fit `fitted-error` the error that sizes of the
-// mesh were asked for, 0 for none.
+// mesh were asked for, 0 for none. Of points that repeat `cell` has the vectors, as `--cell file` and angles stand for,
+// `copies` how many points were triangulated beside those given, `moved` by how much numbers were moved at most, where
+// they were.
 //
 // Up to version 0.2.0 births and deaths of alpha and of filters on points were not rounded to nearest, and said in
 // `value-error` by how much they were off. Such files are not read as diagrams of this program.

@@ -5,6 +5,7 @@
 #include <string_view>
 #include <vector>
 
+#include "tools/io/lattice.hpp"
 #include "tools/outcome.hpp"
 
 namespace netmesh::tool {
@@ -16,6 +17,7 @@ struct TableOptions {
     std::vector<std::string> columns;  // numbers from 1, ranges 2-4, names of the header; none: all
     std::string weights;               // a column of radii or weights, by number or name; of atoms vdw; empty: none
     bool are_radii = false;            // these numbers
+    Lattice lattice;                   // by which points repeat
     bool distances = false;            // of arrays: one axis is taken as one column, and infinity is a number
 };
 
@@ -25,6 +27,7 @@ struct Table {
     std::vector<double> values;        // [rows][width], finite, no -0.0
     bool has_weights = false;          // the last column is of radii or weights
     std::vector<std::uint64_t> lines;  // physical line of each row; empty for binary formats
+    FileCell cell;                     // of atoms
     std::string note;                  // what was left out or understood: `skipped header "x,y"`; empty when nothing
 
     std::size_t rows() const { return width == 0 ? 0 : values.size() / width; }

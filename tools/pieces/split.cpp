@@ -98,7 +98,15 @@ Outcome split_task(const Options& options, const PiecesFolder& folder, const std
             return s.call(NETMESH_STAGE_SORT, [&] {
                 netmesh_split_request r = s.watched(sized<netmesh_split_request>());
                 r.pieces = pieces;
-                r.points = {records.data(), records.size() / words, read.dim, NETMESH_POINTS_FLOAT64, 8 * words};
+                r.points = {records.data(),
+                            records.size() / words,
+                            read.dim,
+                            NETMESH_POINTS_FLOAT64,
+                            8 * words,
+                            nullptr,
+                            0,
+                            nullptr,
+                            0};
                 *made = sized<netmesh_split_result>();
                 const netmesh_status status = netmesh_split(s.engine().context(), &r);
                 return status == NETMESH_OK ? netmesh_get_split(s.engine().context(), made) : status;

@@ -147,9 +147,10 @@ std::string diagram_picture(const std::vector<Bar>& bars, const netmesh_report& 
     const BarStyle style = style_of(bars, report, bounds);
     const bool are_radii = !style.is_additive();
     const ValueScale scale = scale_for(bars, is_linear_axis(axis, are_radii, bars));
-    const std::string subject =
-        report.input.dim == 0 ? "a complex of " + simplices_text(report.diagram.simplices)
-                              : counted_text(report.input.points, "point") + " in R" + superscript(report.input.dim);
+    const std::string subject = report.input.dim == 0 ? "a complex of " + simplices_text(report.diagram.simplices)
+                                                      : counted_text(report.input.points, "point") + " in R" +
+                                                            superscript(report.input.dim) +
+                                                            (report.input.periods > 0 ? ", which repeat" : "");
     const std::string title = "Persistent homology of " + subject;
     Heading heading(page_width - 2 * margin);
     heading.add(title, 20, ink, true);

@@ -24,6 +24,18 @@ Choice choice_of(const RunReport& run, const netmesh_report& engine) {
     return {filter_name(engine.diagram.filter), values_name(engine.diagram.values)};
 }
 
+// Its vectors.
+void write_lattice(Json& json, const Lattice& lattice) {
+    json.key("lattice");
+    json.open('[');
+    for (std::uint32_t i = 0; i < lattice.count(); i++) {
+        json.open('[');
+        for (std::uint32_t k = 0; k < lattice.dim; k++) json.value(lattice.vectors[i * lattice.dim + k]);
+        json.close(']');
+    }
+    json.close(']');
+}
+
 void write_options(Json& json, const RunReport& run, const netmesh_report& engine) {
     const Options& options = *run.options;
     const netmesh_mesh_report& mesh = engine.mesh;
@@ -51,6 +63,7 @@ void write_options(Json& json, const RunReport& run, const netmesh_report& engin
     write_known(json, "values", choice.values != nullptr, choice.values);
     write_known(json, "max_degree", engine.diagram.present != 0, engine.diagram.max_degree);
     write_known(json, "k", options.command == Command::persist && engine.diagram.k > 0, engine.diagram.k);
+    if (options.table.lattice.kind != Lattice::none) write_lattice(json, options.table.lattice);
     write_known(json, "memory", options.memory_bytes != 0, static_cast<std::uint64_t>(options.memory_bytes));
     json.entry("seed", asked.seed);
     json.entry("all", asked.keep_zero_pairs != 0);

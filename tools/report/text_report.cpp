@@ -155,7 +155,9 @@ std::string diagram_lines(const netmesh_report& engine) {
         text += "certified error " + rounded_text(diagram.certified_error, 6) +
                 ": births and deaths are off by at most that\n";
     }
-    if (is_exact(diagram)) text += "exact    every birth and death is the exact one, rounded to the nearest double\n";
+    if (is_exact(diagram))
+        text += std::string("exact    every birth and death is the exact one") +
+                (engine.input.moved > 0 ? " of the moved numbers" : "") + ", rounded to the nearest double\n";
     if (engine.bounds.present != 0)
         text += "real     " + by_degree(engine.bounds.certain, engine.bounds.max_degree, true) + " bars surely real\n";
     if (engine.decision.present != 0) text += decision_lines(engine.decision);
@@ -188,6 +190,14 @@ std::string input_line(const netmesh_report& engine) {
     if (input.duplicates > 0) text += ", " + counted(input.duplicates, "duplicate", "duplicates") + " merged";
     if (input.hidden > 0) text += ", " + counted(input.hidden, "ball", "balls") + " hidden by others";
     return text + "\n";
+}
+
+std::string periods_lines(const Lattice& lattice, const netmesh_input_report& input) {
+    if (input.periods == 0) return {};
+    std::string text = "periods  " + counted(input.periods, "vector", "vectors") + ", " + lattice.option() + " " +
+                       lattice.text + "; with " + counted(input.copies, "copy", "copies") + " of points\n";
+    if (input.moved > 0) text += "moved    by " + rounded_text(input.moved, 3) + " at most, so that copies are exact\n";
+    return text;
 }
 
 std::string cost_lines(const RunReport& run) {
@@ -224,7 +234,8 @@ std::string text_report(const RunReport& run) {
     std::string text;
     if (run.engine) {
         const netmesh_report& engine = *run.engine;
-        text += input_line(engine) + mesh_or_scales_lines(engine);
+        text +=
+            input_line(engine) + periods_lines(run.options->table.lattice, engine.input) + mesh_or_scales_lines(engine);
         if (run.analysis) text += analysis_lines(*run.analysis);
         if (engine.diagram.present != 0) text += diagram_lines(engine);
         if (engine.vineyard.present != 0) text += vineyard_lines(engine.vineyard);

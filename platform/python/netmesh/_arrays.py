@@ -1,4 +1,6 @@
 """numpy arrays in and out."""
+import math
+
 import numpy as np
 
 from . import _declarations as c
@@ -68,6 +70,68 @@ def weights_of(radii, weights):
         raise InvalidArgument("weights: give radii or weights", "weights")
     argument = "radii" if weights is None else "weights"
     return argument, doubles(radii if weights is None else weights, argument, 1)
+
+
+def atoms_of(points, cell, pbc):
+    """Points, cell and pbc of what is like ASE's ``Atoms``, whose cell counts where nothing else is given; of anything
+    else what they are."""
+    if not all(hasattr(points, name) for name in ("get_positions", "cell", "pbc")):
+        return points, cell, pbc
+    if cell is None:
+        pbc = points.pbc if pbc is None else pbc
+        cell = np.asarray(points.cell) if np.any(pbc) else None
+    return points.get_positions(), cell, None if cell is None else pbc
+
+
+def lattice_of(cell, pbc, dim):
+    """The vectors by which points of ``dim`` coordinates repeat, float64 [m, dim]; None where they do not."""
+    periods = _periods_of(pbc, dim)
+    if cell is None:
+        if pbc is not None and periods.any():
+            raise InvalidArgument("pbc: goes with cell", "pbc")
+        return None
+    shape = np.shape(cell)
+    if shape == (dim, dim):
+        vectors = doubles(cell, "cell", 2)
+    elif shape == (dim,):
+        vectors = np.diag(_sides(doubles(cell, "cell", 1), periods))
+    elif shape == (6,) and dim == 3:
+        vectors = _of_angles(doubles(cell, "cell", 1))
+    else:
+        raise InvalidArgument("cell: shape %s, where there are points in %d dimensions: %d sides of a box, or as many "
+                              "vectors%s" % (shape, dim, dim, "; or three sides and three angles" * (dim == 3)),
+                              "cell")
+    return np.ascontiguousarray(vectors[periods]) if periods.any() else None
+
+
+def _periods_of(pbc, dim):
+    flags = np.asarray(True if pbc is None else pbc)
+    if flags.shape not in ((), (dim,)) or flags.dtype.kind not in "biu" or not np.isin(flags, (0, 1)).all():
+        raise InvalidArgument("pbc: a bool, or one for each of %d vectors" % dim, "pbc")
+    return np.broadcast_to(flags.astype(bool), dim)
+
+
+def _sides(sides, periods):
+    for i in np.flatnonzero(periods):
+        if not 0 < sides[i] < np.inf:
+            raise InvalidArgument("cell: side %d is %r; a number above 0, or pbc without it" % (i, float(sides[i])),
+                                  "cell", int(i))
+    return sides
+
+
+def _of_angles(cell):
+    """Rows of three sides and three angles in degrees: a along x, b in the plane of x and y."""
+    angles = cell[3:]
+    if not ((0 < cell) & (cell < np.inf)).all() or not 2 * angles.max() < angles.sum() < 360:
+        raise InvalidArgument("cell: three sides above 0, and three angles in degrees, each less than the sum of the "
+                              "others, all less than 360", "cell")
+    exact = {60: 0.5, 90: 0.0, 120: -0.5}
+    alpha, beta, gamma = [exact.get(x, math.cos(math.radians(x))) for x in angles]
+    sine = 1.0 if angles[2] == 90 else math.sin(math.radians(angles[2]))
+    y = (alpha - beta * gamma) / sine
+    z = math.sqrt(max(1 - beta * beta - y * y, 0))
+    a, b, c = cell[:3]
+    return np.array([[a, 0, 0], [b * gamma, b * sine, 0], [c * beta, c * y, c * z]])
 
 
 def number(value, argument):

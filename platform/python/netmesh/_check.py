@@ -31,6 +31,9 @@ def check(result, points=None, *, progress: Union[bool, Callable, None] = None) 
     head = getattr(result, "_head", None) or head_of(result)
     if not head:
         raise InvalidArgument("result: nothing says how this diagram is made", "result")
+    if {"radii", "weights", "box", "cell"} & set(dict(head)):
+        raise InvalidArgument("result: diagrams of points with radii, weights or a cell are not made again here",
+                              "result")
     if "value-error" in dict(head):
         raise CheckFailed("result: this file was " + BEFORE_ROUNDING, "result")
     again = diagram_of_points(points, arguments_of(head), dict(head).get("memory"), progress)

@@ -115,7 +115,10 @@ NETMESH_FIELD_WEIGHTS = 83
 NETMESH_FIELD_WEIGHT_STRIDE_BYTES = 84
 NETMESH_FIELD_WEIGHTING = 85
 NETMESH_FIELD_SQUARES = 86
-NETMESH_FIELD_COUNT = 87
+NETMESH_FIELD_LATTICE = 87
+NETMESH_FIELD_LATTICE_COUNT = 88
+NETMESH_FIELD_PERIODS = 89
+NETMESH_FIELD_COUNT = 90
 NETMESH_FAULT_NONE = 0
 NETMESH_FAULT_SIZE = 1
 NETMESH_FAULT_TOO_MANY = 2
@@ -229,7 +232,8 @@ class netmesh_monitor(Structure):
 
 class netmesh_points(Structure):
     _fields_ = [("coordinates", c_void_p), ("count", c_size_t), ("dim", c_uint32), ("format", c_int),
-                ("stride_bytes", c_size_t), ("weights", c_void_p), ("weight_stride_bytes", c_size_t)]
+                ("stride_bytes", c_size_t), ("weights", c_void_p), ("weight_stride_bytes", c_size_t),
+                ("lattice", c_void_p), ("lattice_count", c_uint32)]
 
 
 class netmesh_distance_entry(Structure):
@@ -275,7 +279,8 @@ class netmesh_request(Structure):
                 ("values", c_int), ("k", c_uint32), ("k_last", c_uint32), ("keep_zero_pairs", c_uint32),
                 ("function", c_void_p), ("threshold", c_double), ("seed", c_uint64), ("goal", netmesh_goal),
                 ("mesh", netmesh_mesh_rules), ("bounds", c_void_p), ("cycles", c_void_p), ("vines", c_void_p),
-                ("fit", c_void_p), ("keep_mesh", c_uint32), ("squares", c_uint32), ("weighting", c_void_p)]
+                ("fit", c_void_p), ("keep_mesh", c_uint32), ("squares", c_uint32), ("weighting", c_void_p),
+                ("periods", c_void_p)]
 
 
 class netmesh_option(Structure):
@@ -353,7 +358,7 @@ class netmesh_check_request(Structure):
 class netmesh_input_report(Structure):
     _fields_ = [("present", c_uint32), ("dim", c_uint32), ("points", c_uint64), ("duplicates", c_uint64),
                 ("distinct", c_uint64), ("fingerprint", c_uint64), ("hidden", c_uint64), ("weighting", c_int),
-                ("squares", c_uint32)]
+                ("squares", c_uint32), ("periods", c_uint32), ("copies", c_uint64), ("moved", c_double)]
 
 
 class netmesh_sizes_report(Structure):

@@ -184,6 +184,8 @@ def read(session):
     reference = FILTERS[name].reference if name else "filtered complex"
     if report.input.weighting:
         reference = "unions of balls about the points in R^{D}"
+    if report.input.periods:
+        reference += " modulo the lattice"
     facts = {
         "filter": name, "certified_ratio": part.certified_ratio, "certified_from": part.certified_from,
         "certified_error": part.certified_error,

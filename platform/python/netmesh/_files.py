@@ -30,8 +30,9 @@ def _row_of(line):
 
 
 def _options_head(request, memory):
-    """A settled request as the tool writes it, (name, value) each; nothing where lines do not say it all."""
-    if request.function or any(OPTIONS[name].get(request) for name in _UNSAID):
+    """A settled request as the tool writes it, (name, value) each; nothing where lines do not say it all, as of weights
+    and cells."""
+    if request.function or request.weighting or request.periods or any(OPTIONS[name].get(request) for name in _UNSAID):
         return []
     filter = next(row for row in FILTERS.values() if row.filter == request.filter)
     is_meshed, is_fitted = filter.is_on_mesh or filter.is_by_scales, bool(request.fit)

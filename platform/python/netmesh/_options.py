@@ -8,7 +8,7 @@ from .errors import ARGUMENTS, InvalidArgument
 
 
 # Those that go by the table's names, where a call does not list them itself.
-_OTHERS = set(OPTIONS) - set(ARGUMENTS) - {"vines", "weighting"}
+_OTHERS = set(OPTIONS) - set(ARGUMENTS) - {"vines", "weighting", "periods"}
 
 
 def known(call, others):
@@ -41,6 +41,18 @@ def put_weights(session, balls):
     request.weighting = OPTIONS["weighting"].words[argument]
     session.kept.append(numbers)
     session.renamed.update(weights=argument, weighting=argument)
+
+
+def put_lattice(session, vectors):
+    """What ``lattice_of`` gives, behind the points."""
+    if vectors is None:
+        return
+    request = session.request
+    request.points.lattice = vectors.ctypes.data
+    request.points.lattice_count = len(vectors)
+    request.periods = OPTIONS["periods"].object
+    session.kept.append(vectors)
+    session.renamed.update(lattice="cell", lattice_count="cell", periods="cell")
 
 
 def fill(session, given):

@@ -4,16 +4,17 @@ import ctypes
 import math
 import os
 import warnings
-from typing import Callable, Optional, Sequence, Tuple, Union
+from typing import Any, Callable, Optional, Sequence, Tuple, Union
 
 import numpy as np
 
 from . import _declarations as c
 from . import _diagram
-from ._arrays import doubles, points_of, weights_of
+from ._arrays import atoms_of, doubles, lattice_of, points_of, weights_of
 from ._diagram import Diagram
 from ._library import OPTIONS, lib, sized
-from ._options import as_asked, fill, focus_of, known, put_function, put_weights, request_of, settled
+from ._options import (as_asked, fill, focus_of, known, put_function, put_lattice, put_weights, request_of,
+                       settled)
 from ._session import Session
 from .errors import InvalidArgument
 
@@ -31,11 +32,13 @@ def persist(points, filter: str = "auto", max_degree: Optional[int] = None, *, k
             fit: bool = False, progress: Union[bool, Callable, None] = None, pieces: Union[int, str, None] = None,
             executor: Optional[concurrent.futures.Executor] = None,
             scratch: Union[str, os.PathLike, None] = None, radii: Optional[Sequence[float]] = None,
-            weights: Optional[Sequence[float]] = None, squares: bool = False, **others) -> Diagram:
+            weights: Optional[Sequence[float]] = None, squares: bool = False, cell: Any = None,
+            pbc: Union[bool, Sequence[bool], None] = None, **others) -> Diagram:
     """The persistence diagram of points, over Z/2, with a certificate.
 
     points: [n, D], any array of numbers. float64 and float32 are read where they lie, also with gaps between rows;
-        anything else is copied. D is from 2 to 6; for "rips" up to 65,536.
+        anything else is copied. D is from 2 to 6; for "rips" up to 65,536. Or what is like ASE's ``Atoms``: its
+        positions, which repeat by its cell where its ``pbc`` is true.
     filter: what grows around the points.
         "auto"        "alpha" where it is affordable, else "complete", as the engine finds; "complete" when an argument
                       asks for a mesh
@@ -47,7 +50,7 @@ def persist(points, filter: str = "auto", max_degree: Optional[int] = None, *, k
         "basic"       as "complete", from a radius on
         "rips", "cech"      complexes on the points themselves
         "barycentric-cech", "barycentric-rips"   sublevel sets of the distance to the ``k``-th nearest point
-    max_degree: the highest degree of homology; by default D - 1, for complexes on points 1.
+    max_degree: the highest degree of homology; by default D - 1, with a cell D, for complexes on points 1.
     ratio: the certified ratio to refine to, of "complete", "tight" and "scales"; 1.4143 or more.
     focus: (ratio, from, to): a better ratio at radii between two bounds; "auto": where bars are undecided, until each
         is surely real or surely not ``longer_than`` (1.5) times its birth, or ``memory`` is full.
@@ -77,6 +80,12 @@ def persist(points, filter: str = "auto", max_degree: Optional[int] = None, *, k
         components are no longer 0. Points whose balls make no difference are hidden: ``report["input"]["hidden"]``.
     weights: [n], in place of radii: their squares, of any sign.
     squares: with these, births and deaths are a^2 with the sign of a, as GUDHI has them.
+    cell: of "alpha": points repeat by these vectors, a crystal or a box with periodic boundaries: D sides of a box, or
+        [D, D], the vectors in rows, or in space three sides and three angles in degrees, a along x, b in the plane of x
+        and y. The diagram is that of the union of balls modulo these vectors, one period with its opposite sides glued.
+        Points may lie anywhere. ``report["input"]`` has ``periods``, ``copies``, how many points were triangulated
+        beside those given, and ``moved``, by how much numbers were moved at most so that copies are exact.
+    pbc: with a cell, or ``Atoms``: whether points repeat, or whether by each vector; by default by all of a cell.
     others: further options of the engine, by its names: ``threshold``, ``domain_factor``, ``net_spacing``,
         ``size_eps``, ``size_at_inputs``, ``size_growth``, ``audit``.
 
@@ -88,12 +97,15 @@ def persist(points, filter: str = "auto", max_degree: Optional[int] = None, *, k
                  keep_zero_pairs=keep_zero_pairs, bounds=bounds, cycles=representatives, seed=seed, fit=fit,
                  squares=squares, **known("persist", others))
     balls = weights_of(radii, weights)
+    points, cell, pbc = atoms_of(points, cell, pbc)
     if pieces is None and (executor is not None or scratch is not None):
         argument = "executor" if executor is not None else "scratch"
         raise InvalidArgument('%s: goes with pieces, as with pieces="auto"' % argument, argument)
     if pieces is not None:
         if balls is not None:
             raise InvalidArgument("%s: does not go with pieces, which are of points alone" % balls[0], balls[0])
+        if cell is not None:
+            raise InvalidArgument("cell: does not go with pieces, which are of points alone", "cell")
         return _in_pieces(points, given, pieces, executor, scratch, memory, (focus, function, progress))
     is_auto = isinstance(focus, str) and focus == "auto"
     if is_auto:
@@ -101,7 +113,7 @@ def persist(points, filter: str = "auto", max_degree: Optional[int] = None, *, k
     else:
         given.update(focus_of(focus, fit))
     return diagram_of_points(points, given, memory, progress, (function, lipschitz, cut, distance_factor),
-                             {"fit": "focus"} if is_auto else None, balls)
+                             {"fit": "focus"} if is_auto else None, balls, (cell, pbc))
 
 
 def _in_pieces(points, given, pieces, executor, scratch, memory, others):
@@ -117,12 +129,14 @@ def _in_pieces(points, given, pieces, executor, scratch, memory, others):
                                      given["max_degree"], given["keep_zero_pairs"])
 
 
-def diagram_of_points(points, given, memory, progress, function=(), renamed=None, balls=None):
-    """The diagram of points by options of the table; ``balls`` as ``weights_of`` gives them."""
+def diagram_of_points(points, given, memory, progress, function=(), renamed=None, balls=None, repeats=(None, None)):
+    """The diagram of points by options of the table; ``balls`` as ``weights_of`` gives them, ``repeats``: cell and
+    pbc."""
     read = points_of(points) if balls is None else points_of(doubles(points, "points", 2))
     session = Session(memory, progress, renamed=renamed)
     request = request_of(session, read)
     put_weights(session, balls)
+    put_lattice(session, lattice_of(*repeats, read[2]))
     fill(session, given)
     put_function(session, read[2], *function)
     if request.fit and memory is None:

@@ -97,9 +97,15 @@ EXPORT(set_points) void set_points(const void* coordinates, double count, std::u
                       is_float != 0 ? NETMESH_POINTS_FLOAT32 : NETMESH_POINTS_FLOAT64,
                       0,
                       nullptr,
+                      0,
+                      nullptr,
                       0};
 }
 EXPORT(set_weights) void set_weights(const double* weights) { request.points.weights = weights; }
+EXPORT(set_lattice) void set_lattice(const double* vectors, std::uint32_t count) {
+    request.points.lattice = vectors;
+    request.points.lattice_count = count;
+}
 EXPORT(set_distances) void set_distances(const double* numbers, double count) {
     distances = netmesh::sized<netmesh_distances>();
     distances.numbers = numbers;

@@ -98,6 +98,9 @@ export interface PersistOptions extends PointOptions, MeshRules, Omit<MeshPersis
     weights?: Float64Array | Float32Array | number[];
     /** With these births and deaths are a^2 with the sign of a. */
     squares?: boolean;
+    /** Of the filter alpha: points repeat by these vectors, 1 to D, as in a crystal or a box with periodic boundaries:
+     * the diagram is that of the union of balls modulo them, to degree D; it has `copies` and `moved`. */
+    lattice?: (Float64Array | Float32Array | number[])[];
 }
 export interface MeshOptions extends PointOptions, MeshRules {
     /** What it is for: itself, a diagram ("complete"), the filter "tight". */
@@ -137,6 +140,10 @@ export class Diagram implements Iterable<Bar> {
     readonly bounds: BarBounds | null;
     /** Of each bar the vertices of its simplices, degree + 1 each. */
     readonly representatives: Int32Array[] | null;
+    /** Of points that repeat: how many were triangulated beside those given, and by how much numbers were moved at most
+     * so that copies are exact. */
+    readonly copies: number;
+    readonly moved: number;
     readonly length: number;
     readonly maxDegree: number;
     /** [m, 2]: birth, death, birth, death ... of one degree. */

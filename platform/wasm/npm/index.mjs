@@ -244,6 +244,19 @@ function ballsOf({ radii, weights }, count) {
     return { argument, numbers };
 }
 
+// The vectors by which points repeat, one behind the other; undefined: they do not.
+function latticeOf({ lattice }, dim) {
+    if (!isGiven(lattice)) return undefined;
+    if (!Array.isArray(lattice) || lattice.length === 0) refuse('lattice', `a list of vectors of ${dim} numbers`);
+    const numbers = new Float64Array(lattice.length * dim);
+    lattice.forEach((vector, i) => {
+        const row = numbersOf(vector, 'lattice');
+        if (row.length !== dim) refuse('lattice', `vector ${i} has ${row.length} numbers, where points have ${dim}`);
+        numbers.set(row, i * dim);
+    });
+    return { numbers, count: lattice.length };
+}
+
 /** A persistence diagram: bars by degree, births and deaths are radii, the death of what never dies is Infinity. */
 export class Diagram {
     #intervals;
@@ -284,7 +297,7 @@ function diagramOf(job) {
     const fields = { filter: filterOf(report['diagram.filter']), certifiedRatio: report['diagram.certified_ratio'] ?? 0,
         certifiedError: report['diagram.certified_error'] ?? 0, fingerprint: report.fingerprint,
         peakBytes: report['memory.peak_bytes'], why: job.text(job.exports.why()), bounds: null,
-        representatives: null };
+        representatives: null, copies: report['input.copies'] ?? 0, moved: report['input.moved'] ?? 0 };
     if (report['diagram.certain']) {
         const [numbers, certain] = job.read('bounds', [BigInt(count)], [Float64Array, 5 * count], [Uint8Array, count]);
         fields.bounds = { numbers, certain };
@@ -316,7 +329,8 @@ export class Vineyard {
         for (let degree = 0; degree <= this.maxDegree; ++degree)
             starts.push(starts[degree] + at.filter(i => this.degrees[i] === degree).length);
         return new Diagram({ filter: this.filter, certifiedRatio: this.ratios[k - this.k[0]], certifiedError: 0,
-            fingerprint: '', peakBytes: this.peakBytes, why: '', bounds: null, representatives: null },
+            fingerprint: '', peakBytes: this.peakBytes, why: '', bounds: null, representatives: null,
+            copies: 0, moved: 0 },
         Float64Array.from(at.flatMap(i => [x[2 * i], x[2 * i + 1]])), starts);
     }
     /** The path of one vine: { ks, intervals }. */
@@ -452,16 +466,16 @@ export class Mesh {
 
 // What the calls take beside members of the engine's request, and which of these they do not take.
 const TAKEN = {
-    persist: ['dim', 'focus', 'radii', 'weights', ...OF_FUNCTION], meshPersist: OF_FUNCTION, homology: [],
+    persist: ['dim', 'focus', 'radii', 'weights', 'lattice', ...OF_FUNCTION], meshPersist: OF_FUNCTION, homology: [],
     vineyard: ['dim', 'simplices', 'steps', 'byVertex'], meshVineyard: [], mesh: ['dim', 'purpose', 'focus'],
     delaunay: ['dim', 'purpose', 'seed'], rips: ['dim', 'distances'],
     bottleneck: ['degree', 'log'], wasserstein: ['degree', 'order', 'error'],
 };
-const OF_VINES = ['k_last', 'vines'], OF_BALLS = ['weighting', 'squares'];
-const NOT_TAKEN = { persist: ['weighting'], meshPersist: OF_BALLS, vineyard: [...OF_VINES, ...OF_BALLS],
-    meshVineyard: [...OF_VINES, ...OF_BALLS], rips: ['filter', ...OF_BALLS],
-    homology: ['filter', 'vines', ...OF_BALLS],
-    mesh: ['k', ...OF_VINES, ...OF_BALLS, 'max_degree', 'keep_zero_pairs', 'bounds', 'cycles', 'fit', 'keep_mesh'] };
+const OF_VINES = ['k_last', 'vines'], OF_POINTS = ['weighting', 'squares', 'periods'];
+const NOT_TAKEN = { persist: ['weighting', 'periods'], meshPersist: OF_POINTS, vineyard: [...OF_VINES, ...OF_POINTS],
+    meshVineyard: [...OF_VINES, ...OF_POINTS], rips: ['filter', ...OF_POINTS],
+    homology: ['filter', 'vines', ...OF_POINTS],
+    mesh: ['k', ...OF_VINES, ...OF_POINTS, 'max_degree', 'keep_zero_pairs', 'bounds', 'cycles', 'fit', 'keep_mesh'] };
 const RUN = ['memory', 'progress'], NO_REQUEST = ['delaunay', 'bottleneck', 'wasserstein'];
 // What is given of a call's options.
 function known(call, options, table) {
@@ -512,15 +526,18 @@ export class Netmesh {
     }
     #job(points, options) {
         const job = new Job(this.#library, options.progress), balls = ballsOf(options, points.count);
+        const lattice = latticeOf(options, points.dim);
         const array = balls ? Float64Array.from(points.array) : points.array;
         const at = job.put(array), isFloat = array instanceof Float32Array ? 1 : 0;
-        const weights = balls ? job.put(balls.numbers) : 0;
+        const weights = balls ? job.put(balls.numbers) : 0, vectors = lattice ? job.put(lattice.numbers) : 0;
         job.askOfPoints = (asked, names = {}) => {
             const { argument } = balls ?? {};
-            job.ask(balls ? { ...asked, weighting: argument } : asked,
-                balls ? { ...names, weights: argument, weighting: argument } : names);
+            job.ask({ ...asked, ...balls && { weighting: argument }, ...lattice && { periods: true } },
+                { ...names, ...balls && { weights: argument, weighting: argument },
+                    ...lattice && { lattice_count: 'lattice', periods: 'lattice' } });
             job.exports.set_points(at, points.count, points.dim, isFloat);
             if (balls) job.exports.set_weights(weights);
+            if (lattice) job.exports.set_lattice(vectors, lattice.count);
         };
         return job;
     }
