@@ -144,28 +144,59 @@ void print_cloud(const Cloud& cloud) {
     }
 }
 
+void print_exactly(const Cloud& cloud) {
+    std::printf("  lattice");
+    for (const double c : cloud.lattice) std::printf(" %a", c);
+    std::printf("\n  points ");
+    for (const double c : cloud.x) std::printf(" %a", c);
+    std::printf("\n");
+}
+
 // Numbers whose copies are no doubles. The engine may move them, which moves bars by about as much.
-std::string judge_tenths(const Block& block, Cloud cloud, Seen* seen) {
-    multiply(&cloud.x, 0.1);
-    multiply(&cloud.lattice, 0.1);
-    cloud.numbers.clear();
-    cloud.are_radii = false;
-    if (is_flat(cloud)) return "";
+std::string judge_exact_or_moved(const Block& block, const std::string& what, const Cloud& cloud, Seen* seen) {
     const Answer answer = ask(block, cloud);
-    if (answer.status != NETMESH_OK) return std::string("tenths: ") + netmesh_status_text(answer.status);
+    if (answer.status != NETMESH_OK) return what + ": " + netmesh_status_text(answer.status);
     const Bars bars = rounded(bars_of_cells(cloud), false);
     double reach = 0;
     for (const double c : cloud.x) reach = std::max(reach, std::fabs(c));
     for (const double c : cloud.lattice) reach = std::max(reach, std::fabs(c));
     ++seen->moved;
     seen->farthest = std::max(seen->farthest, answer.moved / reach);
-    if (answer.moved > 0x1p-40 * reach) return "tenths: numbers were moved far";
-    if (answer.moved == 0 && !(answer.bars == bars)) return "tenths: nothing was moved, but bars are others";
+    if (answer.moved > 0x1p-40 * reach) return what + ": numbers were moved far";
+    if (answer.moved == 0 && !(answer.bars == bars)) {
+        print_exactly(cloud);
+        return what + ": nothing was moved, but other bars\n  came\n" + text_of(answer.bars) + "  truth\n" +
+               text_of(bars);
+    }
     // A short vector is a sum of at most some hundreds of those of a skewed basis.
     const double by = 1000 * answer.moved;
     if (holds(bars, answer.bars, by) && holds(answer.bars, bars, by)) return "";
-    return "tenths, moved by " + std::to_string(answer.moved) + "\n  came\n" + text_of(answer.bars) + "  truth\n" +
-           text_of(bars);
+    print_exactly(cloud);
+    return what + ": bars are too far away\n  came\n" + text_of(answer.bars) + "  truth\n" + text_of(bars);
+}
+
+constexpr const char* digit_kinds[] = {"tenths", "moved by units", "on a fine grid"};
+
+void lengthen(Random& random, int kind, Cloud* cloud) {
+    double reach = 0;
+    for (Numbers* const x : {&cloud->x, &cloud->lattice}) {
+        if (kind == 0) multiply(x, 0.1);
+        if (kind == 1) families::move_units(random, 2, x);
+        for (const double c : *x) reach = std::max(reach, std::fabs(c));
+    }
+    if (kind != 2) return;
+    // Multiples of the last digit of the largest: sums are doubles where they are as small, multiples are often none.
+    int exponent;
+    std::frexp(reach, &exponent);
+    for (Numbers* const x : {&cloud->x, &cloud->lattice})
+        for (double& c : *x) c += random.whole(-3, 3) * std::ldexp(1, exponent - 53);
+}
+
+std::string judge_digits(const Block& block, Random& random, int kind, Cloud cloud, Seen* seen) {
+    lengthen(random, kind, &cloud);
+    cloud.numbers.clear();
+    cloud.are_radii = false;
+    return is_flat(cloud) ? "" : judge_exact_or_moved(block, digit_kinds[kind], cloud, seen);
 }
 
 // In another unit, a power of 2.
@@ -197,7 +228,7 @@ std::string judge_supercell(const Block& block, Random& random, const Cloud& clo
     return compare("twice the cell", ask(block, twice), truth_of(twice, bars));
 }
 
-constexpr int changes = 10;
+constexpr int changes = 11;
 
 std::string judge_change(const Block& block, Random& random, int change, const Cloud& cloud, const Truth& truth,
                          Seen* seen) {
@@ -215,7 +246,8 @@ std::string judge_change(const Block& block, Random& random, int change, const C
     case 5: return judge_unit(block, random, cloud, truth);
     case 6: return judge_degree(block, random, cloud, truth);
     case 7: return cloud.count() <= (cloud.dim == 2 ? 5u : 2u) ? judge_supercell(block, random, cloud) : "";
-    case 8: return judge_tenths(block, cloud, seen);
+    case 8: return judge_digits(block, random, random.whole(0, 2), cloud, seen);
+    case 9: return judge_digits(block, random, 2, cloud, seen);
     default:  // all at once
         skew(random, 2, &other);
         move_by_lattice(random, 1, &other);
@@ -288,6 +320,14 @@ std::size_t judge_named(const Block& block) {
     }
     std::printf("%zu diagrams by hand, %zu faults\n", judged, faults);
     return faults;
+}
+
+// Found once. A short vector is 3 b2 - b1 = (-30, 0), where 3 b2 is no double.
+std::size_t judge_found(const Block& block, Seen* seen) {
+    const Cloud cloud = cloud_of(2, {161, 150}, {-0x1.8e66666666667p+6, -0x1.68p+6, -0x1.599999999999ap+5, -0x1.ep+4});
+    const std::string fault = judge_exact_or_moved(block, "multiples that are no doubles", cloud, seen);
+    if (!fault.empty()) std::printf("%s\n", fault.c_str());
+    return !fault.empty();
 }
 
 // What is wrong with an answer now; false: there is nothing to make wrong.
@@ -369,7 +409,7 @@ int main(int argc, char** argv) {
         }
     }
     Seen seen;
-    seen.faults = judge_named(block);
+    seen.faults = judge_named(block) + judge_found(block, &seen);
     for (std::size_t i = 0; i < clouds && seen.faults < 5; ++i) {
         Random random(seed * 0x9E3779B97F4A7C15u + i);
         const Cloud cloud = make_cloud_of(random, i);
@@ -380,7 +420,7 @@ int main(int argc, char** argv) {
         print_cloud(cloud);
     }
     std::printf("%zu clouds: %zu bars equal to the last bit, %zu changes; %zu clouds with weights, %zu with fewer "
-                "periods, %zu duplicates, %zu flat; %zu of tenths, moved by %g of their reach; %zu faults\n",
+                "periods, %zu duplicates, %zu flat; %zu with long digits, moved by %g of their reach; %zu faults\n",
                 seen.clouds, seen.bars, seen.more, seen.weighted, seen.open, seen.duplicates, seen.flat, seen.moved,
                 seen.farthest, seen.faults);
     return seen.faults > 0 || seen.clouds == 0 ? 1 : 0;
