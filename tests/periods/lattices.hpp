@@ -265,20 +265,17 @@ inline std::vector<Named> named() {
     add("two rows", cloud_of(2, {0, 0, 0, 2}, {2, 0}), {last(0, 0), bar(0, 0, 1), last(1, 1), bar(1, 1, 2)});
     add("two layers", cloud_of(3, {0, 0, 0, 0, 0, 2}, {2, 0, 0, 0, 2, 0}),
         {last(0, 0), bar(0, 0, 1), last(1, 1), last(1, 1), bar(1, 1, 2), bar(1, 1, 2), last(2, 2), bar(2, 2, 3)});
+    // For each period 4 points, 8 edges, 4 walls and a square between layers, a cube.
     add("four columns", cloud_of(3, {0, 0, 0, 2, 0, 0, 0, 2, 0, 2, 2, 0}, {0, 0, 2}),
-        // 4 loops; 4 edges of a square join them and go round it, then squares: 4 walls and 2 ends less what they
-        // bound.
         {last(0, 0), bar(0, 0, 1), bar(0, 0, 1), bar(0, 0, 1), last(1, 1), bar(1, 1, 2), bar(1, 1, 2), bar(1, 1, 2),
          bar(1, 1, 2), bar(2, 2, 3)});
-    // Weights: all equal; a point that is hidden in the middle of a square of 2; one that comes late: at its place the
-    // power of the corners is 2, its own -1 when it enters with radius 0, at 1. Balls of a corner and it meet at
-    // ((2 - 1) / (2 sqrt 2))^2 + ... : see below.
+    // Equal weights move all powers; a light point in the middle of a square is hidden.
     add("square, weights", cloud_of(2, {0, 0}, {2, 0, 0, 2}, {3}),
         {last(0, -3), last(1, -2), last(1, -2), last(2, -1)});
     add("square, a hidden point", cloud_of(2, {0, 0, 1, 1}, {2, 0, 0, 2}, {0, -3}), bars_of_box({2, 2}));
-    // The edge from the corner, weight 0, to the middle, weight -1, squared length 2: equal powers at t = 3/4 of it,
-    // 9/8. The middle enters at 1, is joined at 9/8. The triangles of two corners and the middle have their centres at
-    // (1, y): 1 + y^2 = (1 - y)^2 + 1, y = 1/2: 5/4. Four edges, one joins, three loops, filled by three of four.
+    // The middle of a square of 2, weight -1, enters at 1, where its sides do. To a corner, weight 0, at squared
+    // distance 2, powers are equal after 3/4 of the way: 9/8. Of the middle and two corners the centre is (1, 1/2):
+    // 5/4. Of four edges one joins, three make loops; four triangles fill them and close the surface.
     add("square, a late point", cloud_of(2, {0, 0, 1, 1}, {2, 0, 0, 2}, {0, -1}),
         {last(0, 0), bar(0, 1, {9, 8}), last(1, 1), last(1, 1), bar(1, {9, 8}, {5, 4}), bar(1, {9, 8}, {5, 4}),
          bar(1, {9, 8}, {5, 4}), last(2, {5, 4})});

@@ -162,7 +162,7 @@ std::string judge_exact_or_moved(const Block& block, const std::string& what, co
     for (const double c : cloud.lattice) reach = std::max(reach, std::fabs(c));
     ++seen->moved;
     seen->farthest = std::max(seen->farthest, answer.moved / reach);
-    if (answer.moved > 0x1p-40 * reach) return what + ": numbers were moved far";
+    if (answer.moved > 0x1p-36 * reach) return what + ": numbers were moved far";
     if (answer.moved == 0 && !(answer.bars == bars)) {
         print_exactly(cloud);
         return what + ": nothing was moved, but other bars\n  came\n" + text_of(answer.bars) + "  truth\n" +
