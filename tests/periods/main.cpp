@@ -1,0 +1,427 @@
+// Alpha diagrams of points that repeat against rationals (truth.hpp), births and deaths bit for bit: 1 to 8 points in
+// the plane and 1 to 4 in space, 1 to D periods, with weights and without, in special position and in general; lattices
+// with diagrams by hand; flat copies, duplicates; what has to leave a diagram as it is: another basis of the lattice,
+// translation, another order of rows, other copies, weights 0, another unit; twice the cell; numbers whose copies are
+// no doubles.
+//
+//   periods [--clouds N] [--seed S]    N clouds, or a slice
+//   periods --plant                    errors planted in what came, which have to be seen
+//
+// Ends with 1 on a difference, after the cloud.
+#include <netmesh.h>
+
+#include <cmath>
+#include <cstdio>
+#include <cstdlib>
+#include <string>
+
+#include "lattices.hpp"
+
+namespace {
+
+using namespace periods;
+
+class Block {
+public:
+    Block() : memory_(std::aligned_alloc(16, bytes)) {}
+    ~Block() { std::free(memory_); }
+    netmesh_context* fresh() const {
+        netmesh_context* context = nullptr;
+        if (netmesh_init(memory_, bytes, &context) != NETMESH_OK) std::abort();
+        return context;
+    }
+
+private:
+    static constexpr std::size_t bytes = std::size_t(256) << 20;
+    void* memory_;
+};
+
+struct Answer {
+    netmesh_status status;
+    Bars bars;
+    std::size_t duplicates = 0, periods = 0;
+    double moved = 0;
+};
+
+struct Wish {
+    bool squares = false;
+    std::uint32_t degree = NETMESH_DIM_MAX;  // the highest; more counts as dim
+};
+
+Answer ask(const Block& block, const Cloud& cloud, const Wish& wish = Wish()) {
+    netmesh_request request = netmesh_default_request();
+    request.points.coordinates = cloud.x.data();
+    request.points.count = cloud.count();
+    request.points.dim = static_cast<std::uint32_t>(cloud.dim);
+    request.points.lattice = cloud.lattice.data();
+    request.points.lattice_count = static_cast<std::uint32_t>(cloud.periods());
+    request.periods = &netmesh_periodic;
+    if (!cloud.numbers.empty()) {
+        request.points.weights = cloud.numbers.data();
+        request.weighting = cloud.are_radii ? &netmesh_radii : &netmesh_weights;
+    }
+    request.filter = &netmesh_filter_alpha;
+    request.max_degree = std::min(wish.degree, request.points.dim);
+    request.squares = wish.squares;
+    netmesh_context* const context = block.fresh();
+    Answer answer;
+    answer.status = netmesh_persist(context, &request);
+    if (answer.status != NETMESH_OK) return answer;
+    netmesh_pair pair;
+    pair.struct_bytes = sizeof pair;
+    for (std::uint64_t i = 0; netmesh_get_pair(context, i, &pair) == NETMESH_OK; ++i)
+        answer.bars.push_back({pair.degree, pair.birth, pair.death});
+    netmesh_report report = {};
+    report.struct_bytes = sizeof report;
+    netmesh_get_report(context, &report);
+    answer.duplicates = static_cast<std::size_t>(report.input.duplicates);
+    answer.periods = report.input.periods;
+    answer.moved = report.input.moved;
+    return answer;
+}
+
+std::string text_of(const Bars& bars) {
+    std::string text;
+    char line[200];
+    for (const Bar& bar : bars) {
+        std::snprintf(line, sizeof line, "    %u %.17g %.17g\n", bar.degree, bar.birth, bar.death);
+        text += line;
+    }
+    return text;
+}
+
+// What is asked for, and what has to come.
+struct Truth {
+    Bars bars;
+    std::size_t duplicates = 0, periods = 0;
+};
+Truth truth_of(const Cloud& cloud, const Bars& bars) { return {bars, count_duplicates(cloud), cloud.periods()}; }
+
+std::string compare(const std::string& what, const Answer& answer, const Truth& truth) {
+    const std::string of = what + ": ";
+    if (answer.status != NETMESH_OK) return of + netmesh_status_text(answer.status);
+    if (answer.duplicates != truth.duplicates) return of + std::to_string(answer.duplicates) + " duplicates";
+    if (answer.periods != truth.periods) return of + "another number of periods";
+    if (answer.moved != 0) return of + "numbers were moved, and there is no need to";
+    if (answer.bars == truth.bars) return "";
+    return of + "other bars\n  came\n" + text_of(answer.bars) + "  truth\n" + text_of(truth.bars);
+}
+
+bool is_near(double a, double b, double by) { return a == b || std::fabs(a - b) <= by; }
+
+// Each bar of one that is longer than four times `by` is in the other, its ends moved by no more than `by`.
+bool holds(const Bars& one, Bars other, double by) {
+    for (const Bar& bar : one) {
+        if (bar.death - bar.birth <= 4 * by) continue;
+        std::size_t i = 0;
+        while (i < other.size() && !(other[i].degree == bar.degree && is_near(other[i].birth, bar.birth, by) &&
+                                     is_near(other[i].death, bar.death, by)))
+            ++i;
+        if (i == other.size()) return false;
+        other.erase(other.begin() + static_cast<std::ptrdiff_t>(i));
+    }
+    return true;
+}
+
+struct Seen {
+    std::size_t clouds = 0, flat = 0, bars = 0, weighted = 0, open = 0, duplicates = 0, moved = 0, more = 0, faults = 0;
+    double farthest = 0;
+};
+
+void print_cloud(const Cloud& cloud) {
+    const std::size_t d = cloud.width();
+    std::printf("  %dD, %s\n", cloud.dim, cloud.numbers.empty() ? "no weights" : cloud.are_radii ? "radii" : "weights");
+    for (std::size_t j = 0; j < cloud.periods(); ++j) {
+        std::printf("  period");
+        for (std::size_t c = 0; c < d; ++c) std::printf(" %.17g", cloud.lattice[j * d + c]);
+        std::printf("\n");
+    }
+    for (std::size_t i = 0; i < cloud.count(); ++i) {
+        std::printf("  point ");
+        for (std::size_t c = 0; c < d; ++c) std::printf(" %.17g", cloud.x[i * d + c]);
+        if (!cloud.numbers.empty()) std::printf("  %.17g", cloud.numbers[i]);
+        std::printf("\n");
+    }
+}
+
+void print_exactly(const Cloud& cloud) {
+    std::printf("  lattice");
+    for (const double c : cloud.lattice) std::printf(" %a", c);
+    std::printf("\n  points ");
+    for (const double c : cloud.x) std::printf(" %a", c);
+    std::printf("\n");
+}
+
+// Numbers whose copies are no doubles. The engine may move them, which moves bars by about as much.
+std::string judge_exact_or_moved(const Block& block, const std::string& what, const Cloud& cloud, Seen* seen) {
+    const Answer answer = ask(block, cloud);
+    if (answer.status != NETMESH_OK) return what + ": " + netmesh_status_text(answer.status);
+    const Bars bars = rounded(bars_of_cells(cloud), false);
+    double reach = 0;
+    for (const double c : cloud.x) reach = std::max(reach, std::fabs(c));
+    for (const double c : cloud.lattice) reach = std::max(reach, std::fabs(c));
+    ++seen->moved;
+    seen->farthest = std::max(seen->farthest, answer.moved / reach);
+    if (answer.moved > 0x1p-36 * reach) return what + ": numbers were moved far";
+    if (answer.moved == 0 && !(answer.bars == bars)) {
+        print_exactly(cloud);
+        return what + ": nothing was moved, but other bars\n  came\n" + text_of(answer.bars) + "  truth\n" +
+               text_of(bars);
+    }
+    // A short vector is a sum of at most some hundreds of those of a skewed basis.
+    const double by = 1000 * answer.moved;
+    if (holds(bars, answer.bars, by) && holds(answer.bars, bars, by)) return "";
+    print_exactly(cloud);
+    return what + ": bars are too far away\n  came\n" + text_of(answer.bars) + "  truth\n" + text_of(bars);
+}
+
+constexpr const char* digit_kinds[] = {"tenths", "moved by units", "on a fine grid"};
+
+void lengthen(Random& random, int kind, Cloud* cloud) {
+    double reach = 0;
+    for (Numbers* const x : {&cloud->x, &cloud->lattice}) {
+        if (kind == 0) multiply(x, 0.1);
+        if (kind == 1) families::move_units(random, 2, x);
+        for (const double c : *x) reach = std::max(reach, std::fabs(c));
+    }
+    if (kind != 2) return;
+    // Multiples of the last digit of the largest: sums are doubles where they are as small, multiples are often none.
+    int exponent;
+    std::frexp(reach, &exponent);
+    for (Numbers* const x : {&cloud->x, &cloud->lattice})
+        for (double& c : *x) c += random.whole(-3, 3) * std::ldexp(1, exponent - 53);
+}
+
+std::string judge_digits(const Block& block, Random& random, int kind, Cloud cloud, Seen* seen) {
+    lengthen(random, kind, &cloud);
+    cloud.numbers.clear();
+    cloud.are_radii = false;
+    return is_flat(cloud) ? "" : judge_exact_or_moved(block, digit_kinds[kind], cloud, seen);
+}
+
+// In another unit, a power of 2.
+std::string judge_unit(const Block& block, Random& random, Cloud cloud, Truth truth) {
+    const double by = std::ldexp(1, random.whole(-40, 40));
+    multiply(&cloud.x, by);
+    multiply(&cloud.lattice, by);
+    multiply(&cloud.numbers, cloud.are_radii ? by : by * by);
+    for (Bar& bar : truth.bars) {
+        bar.birth *= by;
+        bar.death *= by;
+    }
+    return compare("another unit", ask(block, cloud), truth);
+}
+
+std::string judge_degree(const Block& block, Random& random, const Cloud& cloud, const Truth& truth) {
+    Truth less = truth;
+    Wish wish;
+    wish.degree = static_cast<std::uint32_t>(random.whole(0, cloud.dim - 1));
+    less.bars.clear();
+    for (const Bar& bar : truth.bars)
+        if (bar.degree <= wish.degree) less.bars.push_back(bar);
+    return compare("degrees to " + std::to_string(wish.degree), ask(block, cloud, wish), less);
+}
+
+std::string judge_supercell(const Block& block, Random& random, const Cloud& cloud) {
+    const Cloud twice = supercell(cloud, random.bits() % cloud.periods());
+    const Bars bars = rounded(bars_of_cells(twice), false);
+    return compare("twice the cell", ask(block, twice), truth_of(twice, bars));
+}
+
+constexpr int changes = 11;
+
+std::string judge_change(const Block& block, Random& random, int change, const Cloud& cloud, const Truth& truth,
+                         Seen* seen) {
+    Cloud other = cloud;
+    switch (change) {
+    case 0: skew(random, 3, &other); return compare("another basis", ask(block, other), truth);
+    case 1: translate(random, &other); return compare("translated", ask(block, other), truth);
+    case 2: permute(random, &other); return compare("rows in another order", ask(block, other), truth);
+    case 3: move_by_lattice(random, 3, &other); return compare("other copies", ask(block, other), truth);
+    case 4:
+        if (!cloud.numbers.empty()) return "";
+        other.numbers.assign(cloud.count(), 0.0);
+        other.are_radii = random.one_in(2);
+        return compare("weights 0", ask(block, other), truth);
+    case 5: return judge_unit(block, random, cloud, truth);
+    case 6: return judge_degree(block, random, cloud, truth);
+    case 7: return cloud.count() <= (cloud.dim == 2 ? 5u : 2u) ? judge_supercell(block, random, cloud) : "";
+    case 8: return judge_digits(block, random, random.whole(0, 2), cloud, seen);
+    case 9: return judge_digits(block, random, 2, cloud, seen);
+    default:  // all at once
+        skew(random, 2, &other);
+        move_by_lattice(random, 1, &other);
+        translate(random, &other);
+        permute(random, &other);
+        return compare("another basis, other copies, translated, another order", ask(block, other), truth);
+    }
+}
+
+std::string judge(const Block& block, Random& random, std::size_t number, const Cloud& cloud, Seen* seen) {
+    const Answer roots = ask(block, cloud);
+    if (roots.status == NETMESH_NOT_BUILT) return "";  // a build of other dimensions
+    ++seen->clouds;
+    if (is_flat(cloud)) {
+        ++seen->flat;
+        return roots.status == NETMESH_FLAT ? "" : std::string("flat: ") + netmesh_status_text(roots.status);
+    }
+    const ExactBars exact = bars_of_cells(cloud);
+    const Truth truth = truth_of(cloud, rounded(exact, false));
+    seen->bars += truth.bars.size();
+    seen->weighted += !cloud.numbers.empty();
+    seen->open += cloud.periods() < cloud.width();
+    seen->duplicates += truth.duplicates;
+    std::string fault = compare(cloud.numbers.empty() ? "radii" : "signed roots", roots, truth);
+    if (fault.empty() && !cloud.numbers.empty()) {
+        Wish wish;
+        wish.squares = true;
+        fault = compare("powers", ask(block, cloud, wish), truth_of(cloud, rounded(exact, true)));
+    }
+    for (std::size_t i = 0; i < 3 && fault.empty(); ++i) {
+        ++seen->more;
+        fault = judge_change(block, random, static_cast<int>((number * 3 + i) % changes), cloud, truth, seen);
+    }
+    return fault;
+}
+
+Cloud make_cloud_of(Random& random, std::size_t number) {
+    const int dim = number % 3 == 2 ? 3 : 2;
+    return make_cloud(random, dim, dim == 2 ? 8 : 4);
+}
+
+bool is_torus(const Cloud& cloud, const Bars& bars) {
+    std::size_t wanted = 1;
+    for (std::uint32_t degree = 0; degree <= cloud.width(); ++degree) {
+        std::size_t count = 0;
+        for (const Bar& bar : bars) count += bar.degree == degree && std::isinf(bar.death);
+        if (count != wanted) return false;
+        wanted = degree < cloud.periods() ? wanted * (cloud.periods() - degree) / (degree + 1) : 0;
+    }
+    return true;
+}
+
+// Diagrams by hand, from the engine and from the truth.
+std::size_t judge_named(const Block& block) {
+    std::size_t faults = 0, judged = 0;
+    for (const Named& named : periods::named()) {
+        const Answer answer = ask(block, named.cloud);
+        if (answer.status == NETMESH_NOT_BUILT) continue;
+        ++judged;
+        std::string fault = is_flat(named.cloud) && answer.status == NETMESH_FLAT
+                                ? ""
+                                : compare("by hand", answer, truth_of(named.cloud, rounded(named.bars, false)));
+        if (fault.empty() && !is_torus(named.cloud, answer.bars) && answer.status == NETMESH_OK)
+            fault = "not the classes of a torus";
+        // In four dimensions it takes seconds.
+        if (named.cloud.dim <= 3 && !(bars_of_cells(named.cloud) == named.bars)) fault = "the truth is another";
+        if (fault.empty()) continue;
+        ++faults;
+        std::printf("%s: %s\n", named.name.c_str(), fault.c_str());
+    }
+    std::printf("%zu diagrams by hand, %zu faults\n", judged, faults);
+    return faults;
+}
+
+// Found once. A short vector is 3 b2 - b1 = (-30, 0), where 3 b2 is no double.
+std::size_t judge_found(const Block& block, Seen* seen) {
+    const Cloud cloud = cloud_of(2, {161, 150}, {-0x1.8e66666666667p+6, -0x1.68p+6, -0x1.599999999999ap+5, -0x1.ep+4});
+    const std::string fault = judge_exact_or_moved(block, "multiples that are no doubles", cloud, seen);
+    if (!fault.empty()) std::printf("%s\n", fault.c_str());
+    return !fault.empty();
+}
+
+// What is wrong with an answer now; false: there is nothing to make wrong.
+bool spoil(Random& random, int kind, Answer* wrong) {
+    const std::size_t at = random.bits() % wrong->bars.size();
+    Bar& bar = wrong->bars[at];
+    std::vector<std::size_t> essential;
+    for (std::size_t i = 0; i < wrong->bars.size(); ++i)
+        if (std::isinf(wrong->bars[i].death)) essential.push_back(i);
+    const std::size_t lasting = essential[random.bits() % essential.size()];
+    switch (kind) {
+    case 0: bar.birth = families::moved(bar.birth, random.one_in(2) ? 1 : -1); break;
+    case 1:
+        if (std::isinf(bar.death)) return false;
+        bar.death = families::moved(bar.death, random.one_in(2) ? 1 : -1);
+        break;
+    case 2: wrong->bars.erase(wrong->bars.begin() + static_cast<std::ptrdiff_t>(at)); break;
+    case 3: wrong->bars.insert(wrong->bars.begin() + static_cast<std::ptrdiff_t>(at), Bar(bar)); break;
+    case 4: wrong->bars.erase(wrong->bars.begin() + static_cast<std::ptrdiff_t>(lasting)); break;
+    case 5: bar.degree += bar.degree == 0 || random.one_in(2) ? 1u : static_cast<std::uint32_t>(-1); break;
+    case 6: wrong->bars[lasting].death = wrong->bars[lasting].birth + 1; break;
+    case 7:  // two bars exchange their degrees
+        if (wrong->bars.front().degree == wrong->bars.back().degree) return false;
+        std::swap(wrong->bars.front().degree, wrong->bars.back().degree);
+        break;
+    case 8: ++wrong->duplicates; break;
+    case 9: --wrong->periods; break;
+    case 10: wrong->moved = 0x1p-50; break;
+    default: wrong->status = NETMESH_FLAT; break;
+    }
+    return true;
+}
+
+int plant(const Block& block) {
+    constexpr int kinds = 12;
+    Random random(5);
+    int planted[kinds] = {}, missed = 0, sound = 0;
+    for (std::size_t i = 0; sound < 60 && i < 600; ++i) {
+        const Cloud cloud = make_cloud_of(random, i);
+        const Answer answer = ask(block, cloud);
+        if (answer.status != NETMESH_OK) continue;
+        const Truth truth = truth_of(cloud, rounded(bars_of_cells(cloud), false));
+        if (!compare("as it came", answer, truth).empty()) continue;
+        ++sound;
+        for (int kind = 0; kind < kinds; ++kind) {
+            Answer wrong = answer;
+            if (!spoil(random, kind, &wrong)) continue;
+            ++planted[kind];
+            if (!compare("planted", wrong, truth).empty()) continue;
+            ++missed;
+            std::printf("missed: an error of kind %d\n", kind);
+        }
+    }
+    int all = 0, kinds_seen = 0;
+    for (const int count : planted) {
+        all += count;
+        kinds_seen += count > 0;
+    }
+    std::printf("%d errors of %d kinds planted in %d answers, %d missed\n", all, kinds_seen, sound, missed);
+    return sound < 60 || kinds_seen < kinds || missed > 0 ? 1 : 0;
+}
+
+}  // namespace
+
+int main(int argc, char** argv) {
+    std::size_t clouds = 400;
+    std::uint64_t seed = 1;
+    const Block block;
+    for (int i = 1; i < argc; ++i) {
+        const std::string word = argv[i];
+        if (word == "--plant") return plant(block);
+        if (word == "--clouds" && i + 1 < argc) {
+            clouds = std::strtoull(argv[++i], nullptr, 10);
+        } else if (word == "--seed" && i + 1 < argc) {
+            seed = std::strtoull(argv[++i], nullptr, 10);
+        } else {
+            std::fprintf(stderr, "periods [--clouds N] [--seed S] | --plant\n");
+            return 2;
+        }
+    }
+    Seen seen;
+    seen.faults = judge_named(block) + judge_found(block, &seen);
+    for (std::size_t i = 0; i < clouds && seen.faults < 5; ++i) {
+        Random random(seed * 0x9E3779B97F4A7C15u + i);
+        const Cloud cloud = make_cloud_of(random, i);
+        const std::string fault = judge(block, random, i, cloud, &seen);
+        if (fault.empty()) continue;
+        ++seen.faults;
+        std::printf("cloud %zu: %s\n", i, fault.c_str());
+        print_cloud(cloud);
+    }
+    std::printf("%zu clouds: %zu bars equal to the last bit, %zu changes; %zu clouds with weights, %zu with fewer "
+                "periods, %zu duplicates, %zu flat; %zu with long digits, moved by %g of their reach; %zu faults\n",
+                seen.clouds, seen.bars, seen.more, seen.weighted, seen.open, seen.duplicates, seen.flat, seen.moved,
+                seen.farthest, seen.faults);
+    return seen.faults > 0 || seen.clouds == 0 ? 1 : 0;
+}
