@@ -64,14 +64,14 @@ void add_coarser_mesh(const Options& options, std::uint32_t dim, std::string* te
 
 std::string advice_on_diagram(const Options& options, const Cloud& cloud) {
     std::string text;
+    if (!options.table.weights.empty() || options.table.lattice.kind != Lattice::none) return text;  // of alpha alone
     const netmesh_request& r = options.request;
     const netmesh_filter_info& filter = about(r.filter);
     if (filter.is_on_points != 0) {
         add_lower_degree(options, cloud, &text);
         if (filter.id == NETMESH_FILTER_RIPS) add(&text, "--threshold R joins fewer points");
     } else if (filter.is_on_triangulation != 0) {
-        const bool can_mesh = options.table.weights.empty() && options.table.lattice.kind == Lattice::none;
-        if (can_mesh) add(&text, "--filter complete --fit finds the best ratio that fits");
+        add(&text, "--filter complete --fit finds the best ratio that fits");
     } else {
         const bool can_fit = filter.is_on_mesh != 0 && filter.has_eps == 0 && r.mesh.method == nullptr &&
                              r.fit == nullptr && options.values_at.empty() && r.goal.error == 0;

@@ -155,6 +155,20 @@ TEST_CASE("periods: what does not go with them is refused by its option") {
         refused(std::string(command) + " --cell 4,0/0,4", "points repeat for persist alone");
 }
 
+TEST_CASE("periods: points that are far away, and a block that is too small") {
+    const Folder folder;
+    folder.write("far.csv", "0,0\n1e6,0.5\n");
+    Result result = folder.run("persist far.csv --box 1,1 -q");
+    CHECK(result.exit == 3);
+    CHECK(result.says("far.csv:2: this point is more than 4,096 periods away"));
+    folder.write("p.csv", points);
+    result = folder.run("persist p.csv --box 4,4 --memory 1K -q");
+    CHECK(result.exit == 4);
+    CHECK(result.says("1.0 KiB of memory are too few"));
+    CHECK(!result.says("--fit"));
+    CHECK(!result.says("--tau"));
+}
+
 TEST_CASE("periods: points that are flat, and pictures to degree D") {
     const Folder folder;
     folder.write("line.csv", "0,1\n1,1\n2.5,1\n");
