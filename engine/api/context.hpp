@@ -45,8 +45,8 @@ struct KeptInput {
     std::uint64_t points = 0, duplicates = 0, fingerprint = 0;
     std::uint32_t distinct = 0;  // inputs of a mesh, vertices of a complex
     netmesh_weighting_id weighting = NETMESH_WEIGHTING_NONE;
-    bool squares = false;              // values of the diagram are powers
-    std::uint32_t periods = 0;         // vectors of the lattice
+    bool squares = false;       // values of the diagram are powers
+    std::uint32_t periods = 0;  // vectors of the lattice
     std::uint64_t copies = 0;
     double moved = 0;
     Slice<std::uint32_t> hidden = {};  // rows, ascending; at the high end, below the vertices

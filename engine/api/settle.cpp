@@ -78,8 +78,7 @@ Complaint settle_periods(const Settling& s) {
         return {NETMESH_FIELD_PERIODS, "there are no triangulations and meshes with periods; call netmesh_persist"};
     if (p.lattice_count == 0) return {NETMESH_FIELD_LATTICE_COUNT, "periods without vectors; give points.lattice"};
     if (p.lattice_count > p.dim) return {NETMESH_FIELD_LATTICE_COUNT, "more vectors than dimensions"};
-    if (s.r.keep_mesh != 0)
-        return {NETMESH_FIELD_KEEP_MESH, "with periods no triangulation is kept; leave it out"};
+    if (s.r.keep_mesh != 0) return {NETMESH_FIELD_KEEP_MESH, "with periods no triangulation is kept; leave it out"};
     return fine();
 }
 

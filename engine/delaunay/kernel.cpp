@@ -239,7 +239,8 @@ template <int D, class W> bool Kernel<D, W>::exact_conflict(CellId c, const doub
     if (tie_order_ == TieOrder::of_rows) id = VertexId(store_.vertex(id).origin);
     PredicateCounts& counts = store_.state.in_ball_counts;
     if constexpr (W::has)
-        return in_power_perturbed<D>(p, name, q, this->weights.index_of(id), this->weights.are_radii, counts) == Sign::positive;
+        return in_power_perturbed<D>(p, name, q, this->weights.index_of(id), this->weights.are_radii, counts) ==
+               Sign::positive;
     else
         return in_ball_perturbed<D>(p, name, q, id, counts) == Sign::positive;
 }

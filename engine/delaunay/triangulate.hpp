@@ -36,7 +36,8 @@ Status take_input(Store<D>& store, const InputRows& points, std::size_t n, std::
 struct WeightRows {
     InputRows rows;
     bool are_radii;
-    const std::uint32_t* index = nullptr;  // by row: that of predicates/weights.hpp; null: the row. No equal points then
+    const std::uint32_t* index =
+        nullptr;  // by row: that of predicates/weights.hpp; null: the row. No equal points then
 };
 
 // What a job says about points that are hidden: not equal to another one, and in no cell.

@@ -195,7 +195,8 @@ private:
         return true;
     }
 
-    // Along the curve of the points and that of each of their translates, where faces of some cells are counted by these.
+    // Along the curve of the points and that of each of their translates, where faces of some cells are counted by
+    // these.
     Status list_faces(Faces<D>* faces, PointRecords* points) {
         if constexpr (lists_follow_order<D> && D < 4) {
             std::uint32_t* const order = arena_.template take_high<std::uint32_t>(copies_.count);
@@ -205,7 +206,7 @@ private:
                 enumerate_faces_along<D>(cells_, FaceCounting(outer_facets_, false), order, true, work_, faces);
             if (status != Status::ok) return status;
             return points->template put_in_order<numbers>(order, faces->count[0], arena_) ? Status::ok
-                                                                                         : Status::out_of_memory;
+                                                                                          : Status::out_of_memory;
         } else {
             static_cast<void>(points);
             return enumerate_faces(cells_, D, work_, faces);

@@ -11,8 +11,7 @@ constexpr double sharp_error = 0x1p-42;
 
 template <int D> class Reach {
 public:
-    Reach(Store<D>& store, const PeriodicPoints& points, const double* margin,
-          const Weights* weights)
+    Reach(Store<D>& store, const PeriodicPoints& points, const double* margin, const Weights* weights)
         : store_(store), points_(points), margin_(margin), weights_(weights) {}
 
     StarReach run() {
@@ -121,8 +120,7 @@ private:
 }  // namespace
 
 template <int D>
-StarReach reach_of_stars(Store<D>& store, const PeriodicPoints& points, const double* margin,
-                         const Weights* weights) {
+StarReach reach_of_stars(Store<D>& store, const PeriodicPoints& points, const double* margin, const Weights* weights) {
     return Reach<D>(store, points, margin, weights).run();
 }
 

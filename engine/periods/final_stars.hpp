@@ -19,7 +19,6 @@ struct StarReach {
     double wanted;
 };
 template <int D>
-StarReach reach_of_stars(Store<D>& store, const PeriodicPoints& points, const double* margin,
-                         const Weights* weights);
+StarReach reach_of_stars(Store<D>& store, const PeriodicPoints& points, const double* margin, const Weights* weights);
 
 }  // namespace netmesh

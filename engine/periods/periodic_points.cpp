@@ -94,9 +94,7 @@ private:
     // taken.
     static constexpr double edge = 0x1p-20, slack = 0x1p-40;
 
-    static bool is_multiple(double x, double quantum) {
-        return quantum == 0 || quantum_of(x) >= exponent_of(quantum);
-    }
+    static bool is_multiple(double x, double quantum) { return quantum == 0 || quantum_of(x) >= exponent_of(quantum); }
     static void note(double difference, double* most) {
         if (absolute(difference) > *most) *most = absolute(difference);
     }
@@ -359,8 +357,7 @@ template <int D, class Visit> bool each_translation(const PeriodicPoints& points
             for (int k = 0; k < D; ++k) v[k] += times[j] * lattice.b[j][k];
         }
         for (int j = 0; j < lattice.count; ++j)
-            meets &= absolute(dot<D>(lattice.e[j], v)) <=
-                     (points.high[j] - points.low[j] + margin[j]) * (1 + 0x1p-20);
+            meets &= absolute(dot<D>(lattice.e[j], v)) <= (points.high[j] - points.low[j] + margin[j]) * (1 + 0x1p-20);
         if (meets && !is_zero && !visit(times, v)) return false;
         int j = 0;
         while (j < lattice.count && times[j] == most[j]) {
@@ -380,8 +377,7 @@ Status take_periodic_points(const PeriodicInput& input, const Work& work, Period
     return Taking<D>(input, work, out, report).run();
 }
 
-template <int D>
-Status make_copies(const PeriodicPoints& points, const double* margin, const Work& work, Copies* out) {
+template <int D> Status make_copies(const PeriodicPoints& points, const double* margin, const Work& work, Copies* out) {
     constexpr int numbers = D + 1;
     const Lattice& lattice = points.lattice;
     Arena& arena = work.arena;

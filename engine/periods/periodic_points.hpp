@@ -32,11 +32,11 @@ struct PeriodicReport {
 // Different points, no two of them copies of one another, near the origin. Rows have D coordinates and a weight, or 0.
 // All coordinates, and those of all copies that anyone needs, are doubles: multiples of a power of two.
 struct PeriodicPoints {
-    Lattice lattice;       // reduced
+    Lattice lattice;  // reduced
     std::uint32_t count;
-    double* x;             // [count][D + 1], along a curve in space
-    std::uint32_t* row;    // [count], of the input
-    double far[Lattice::most];   // Lattice::find_far
+    double* x;                                       // [count][D + 1], along a curve in space
+    std::uint32_t* row;                              // [count], of the input
+    double far[Lattice::most];                       // Lattice::find_far
     double low[Lattice::most], high[Lattice::most];  // places of all points in each direction, e[j] . x
 };
 
@@ -47,17 +47,16 @@ Status take_periodic_points(const PeriodicInput& input, const Work& work, Period
 
 // The points, and behind them all copies within a margin, by direction, of the box that holds the points.
 struct Copies {
-    std::uint32_t count;    // with the points themselves
-    double* x;              // [count][D + 1]
-    std::uint32_t* index;   // [count], row of the input: ties are broken by it
-    std::uint32_t* own;     // [count - points], of which point
-    std::int64_t* shift;    // [count - points], by which translation: whole multiples of b[j], times 2^(10 j)
+    std::uint32_t count;   // with the points themselves
+    double* x;             // [count][D + 1]
+    std::uint32_t* index;  // [count], row of the input: ties are broken by it
+    std::uint32_t* own;    // [count - points], of which point
+    std::int64_t* shift;   // [count - points], by which translation: whole multiples of b[j], times 2^(10 j)
 
     std::uint32_t point_of(std::uint32_t v, std::uint32_t points) const { return v < points ? v : own[v - points]; }
     std::int64_t shift_of(std::uint32_t v, std::uint32_t points) const { return v < points ? 0 : shift[v - points]; }
 };
 // At the arena's low end. out_of_memory.
-template <int D>
-Status make_copies(const PeriodicPoints& points, const double* margin, const Work& work, Copies* out);
+template <int D> Status make_copies(const PeriodicPoints& points, const double* margin, const Work& work, Copies* out);
 
 }  // namespace netmesh

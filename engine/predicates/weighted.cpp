@@ -214,7 +214,8 @@ Sign in_power_perturbed(const double* const* cell, const VertexId* ids, const do
         const Sign sign = in_ball<D>(cell, q, counts);
         if (sign != Sign::zero) return sign;
     }
-    const int sign = are_equal ? 0 : power_sign(D, points, are_radii, {LastColumn::lifts, nullptr, VertexId(none), 0, 0});
+    const int sign =
+        are_equal ? 0 : power_sign(D, points, are_radii, {LastColumn::lifts, nullptr, VertexId(none), 0, 0});
     if (sign != 0) {
         ++counts.calls[stage_exact];
         return static_cast<Sign>((D & 1) != 0 ? -sign : sign);

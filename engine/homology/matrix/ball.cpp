@@ -67,7 +67,8 @@ private:
     std::uint32_t pairs_[dimension_most() + 1] = {};  // of zero length, by the dimension of the coface
 };
 
-template <bool is_signed, bool is_quotient> bool BallHomology<is_signed, is_quotient>::take_bits(std::uint32_t k, BitSet* out) {
+template <bool is_signed, bool is_quotient>
+bool BallHomology<is_signed, is_quotient>::take_bits(std::uint32_t k, BitSet* out) {
     std::uint64_t* const words = arena_.take_high<std::uint64_t>(BitSet::words_needed(of(k).count));
     if (words != nullptr) out->adopt(words, of(k).count);
     return words != nullptr;
@@ -84,7 +85,8 @@ template <bool is_signed, bool is_quotient> Status BallHomology<is_signed, is_qu
 }
 
 // Finds the apparent pairs of zero length of (k-1)-faces and k-faces. mate, if any: the k-face's partner, or none.
-template <bool is_signed, bool is_quotient> Status BallHomology<is_signed, is_quotient>::match(std::uint32_t k, std::uint32_t* mate) {
+template <bool is_signed, bool is_quotient>
+Status BallHomology<is_signed, is_quotient>::match(std::uint32_t k, std::uint32_t* mate) {
     const HighScope scope(arena_);
     BitSet met;  // (k-1)-faces that have a cofacet of equal value among those before
     if (!take_bits(k - 1, &met)) return Status::out_of_memory;
@@ -121,7 +123,8 @@ template <bool is_signed, bool is_quotient> Status BallHomology<is_signed, is_qu
 
 // Lists the faces that end no class of zero length. Facets of cells, which union-find takes, only if nothing is known
 // of them; what is a row further down can be positive.
-template <bool is_signed, bool is_quotient> Status BallHomology<is_signed, is_quotient>::order(std::uint32_t k, FaceOrder* out) {
+template <bool is_signed, bool is_quotient>
+Status BallHomology<is_signed, is_quotient>::order(std::uint32_t k, FaceOrder* out) {
     const bool are_facets = has_cells() && k + 1 == ball_.dim;
     const std::uint32_t count = of(k).count - pairs_[k] - (are_facets ? pairs_[k + 1] : 0);
     out->face = arena_.take_high<std::uint32_t>(count);
@@ -137,7 +140,8 @@ template <bool is_signed, bool is_quotient> Status BallHomology<is_signed, is_qu
 }
 
 // Gives back what was taken at the high end since it was at `high`, but for this order. False: out of memory.
-template <bool is_signed, bool is_quotient> bool BallHomology<is_signed, is_quotient>::move_up(std::size_t high, FaceOrder* order) {
+template <bool is_signed, bool is_quotient>
+bool BallHomology<is_signed, is_quotient>::move_up(std::size_t high, FaceOrder* order) {
     const std::uint32_t* const from = order->face;
     arena_.release_high(high);
     order->face = arena_.take_high<std::uint32_t>(order->count);
@@ -147,7 +151,8 @@ template <bool is_signed, bool is_quotient> bool BallHomology<is_signed, is_quot
 }
 
 // Degree 0. joining, if any: the edges that join two components.
-template <bool is_signed, bool is_quotient> Status BallHomology<is_signed, is_quotient>::unite_vertices(const FaceOrder& edges, BitSet* joining) {
+template <bool is_signed, bool is_quotient>
+Status BallHomology<is_signed, is_quotient>::unite_vertices(const FaceOrder& edges, BitSet* joining) {
     struct Graph {
         BallHomology& h;
         const FaceOrder& edges;
@@ -189,7 +194,8 @@ template <bool is_signed, bool is_quotient> Status BallHomology<is_signed, is_qu
 // Degree dim-1, backwards: a facet joins its two cells, or its cell and the outside. A cell whose facet is its mate
 // belongs to what is beyond that from the start on: no other facet of it comes before.
 // parent: [cells + 1], the mates of cells; taken over.
-template <bool is_signed, bool is_quotient> Status BallHomology<is_signed, is_quotient>::unite_cells(std::uint32_t* parent, const FaceOrder& facets) {
+template <bool is_signed, bool is_quotient>
+Status BallHomology<is_signed, is_quotient>::unite_cells(std::uint32_t* parent, const FaceOrder& facets) {
     const std::uint32_t dim = ball_.dim, columns = of(dim).count, width = dim + 1, outside = columns;
     std::uint32_t* const first = arena_.take_high<std::uint32_t>(of(dim - 1).count);
     if (first == nullptr || columns >= none >> 3) return Status::out_of_memory;

@@ -39,9 +39,9 @@ Status persist_disk(const FilteredBall& ball, DiagramRequest request, const Work
 Status persist_signed_ball(const FilteredBall& ball, DiagramRequest request, const Work& work, PairList* out);
 Status persist_signed_disk(const FilteredBall& ball, DiagramRequest request, const Work& work, PairList* out);
 
-// The same of a quotient of such a complex, or of a larger one, by what moves every simplex, as translations do: classes
-// last, of degrees to `dim`, and a simplex may have a facet more than once, in its boundary if that is an odd number of
-// times. No facet is one of more than two cells, each counted as often as it has the facet.
+// The same of a quotient of such a complex, or of a larger one, by what moves every simplex, as translations do:
+// classes last, of degrees to `dim`, and a simplex may have a facet more than once, in its boundary if that is an odd
+// number of times. No facet is one of more than two cells, each counted as often as it has the facet.
 Status persist_quotient(const FilteredBall& quotient, DiagramRequest request, const Work& work, PairList* out);
 
 }  // namespace netmesh

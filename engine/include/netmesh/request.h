@@ -395,8 +395,9 @@ extern const netmesh_want netmesh_fit;
 typedef struct netmesh_request {
     uint32_t struct_bytes;
     uint32_t max_degree; /* highest degree of homology. Default: NETMESH_OPEN. On meshes and triangulations, scales and
-                            auto: D - 1, and more counts as D - 1. Of rips, cech and barycentric filters: 1, and at most
-                            30. Of simplices: their dimension, whose cycles never die, and more counts as that */
+                            auto: D - 1, and more counts as that; with periods D. Of rips, cech and barycentric filters:
+                            1, and at most 30. Of simplices: their dimension, whose cycles never die, and more counts as
+                            that */
     netmesh_monitor monitor;
     /* The source: one of the three. None: what the context holds. */
     netmesh_points points;
