@@ -365,8 +365,8 @@ const std::vector<OptionEntry>& option_entries() {
         {"--squares", persist | check, nullptr, "squares",
          "with these: births and deaths are the squares that are added to those of all radii, not roots with a sign"},
         {"--box", persist, "LO:HI,...", apply_lattice<true>,
-         "points repeat, for filter alpha: the box of one period, for each axis LO:HI, a length from 0 on, or a dash\n"
-         "                    for no period: 0:10,5,-. The diagram is that of the box with opposite sides glued, to\n"
+         "points repeat, for filter alpha: the box of one period, for each axis LO:HI, a length from 0 on, or a\n"
+         "                    dash for no period: 0:10,5,-. The diagram is that of the box with opposite sides glued, to\n"
          "                    degree D; the report and the file's head say `copies`, points triangulated besides, and\n"
          "                    `moved`, by how much numbers were moved at most so that copies are exact"},
         {"--cell", persist, "VECTORS|file", apply_lattice<false>,
