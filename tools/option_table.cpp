@@ -366,9 +366,9 @@ const std::vector<OptionEntry>& option_entries() {
          "with these: births and deaths are the squares that are added to those of all radii, not roots with a sign"},
         {"--box", persist, "LO:HI,...", apply_lattice<true>,
          "points repeat, for filter alpha: the box of one period, for each axis LO:HI, a length from 0 on, or a\n"
-         "                    dash for no period: 0:10,5,-. The diagram is that of the box with opposite sides glued, to\n"
-         "                    degree D; the report and the file's head say `copies`, points triangulated besides, and\n"
-         "                    `moved`, by how much numbers were moved at most so that copies are exact"},
+         "                    dash for no period: 0:10,5,-. The diagram is that of the box with opposite sides\n"
+         "                    glued, to degree D; the report and the file's head say `copies`, points triangulated\n"
+         "                    besides, and `moved`, by how much numbers were moved at most so that copies are exact"},
         {"--cell", persist, "VECTORS|file", apply_lattice<false>,
          "the same by D vectors: 4,0,0/1,4,0/0,0,5, a dash for one that is no period; in space by sides and angles in\n"
          "                    degrees, a along x, b in the plane of x and y: 4,4,5,90,90,120; file: by the cell that\n"
