@@ -185,7 +185,8 @@ SEES = {
     "diagram": HOMOLOGY | {"homology"},
     "filtration": MESH | {"geometry", "mesh", "homology/rips/rips.hpp", "homology/rank.hpp"},
     "pieces": DELAUNAY | HOMOLOGY | {"delaunay", "complex", "filtration", "homology", "diagram"},
-    "jobs": MESH | HOMOLOGY | {"mesh", "filtration", "homology", "diagram"},
+    "periods": DELAUNAY | {"delaunay", "complex"},
+    "jobs": MESH | HOMOLOGY | {"mesh", "filtration", "homology", "diagram", "periods"},
     "api": MESH | HOMOLOGY | {"mesh", "filtration", "homology", "diagram", "laboratory", "jobs", "pieces"},
 }
 INCLUDE = re.compile(r"^[ \t]*#[ \t]*(?:include|include_next|import)\b[ \t]*(.*)", re.M)

@@ -1,0 +1,351 @@
+// Points that repeat through the C interface: refusals, formats, what must not change a diagram at sizes where copies
+// are taken by margins, memory, stops. Values against rationals: tests/periods.
+#include <doctest/doctest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstring>
+#include <limits>
+#include <vector>
+
+#include "common/inputs.hpp"
+#include "common/polls.hpp"
+#include "netmesh.hpp"
+
+namespace {
+
+using inputs::Points;
+
+struct Unit {
+    alignas(16) unsigned char bytes[16];
+};
+struct Context {
+    explicit Context(std::size_t bytes) : storage(bytes / 16), engine(storage.data(), storage.size() * 16) {
+        REQUIRE(engine.status() == NETMESH_OK);
+    }
+    std::vector<Unit> storage;
+    netmesh::Engine engine;
+};
+
+netmesh::Request request_of(int dim, const Points& points, const Points& lattice) {
+    netmesh::Request request(&netmesh_filter_alpha);
+    request.set_points(static_cast<std::uint32_t>(dim), points).set_lattice(lattice);
+    return request;
+}
+Points cube(int dim, double side = 1) {
+    Points lattice(static_cast<std::size_t>(dim * dim), 0.0);
+    for (int k = 0; k < dim; ++k) lattice[static_cast<std::size_t>(k * dim + k)] = side;
+    return lattice;
+}
+// Multiples of 2^-30 within the box of side 1.
+Points on_grid(Points points) {
+    for (double& x : points) x = std::floor(x * 0x1p30) * 0x1p-30;
+    return points;
+}
+
+struct Bar {
+    std::uint32_t degree;
+    double birth, death;
+    bool operator==(const Bar& b) const { return std::memcmp(this, &b, sizeof b) == 0; }
+};
+std::vector<Bar> bars_of(const netmesh::Engine& engine) {
+    std::vector<Bar> bars;
+    for (const netmesh_pair& pair : engine.pairs()) {
+        Bar bar;
+        std::memset(&bar, 0, sizeof bar);
+        bar.degree = pair.degree;
+        bar.birth = pair.birth;
+        bar.death = pair.death;
+        bars.push_back(bar);
+    }
+    return bars;
+}
+netmesh_report report_of(const netmesh::Engine& engine) {
+    auto report = netmesh::sized<netmesh_report>();
+    netmesh_get_report(engine.context(), &report);
+    return report;
+}
+std::vector<std::uint64_t> hidden_of(const netmesh::Engine& engine) {
+    std::vector<std::uint64_t> rows;
+    engine.for_each_hidden([&](std::uint64_t, std::uint64_t row) { rows.push_back(row); });
+    return rows;
+}
+
+constexpr std::size_t block = std::size_t(1) << 26;
+
+}  // namespace
+
+TEST_CASE("which basis, which copy, which order: the same bars, from one point to where copies are taken by margins") {
+    for (const int dim : {2, 3})
+        for (const std::size_t n : {1, 7, 60, 300, 1500}) {
+            if (dim == 3 && n > 300) continue;
+            const std::size_t d = static_cast<std::size_t>(dim);
+            const Points points = on_grid(inputs::uniform(dim, n, n));
+            Points lattice = cube(dim);
+            lattice[d] = 0.25;  // not at right angles
+            lattice[d * d - 1] = 1.5;
+            Context a(block), b(block);
+            REQUIRE(a.engine.persist(request_of(dim, points, lattice)) == NETMESH_OK);
+            CHECK(report_of(a.engine).input.moved == 0);
+            CHECK(report_of(a.engine).input.periods == d);
+            const std::vector<Bar> bars = bars_of(a.engine);
+            std::size_t lasting = 0;
+            for (const Bar& bar : bars) lasting += bar.death == std::numeric_limits<double>::infinity();
+            CHECK(lasting == std::size_t(1) << dim);  // of the torus
+
+            Points skew = lattice;  // another basis, left-handed
+            for (std::size_t k = 0; k < d; ++k) {
+                skew[k] += 3 * lattice[d + k];
+                skew[d + k] = -lattice[d + k];
+            }
+            REQUIRE(b.engine.persist(request_of(dim, points, skew)) == NETMESH_OK);
+            CHECK(bars_of(b.engine) == bars);
+
+            Points copies = points;  // elsewhere, each by other periods, and the last first
+            for (std::size_t i = 0; i < n; ++i)
+                for (std::size_t j = 0; j < d; ++j)
+                    for (std::size_t k = 0; k < d; ++k)
+                        copies[i * d + k] += static_cast<double>((i * (j + 3)) % 7) * lattice[j * d + k] - 0.375;
+            for (std::size_t i = 0; i < n / 2; ++i)
+                std::swap_ranges(copies.begin() + std::ptrdiff_t(i * d), copies.begin() + std::ptrdiff_t(i * d + d),
+                                 copies.begin() + std::ptrdiff_t((n - 1 - i) * d));
+            netmesh::Request other = request_of(dim, copies, lattice);
+            other.seed = 77;
+            REQUIRE(b.engine.persist(other) == NETMESH_OK);
+            CHECK(bars_of(b.engine) == bars);
+
+            const Points zero(n, 0.0);
+            netmesh::Request weighted = request_of(dim, points, lattice);
+            weighted.set_weights(&netmesh_weights, zero);
+            REQUIRE(b.engine.persist(weighted) == NETMESH_OK);
+            CHECK(bars_of(b.engine) == bars);
+            other = request_of(dim, points, lattice);
+            other.filter = &netmesh_filter_auto;
+            REQUIRE(b.engine.persist(other) == NETMESH_OK);
+            CHECK(bars_of(b.engine) == bars);
+        }
+}
+
+TEST_CASE("a large void, a cluster, a grid and one point: the same bars by another basis") {
+    for (int kind = 0; kind < 4; ++kind) {
+        Points points = on_grid(inputs::uniform(3, 900, 5));
+        if (kind == 0) {  // none in a ball of radius 0.4
+            Points kept;
+            for (std::size_t i = 0; i < points.size(); i += 3) {
+                double away2 = 0;
+                for (std::size_t k = 0; k < 3; ++k) away2 += (points[i + k] - 0.5) * (points[i + k] - 0.5);
+                if (away2 > 0.16) kept.insert(kept.end(), &points[i], &points[i] + 3);
+            }
+            points = kept;
+        } else if (kind == 1) {  // all but five in a corner
+            for (std::size_t i = 0; i + 15 < points.size(); ++i) points[i] = std::floor(points[i] * 0x1p24) * 0x1p-30;
+        } else if (kind == 2) {
+            points.clear();
+            for (int i = 0; i < 729; ++i)
+                for (const int at : {i % 9, i / 9 % 9, i / 81}) points.push_back(at / 8.0);
+            points.push_back(0.0625);
+            points.push_back(0.0625);
+            points.push_back(0.0625);
+        }
+        const double side = kind == 2 ? 1.125 : 1;
+        const Points lattice = cube(3, side), other = {side, 0, 0, side, side, 0, -side, 2 * side, -side};
+        Context a(block), b(block);
+        netmesh::Request first = request_of(3, points, lattice), second = request_of(3, points, other);
+        Points radii;
+        if (kind == 3) {
+            radii = inputs::uniform(1, points.size() / 3, 8);
+            for (double& r : radii) r *= 0.2;
+            first.set_weights(&netmesh_radii, radii);
+            second.set_weights(&netmesh_radii, radii);
+        }
+        REQUIRE(a.engine.persist(first) == NETMESH_OK);
+        REQUIRE(b.engine.persist(second) == NETMESH_OK);
+        CHECK(bars_of(a.engine) == bars_of(b.engine));
+        CHECK(hidden_of(a.engine) == hidden_of(b.engine));
+        CHECK(hidden_of(a.engine).empty() == (kind != 3));
+        const netmesh_input_report input = report_of(a.engine).input;
+        CHECK(input.distinct + input.duplicates + input.hidden == input.points);
+    }
+}
+
+TEST_CASE("one axis with a period: as a strip of many copies has it inside") {
+    // A loop around that is there at half of the period, and those of the strip that do not go around.
+    Points points = on_grid(inputs::uniform(2, 400, 3));
+    const Points one = {1, 0};
+    Context c(block);
+    REQUIRE(c.engine.persist(request_of(2, points, one)) == NETMESH_OK);
+    std::size_t lasting[3] = {};
+    std::vector<double> deaths;
+    for (const Bar& bar : bars_of(c.engine)) {
+        if (bar.death == std::numeric_limits<double>::infinity())
+            ++lasting[bar.degree];
+        else if (bar.degree == 1 && bar.death > 0.03)
+            deaths.push_back(bar.death);
+    }
+    CHECK(lasting[0] == 1);
+    CHECK(lasting[1] == 1);
+    CHECK(lasting[2] == 0);
+    Points strip;
+    for (int k = -5; k <= 5; ++k)
+        for (std::size_t i = 0; i < points.size(); i += 2) {
+            strip.push_back(points[i] + k);
+            strip.push_back(points[i + 1]);
+        }
+    netmesh::Request plain(&netmesh_filter_alpha);
+    plain.set_points(2, strip);
+    Context s(block);
+    REQUIRE(s.engine.persist(plain) == NETMESH_OK);
+    // Each loop of a period is there eleven times but near the ends.
+    for (const double death : deaths) {
+        std::size_t times = 0;
+        for (const Bar& bar : bars_of(s.engine)) times += bar.degree == 1 && bar.death == death;
+        CHECK(times >= 9);
+    }
+}
+
+TEST_CASE("floats, rows apart, and equal copies") {
+    const std::vector<float> rows = {0.25f, 0.5f, -1, 1.25f, 2.5f, -1, 0.75f, 0.125f, -1};
+    const Points exact = {0.25, 0.5, 0.75, 0.125}, lattice = cube(2);
+    Context a(block), b(block);
+    netmesh::Request floats(&netmesh_filter_alpha);
+    floats.points.coordinates = rows.data();
+    floats.points.count = 3;
+    floats.points.dim = 2;
+    floats.points.format = NETMESH_POINTS_FLOAT32;
+    floats.points.stride_bytes = 12;
+    floats.set_lattice(lattice);
+    REQUIRE(a.engine.persist(floats) == NETMESH_OK);
+    REQUIRE(b.engine.persist(request_of(2, exact, lattice)) == NETMESH_OK);
+    CHECK(bars_of(a.engine) == bars_of(b.engine));
+    CHECK(report_of(a.engine).input.duplicates == 1);
+    CHECK(report_of(a.engine).input.distinct == 2);
+}
+
+TEST_CASE("refusals") {
+    const Points points = inputs::uniform(3, 20);
+    Context c(block);
+    const auto refused = [&](const netmesh::Request& request, netmesh_field field) {
+        CHECK(c.engine.persist(request) == NETMESH_INVALID_ARGUMENT);
+        CHECK(c.engine.detail().field == field);
+    };
+    const double nan = std::numeric_limits<double>::quiet_NaN(), inf = std::numeric_limits<double>::infinity();
+    Points lattice = cube(3);
+    netmesh::Request request = request_of(3, points, lattice);
+    for (const double bad : {nan, inf}) {
+        lattice[4] = bad;
+        refused(request, NETMESH_FIELD_LATTICE);
+        CHECK(c.engine.detail().index_a == 1);
+    }
+    lattice = {1, 0, 0, 0, 1, 0, 2, 3, 0};  // flat
+    request = request_of(3, points, lattice);
+    refused(request, NETMESH_FIELD_LATTICE);
+    CHECK(c.engine.detail().index_a == 2);
+    lattice = {0, 0, 0};
+    refused(request_of(3, points, lattice), NETMESH_FIELD_LATTICE);
+    CHECK(c.engine.detail().index_a == 0);
+    for (const double far : {1e200, 1e-200}) {
+        lattice = cube(3, far);
+        CHECK(c.engine.persist(request_of(3, points, lattice)) == NETMESH_OUT_OF_RANGE);
+    }
+    lattice = cube(3);
+    request = request_of(3, points, lattice);
+    request.points.lattice_count = 4;
+    refused(request, NETMESH_FIELD_LATTICE_COUNT);
+    request.points.lattice_count = 0;
+    refused(request, NETMESH_FIELD_LATTICE_COUNT);
+    request.points.lattice_count = 3;
+    request.points.lattice = nullptr;
+    refused(request, NETMESH_FIELD_LATTICE);
+    request.points.lattice = lattice.data();
+    request.periods = nullptr;
+    refused(request, NETMESH_FIELD_PERIODS);
+    request.periods = &netmesh_periodic;
+    request.keep_mesh = 1;
+    refused(request, NETMESH_FIELD_KEEP_MESH);
+    request.keep_mesh = 0;
+    request.cycles = &netmesh_cycles;
+    refused(request, NETMESH_FIELD_CYCLES);
+    request.cycles = nullptr;
+    request.bounds = &netmesh_bounds;
+    refused(request, NETMESH_FIELD_BOUNDS);
+    request.bounds = nullptr;
+    for (const netmesh_filter* filter : {&netmesh_filter_rips, &netmesh_filter_cech, &netmesh_filter_complete}) {
+        request.filter = filter;
+        refused(request, NETMESH_FIELD_PERIODS);
+    }
+    request.filter = &netmesh_filter_alpha;
+    CHECK(c.engine.mesh(request) == NETMESH_INVALID_ARGUMENT);
+    CHECK(c.engine.detail().field == NETMESH_FIELD_PERIODS);
+    REQUIRE(c.engine.persist(request) == NETMESH_OK);
+    // Rows.
+    Points wrong = points;
+    wrong[3 * 7 + 1] = nan;
+    CHECK(c.engine.persist(request_of(3, wrong, lattice)) == NETMESH_NOT_FINITE);
+    CHECK(c.engine.detail().index_a == 7);
+    wrong[3 * 7 + 1] = 1e9;
+    CHECK(c.engine.persist(request_of(3, wrong, lattice)) == NETMESH_OUT_OF_RANGE);
+    CHECK(c.engine.detail().index_a == 7);
+    Points radii(20, 0.1);
+    radii[3] = -0.1;
+    request.set_weights(&netmesh_radii, radii);
+    refused(request, NETMESH_FIELD_WEIGHTS);
+    CHECK(c.engine.detail().index_a == 3);
+    // A plane that repeats in itself.
+    const Points plane = {0, 0, 0, 0.5, 0.25, 0}, two = {1, 0, 0, 0, 1, 0};
+    CHECK(c.engine.persist(request_of(3, plane, two)) == NETMESH_FLAT);
+}
+
+TEST_CASE("every block: a diagram or out of memory") {
+    for (int dim = 2; dim <= 3; ++dim)
+        for (const bool weighted : {false, true}) {
+            const Points points = on_grid(inputs::uniform(dim, 40)), lattice = cube(dim);
+            Points radii = inputs::uniform(1, 40, 9);
+            for (double& r : radii) r *= 0.3;
+            netmesh::Request request = request_of(dim, points, lattice);
+            if (weighted) request.set_weights(&netmesh_radii, radii);
+            Context whole(block);
+            REQUIRE(whole.engine.persist(request) == NETMESH_OK);
+            const std::vector<Bar> bars = bars_of(whole.engine);
+            const std::vector<std::uint64_t> hidden = hidden_of(whole.engine);
+            const std::size_t enough = report_of(whole.engine).memory.peak_bytes;
+            CHECK(netmesh_plan(&request) >= enough);
+            int fitted = 0, failed = 0;
+            for (std::size_t bytes = 4096; bytes < enough + 20000; bytes += 16 * (dim == 2 ? 31 : 331)) {
+                Context c(bytes);
+                const netmesh_status status = c.engine.persist(request);
+                if (status == NETMESH_OK) {
+                    ++fitted;
+                    CHECK(bars_of(c.engine) == bars);
+                    CHECK(hidden_of(c.engine) == hidden);
+                } else {
+                    ++failed;
+                    REQUIRE(status == NETMESH_OUT_OF_MEMORY);
+                    CHECK(report_of(c.engine).input.present == 0);
+                }
+            }
+            CHECK(fitted > 0);
+            CHECK(failed > 10);
+            Context exact(enough);
+            CHECK(exact.engine.persist(request) == NETMESH_OK);
+        }
+}
+
+TEST_CASE("every poll can stop it") {
+    const Points points = on_grid(inputs::uniform(3, 300)), lattice = cube(3);
+    netmesh::Request request = request_of(3, points, lattice);
+    Context c(block);
+    Polls polls;
+    request.monitor = polls.monitor();
+    REQUIRE(c.engine.persist(request) == NETMESH_OK);
+    const std::vector<Bar> bars = bars_of(c.engine);
+    const long all = polls.made;
+    REQUIRE(all > 5);
+    for (long stop = 0; stop < all; ++stop) {
+        polls.made = 0;
+        polls.stop_at = stop;
+        REQUIRE(c.engine.persist(request) == NETMESH_CANCELLED);
+    }
+    polls.stop_at = -1;
+    REQUIRE(c.engine.persist(request) == NETMESH_OK);
+    CHECK(bars_of(c.engine) == bars);
+}
