@@ -6,7 +6,7 @@
 namespace netmesh {
 namespace {
 
-netmesh_status fail(netmesh_context* context, Status status, const PeriodicReport& report) {
+netmesh_status fail_with_periods(netmesh_context* context, Status status, const PeriodicReport& report) {
     const std::uint64_t row = report.input.row_a;
     if (report.has_bad_lattice && status == Status::invalid_argument) {
         clear(context);
@@ -39,7 +39,7 @@ netmesh_status diagram_with_periods(netmesh_context* context) {
         return alpha_of_periodic_points<decltype(dimension)::value>(wanted, {context->arena, monitor}, &made);
     });
     const Status status = watch.heed(found);
-    if (status != Status::ok) return fail(context, status, made.report);
+    if (status != Status::ok) return fail_with_periods(context, status, made.report);
     context->complete = true;
     KeptInput& input = context->input;
     const InputReport& read = made.report.input;

@@ -9,9 +9,9 @@ namespace {
 
 constexpr double sharp_error = 0x1p-42;
 
-template <int D> class Reach {
+template <int D> class StarsAtPoints {
 public:
-    Reach(Store<D>& store, const PeriodicPoints& points, const double* margin, const Weights* weights)
+    StarsAtPoints(Store<D>& store, const PeriodicPoints& points, const double* margin, const Weights* weights)
         : store_(store), points_(points), margin_(margin), weights_(weights) {}
 
     StarReach run() {
@@ -121,7 +121,7 @@ private:
 
 template <int D>
 StarReach reach_of_stars(Store<D>& store, const PeriodicPoints& points, const double* margin, const Weights* weights) {
-    return Reach<D>(store, points, margin, weights).run();
+    return StarsAtPoints<D>(store, points, margin, weights).run();
 }
 
 #define NETMESH_INSTANTIATE(D)                                                                                         \

@@ -1,27 +1,34 @@
 #include "periods/lattice.hpp"
 
+#include "numerics/double_double.hpp"
 #include "numerics/real.hpp"
 #include "numerics/vector.hpp"
 
 namespace netmesh {
 namespace {
 
-constexpr double independent = 0x1p-45;
+constexpr double shortest_part = 0x1p-45;
 
-// a - times * b. It is a double although the product may be none: of whole numbers the last 64 bits are enough.
-double difference(double a, double times, double b, double quantum) {
-    const auto whole = [](double x) { return static_cast<std::uint64_t>(static_cast<std::int64_t>(x)); };
-    const std::uint64_t n = whole(a / quantum) - whole(times) * whole(b / quantum);
-    return static_cast<double>(static_cast<std::int64_t>(n)) * quantum;
+// -= times * other.
+void subtract(double* high, double* low, double times, double other, double other_low) {
+    const DoubleDouble left = DoubleDouble{*high, *low} - DoubleDouble{times, 0} * DoubleDouble{other, other_low};
+    *high = left.high;
+    *low = left.low;
+}
+void exchange(double* a, double* b, int count) {
+    for (int k = 0; k < count; ++k) {
+        const double x = a[k];
+        a[k] = b[k];
+        b[k] = x;
+    }
 }
 
 }  // namespace
 
-bool Lattice::orthogonalise(int* culprit) {
+bool Lattice::orthogonalise() {
     for (int j = 0; j < count; ++j) {
         double* const v = e[j];
         copy(dim, b[j], v);
-        const double length2 = dot(dim, v, v);
         // Twice, so that what is left is orthogonal although little is left.
         for (int pass = 0; pass < 2; ++pass)
             for (int i = 0; i < j; ++i) {
@@ -29,42 +36,58 @@ bool Lattice::orthogonalise(int* culprit) {
                 for (int k = 0; k < dim; ++k) v[k] -= along * e[i][k];
             }
         const double left2 = dot(dim, v, v);
-        *culprit = j;
-        if (!(left2 > independent * independent * length2)) return false;
+        if (!(left2 > 0)) return false;
         h[j] = square_root(left2);
         for (int k = 0; k < dim; ++k) v[k] /= h[j];
     }
     return true;
 }
 
-bool Lattice::reduce(const double* quantum) {
-    int culprit;
-    if (!orthogonalise(&culprit)) return false;
+bool Lattice::reduce() {
+    if (!orthogonalise()) return false;
     // Each exchange makes a product of lengths shorter by a factor; the bound is never met.
     int j = 1;
-    for (int turn = 0; turn < 4000 && j < count; ++turn) {
-        for (int i = j - 1; i >= 0; --i) {
-            const double times = nearest_integer(dot(dim, e[i], b[j]) / h[i]);
-            if (!(absolute(times) < 0x1p62)) return false;
-            for (int k = 0; k < dim; ++k)
-                b[j][k] = quantum == nullptr ? b[j][k] - times * b[i][k]
-                          : quantum[k] == 0  ? 0
-                                             : difference(b[j][k], times, b[i][k], quantum[k]);
-        }
+    for (int turn = 0; turn < 20000 && j < count; ++turn) {
+        // More than once where vectors are long.
+        for (int pass = 0; pass < 3; ++pass)
+            for (int i = j - 1; i >= 0; --i) {
+                const double times = nearest_integer(dot(dim, e[i], b[j]) / h[i]);
+                if (times == 0) continue;
+                for (int k = 0; k < dim; ++k) subtract(&b[j][k], &rest[j][k], times, b[i][k], rest[i][k]);
+            }
+        if (!orthogonalise()) return false;
         const double along = dot(dim, e[j - 1], b[j]);
         if (h[j] * h[j] + along * along >= 0.75 * h[j - 1] * h[j - 1]) {
             ++j;
             continue;
         }
-        for (int k = 0; k < dim; ++k) {
-            const double x = b[j][k];
-            b[j][k] = b[j - 1][k];
-            b[j - 1][k] = x;
-        }
-        if (!orthogonalise(&culprit)) return false;
+        exchange(b[j], b[j - 1], dim);
+        exchange(rest[j], rest[j - 1], dim);
+        if (!orthogonalise()) return false;
         j = j > 1 ? j - 1 : 1;
     }
-    return orthogonalise(&culprit);
+    double longest = 0, shortest = infinity;
+    for (j = 0; j < count; ++j) {
+        longest = h[j] > longest ? h[j] : longest;
+        shortest = h[j] < shortest ? h[j] : shortest;
+    }
+    return shortest > shortest_part * longest;
+}
+
+bool Lattice::open(const double* vectors, int given, int dimension, int* culprit) {
+    dim = dimension;
+    // One vector more at a time, to tell which one is at fault.
+    for (count = 1; count <= given; ++count) {
+        *culprit = count - 1;
+        for (int j = 0; j < count; ++j)
+            for (int k = 0; k < dim; ++k) {
+                b[j][k] = vectors[j * dim + k] + 0.0;
+                rest[j][k] = 0;
+            }
+        if (!reduce()) return false;
+    }
+    count = given;
+    return true;
 }
 
 void Lattice::find_far(double* far) const {

@@ -14,19 +14,20 @@ inline double nearest_integer(double x) {
     return x < 0 ? x - large + large : x + large - large;
 }
 
-// The vectors b[0..count) of R^dim, and the directions in which they add one another something: unit vectors e, e[j] .
-// b[j] = h[j] > 0, e[j] . b[i] = 0 for i < j. Directions are doubles and off by some 2^-50.
+// The vectors b[0..count) of R^dim, each with what it lacks to the vector that it stands for, and the directions in
+// which they add one another something: unit vectors e, e[j] . b[j] = h[j] > 0, e[j] . b[i] = 0 for i < j. Directions
+// are off by some 2^-50.
 struct Lattice {
     static constexpr int most = dimension_most();
     int dim, count;
-    double b[most][most], e[most][most], h[most];
+    double b[most][most], rest[most][most], e[most][most], h[most];
 
-    // Finds e and h. False: vector *culprit depends on those before it, as far as 2^-45 of its length.
-    bool orthogonalise(int* culprit);
-    // Another basis, short and nearly orthogonal (Lenstra, Lenstra, Lovasz). quantum: of each coordinate a power of two
-    // of which all are multiples, 2^53 of it at most; then the lattice is the same. Null: about the same. False: as
-    // above.
-    bool reduce(const double* quantum);
+    // Finds e and h. False: a vector depends on those before it.
+    bool orthogonalise();
+    // Of `vectors` of [given][dim] doubles another basis, short and nearly orthogonal (Lenstra, Lenstra, Lovasz), in
+    // about 106 bits. False: vector *culprit depends on those before it, or a sum of them is shorter than 2^-45 of
+    // others.
+    bool open(const double* vectors, int given, int dimension, int* culprit);
     // How far copies of a point matter, by direction: the Delaunay star of p among all copies is that among those whose
     // e[j] . (q - p) is at most far[j] in size.
     //
@@ -38,6 +39,9 @@ struct Lattice {
     void find_far(double* far) const;
     // e[j] . x / h[j].
     double place(int j, const double* x) const;
+
+private:
+    bool reduce();
 };
 
 }  // namespace netmesh

@@ -1,10 +1,13 @@
 // Where copies are no doubles, points and vectors are moved first, to multiples of a power of two for each coordinate:
-// 2^-53 of what copies reach, so that each copy has at most 53 bits. A vector is moved to a multiple of 24 times that,
-// and points with it as if the space were stretched: what was a half, a third, a quarter, a sixth, an eighth, .. of a
-// vector is one after that, too, and symmetries of a crystal stay ties.
+// 2^-53 of what copies reach, so that each copy has at most 53 bits. Vectors are those of the reduced basis, found in
+// 106 bits, so that a skew basis costs no digits; a point is first taken near the origin, in as many. Where points
+// stand at halves, quarters or eighths of vectors, these are moved to multiples of 8 units, with thirds, sixths, .. of
+// 24, and all points with them as if the space were stretched: so they stay where they are, and symmetries of a crystal
+// stay ties.
 #include "periods/periodic_points.hpp"
 
 #include "delaunay/spatial_order.hpp"
+#include "numerics/double_double.hpp"
 #include "numerics/fingerprint.hpp"
 #include "numerics/sort.hpp"
 #include "numerics/vector.hpp"
@@ -13,113 +16,159 @@
 namespace netmesh {
 namespace {
 
-constexpr double parts_of_vectors = 24;
 // Squares of lengths are far from the ends of the range of doubles.
 constexpr double length_most = 0x1p300, length_least = 0x1p-300;
-// Of multiples of the power of two that a coordinate may be.
-constexpr double multiples_most = 0x1p62;
+// So many periods away a point may be, in each direction.
+constexpr double periods_most = 0x1p50;
+// What is moved farther than this part of the least distance of layers is no lattice any more.
+constexpr double moved_most = 0x1p-20;
 
 std::int64_t floor_of(double x) {
     const auto whole = static_cast<std::int64_t>(x);
     return static_cast<double>(whole) > x ? whole - 1 : whole;
 }
 
+void note(double difference, double* most) {
+    if (absolute(difference) > *most) *most = absolute(difference);
+}
+
+// The place is [-edge, 1 - edge) in each direction.
+constexpr double edge = 0x1p-20;
+
+// A point near the origin, before anything is moved: in about 106 bits.
+template <int D> struct NearPoint {
+    double high[D], low[D];
+
+    // False: too far away.
+    bool take(const Lattice& lattice, const double* p) {
+        for (int k = 0; k < D; ++k) {
+            high[k] = p[k];
+            low[k] = 0;
+        }
+        // Again, as numbers are large in the beginning.
+        for (int turn = 0; turn < 4; ++turn)
+            for (int j = lattice.count - 1; j >= 0; --j) {
+                const double place = lattice.place(j, high) + edge;
+                if (!(absolute(place) < periods_most)) return false;
+                const double times = static_cast<double>(floor_of(place));
+                if (times == 0) continue;
+                for (int k = 0; k < D; ++k) {
+                    const DoubleDouble left =
+                        DoubleDouble{high[k], low[k]} -
+                        DoubleDouble{times, 0} * DoubleDouble{lattice.b[j][k], lattice.rest[j][k]};
+                    high[k] = left.high;
+                    low[k] = left.low;
+                }
+            }
+        return true;
+    }
+};
+
+bool is_multiple(double high, double low, double quantum) {
+    return quantum == 0 || (low == 0 && quantum_of(high) >= exponent_of(quantum));
+}
+
 // Moves points into one place.
 template <int D> class Grid {
 public:
-    // Of the vectors as they were given. far_beside[k]: how far points reach in coordinate k beside the lattice.
-    // coarser: by so many bits than is thought to do.
-    void open(const Lattice& given, const double* far_beside, int coarser, Lattice* moved, double* moved_by) {
+    // far_beside[k]: how far points reach in coordinate k beside the lattice. coarser: by so many bits than is thought
+    // to do.
+    void open(const Lattice& given, const double* far_beside, int coarser) {
         given_ = given;
-        *moved = given;
-        if (!moved->reduce(nullptr)) *moved = given;
         for (int k = 0; k < D; ++k) {
-            const double reach = reach_of(*moved, far_beside, k);
+            const double reach = reach_of(given, far_beside, k);
             quantum_[k] = reach > 0 ? power_of_two(exponent_of(reach) + 1 - 53 + coarser) : 0;
         }
-        *moved = given;
-        is_moved_ = false;
-        for (int j = 0; j < given.count; ++j)
+    }
+    // Whether nothing of them need be moved.
+    bool has_vectors() const {
+        bool all = true;
+        for (int j = 0; j < given_.count; ++j)
+            for (int k = 0; k < D; ++k) all &= is_multiple(given_.b[j][k], given_.rest[j][k], quantum_[k]);
+        return all;
+    }
+    bool has(const NearPoint<D>& point) const {
+        bool all = true;
+        for (int k = 0; k < D; ++k) all &= is_multiple(point.high[k], point.low[k], quantum_[k]);
+        return all;
+    }
+    // The lattice from here on, its vectors moved or not. False: it is none any more.
+    // parts: of so many units vectors are multiples where anything moves.
+    bool settle(bool moves, double parts, Lattice* lattice, double* moved_by) {
+        *lattice = given_;
+        for (int j = 0; j < given_.count; ++j)
             for (int k = 0; k < D; ++k) {
-                const double x = given.b[j][k];
-                if (x == 0 || is_multiple(x, quantum_[k])) continue;
-                const double unit = parts_of_vectors * quantum_[k], to = nearest_integer(x / unit) * unit;
-                stretch_[j][k] = to - x;
-                moved->b[j][k] = to;
-                is_moved_ = true;
-                note(to - x, moved_by);
+                const double x = given_.b[j][k], unit = parts * quantum_[k];
+                double& to = lattice->b[j][k];
+                lattice->rest[j][k] = 0;
+                if (moves && quantum_[k] != 0) to = nearest_integer(x / unit) * unit;
+                stretch_[j][k] = (to - x) - given_.rest[j][k];
+                note(stretch_[j][k], moved_by);
             }
+        moves_ = moves;
+        if (!lattice->orthogonalise()) return false;
+        lattice_ = *lattice;
+        for (int j = 0; j < lattice->count; ++j)
+            for (int k = 0; k < D; ++k)
+                multiple_[j][k] = quantum_[k] == 0 ? 0 : static_cast<std::int64_t>(lattice->b[j][k] / quantum_[k]);
+        return true;
     }
     // Whether copies are doubles indeed.
-    bool fits(const Lattice& reduced, const double* far_beside) const {
+    bool fits(const double* far_beside) const {
         bool does = true;
         for (int k = 0; k < D; ++k)
-            does &= quantum_[k] == 0 || reach_of(reduced, far_beside, k) <= 0x1p53 * quantum_[k];
+            does &= quantum_[k] == 0 || reach_of(lattice_, far_beside, k) <= 0x1p53 * quantum_[k];
         return does;
     }
-    const double* quanta() const { return quantum_; }
-    void settle(const Lattice& reduced) {
-        lattice_ = reduced;
-        for (int j = 0; j < reduced.count; ++j)
-            for (int k = 0; k < D; ++k)
-                multiple_[j][k] = quantum_[k] == 0 ? 0 : static_cast<std::int64_t>(reduced.b[j][k] / quantum_[k]);
-    }
 
-    // The copy of p that stands for it: the same for all copies. False: out of range.
-    bool place(const double* p, double* x, double* moved_by) const {
+    // The copy of a point that stands for it: the same for all copies.
+    void place(NearPoint<D> point, double* x, double* moved_by) const {
+        const NearPoint<D> was = point;
         std::int64_t n[D];
-        double to[D];
-        copy<D>(p, to);
-        if (is_moved_) stretch(p, to);
+        if (moves_) stretch(&point);
         for (int k = 0; k < D; ++k) {
             n[k] = 0;
-            x[k] = p[k];
-            if (quantum_[k] == 0) continue;
-            const double times = to[k] / quantum_[k];
-            if (!(absolute(times) < multiples_most)) return false;
-            n[k] = static_cast<std::int64_t>(nearest_integer(times));
-            note(static_cast<double>(n[k]) * quantum_[k] - p[k], moved_by);
-            x[k] = static_cast<double>(n[k]) * quantum_[k];
+            x[k] = point.high[k];
+            const double q = quantum_[k];
+            if (q == 0) continue;
+            double times = nearest_integer(point.high[k] / q);
+            const double left = (point.high[k] - times * q) + point.low[k];
+            times += left > 0.5 * q ? 1 : left < -0.5 * q ? -1 : 0;
+            n[k] = static_cast<std::int64_t>(times);
+            x[k] = times * q;
+            note((x[k] - was.high[k]) - was.low[k], moved_by);
         }
-        // Once more, as the first time numbers are large.
-        for (int turn = 0; turn < 2; ++turn)
-            for (int j = lattice_.count - 1; j >= 0; --j) add(j, -floor_of(lattice_.place(j, x) + edge), n, x);
         if (is_near_edge(x)) choose(n, x);
-        return true;
     }
 
 private:
-    // The place is [-edge, 1 - edge) in each direction; edges go to and fro with roundings. So of a point near an edge
-    // all copies are looked at that are in a place larger by 2^-40, which depends on the copies alone, and the least is
-    // taken.
-    static constexpr double edge = 0x1p-20, slack = 0x1p-40;
+    // Edges of the place go to and fro with roundings. So of a point near an edge all copies are looked at that are in
+    // a place larger by 2^-40, which depends on the copies alone, and the least is taken.
+    static constexpr double slack = 0x1p-40;
 
-    static bool is_multiple(double x, double quantum) { return quantum == 0 || quantum_of(x) >= exponent_of(quantum); }
-    static void note(double difference, double* most) {
-        if (absolute(difference) > *most) *most = absolute(difference);
-    }
-    // How far copies reach in coordinate k, those within a margin, and one vector more; what was given is no larger. 0:
-    // no vector has it, and it is left as it is.
+    // How far copies reach in coordinate k, those within a margin, and one vector more. 0: no vector has it, and it is
+    // left as it is.
     double reach_of(const Lattice& reduced, const double* far_beside, int k) const {
-        double far[Lattice::most], longest = 0, given = 0, reach = far_beside[k];
+        double far[Lattice::most], longest = 0, reach = far_beside[k];
         reduced.find_far(far);
         for (int j = 0; j < given_.count; ++j) {
-            const double one = absolute(reduced.b[j][k]), other = absolute(given_.b[j][k]);
+            const double one = absolute(reduced.b[j][k]);
             longest = one > longest ? one : longest;
-            given = other > given ? other : given;
             reach += 1.01 * (reduced.h[j] + far[j]) * absolute(reduced.e[j][k]);
         }
-        reach += longest;
-        return given == 0 ? 0 : given > reach ? given : reach;
+        return longest == 0 ? 0 : reach + longest;
     }
-    void stretch(const double* p, double* to) const {
+    void stretch(NearPoint<D>* point) const {
         double rest[D];
-        copy<D>(p, rest);
+        copy<D>(point->high, rest);
         for (int j = given_.count - 1; j >= 0; --j) {
             const double part = given_.place(j, rest);
             for (int k = 0; k < D; ++k) {
                 rest[k] -= part * given_.b[j][k];
-                to[k] += part * stretch_[j][k];
+                const DoubleDouble sum =
+                    DoubleDouble{point->high[k], point->low[k]} + DoubleDouble{part * stretch_[j][k], 0};
+                point->high[k] = sum.high;
+                point->low[k] = sum.low;
             }
         }
     }
@@ -174,9 +223,9 @@ private:
 
     Lattice given_, lattice_;
     double quantum_[D];
-    double stretch_[Lattice::most][D] = {};  // what was added to vectors
+    double stretch_[Lattice::most][D];  // what was added to vectors
     std::int64_t multiple_[Lattice::most][D];
-    bool is_moved_;
+    bool moves_ = false;
 };
 
 template <int D> class Taking {
@@ -198,27 +247,20 @@ private:
     static constexpr int numbers = D + 1;
 
     Status take_lattice() {
-        Lattice& lattice = out_.lattice;
-        lattice.dim = D;
-        lattice.count = input_.vector_count;
-        report_.has_bad_lattice = true;
-        for (int j = 0; j < lattice.count; ++j) {
-            report_.culprit = j;
+        const double* const vectors = input_.vectors;
+        for (int j = 0; j < input_.vector_count; ++j) {
             double most = 0;
             for (int k = 0; k < D; ++k) {
-                const double x = input_.vectors[j * D + k];
-                if (!is_finite(x)) return Status::invalid_argument;
-                lattice.b[j][k] = x + 0.0;
-                most = absolute(x) > most ? absolute(x) : most;
+                const double x = absolute(vectors[j * D + k]);
+                report_.culprit = j;
+                report_.has_bad_lattice = !is_finite(x);
+                if (report_.has_bad_lattice) return Status::invalid_argument;
+                most = x > most ? x : most;
             }
-            if (most != 0 && !(most > length_least && most < length_most)) {
-                report_.has_bad_lattice = false;
-                return Status::out_of_range;
-            }
+            if (most != 0 && !(most > length_least && most < length_most)) return Status::out_of_range;
         }
-        if (!lattice.orthogonalise(&report_.culprit)) return Status::invalid_argument;
-        report_.has_bad_lattice = false;
-        return Status::ok;
+        report_.has_bad_lattice = !out_.lattice.open(vectors, input_.vector_count, D, &report_.culprit);
+        return report_.has_bad_lattice ? Status::invalid_argument : Status::ok;
     }
     // How far points reach beside the lattice, and the fingerprint of what was given.
     Status look_through() {
@@ -226,11 +268,10 @@ private:
         Fingerprint fingerprint;
         fingerprint.add(std::uint64_t{D});
         fingerprint.add(static_cast<std::uint64_t>(lattice.count));
-        for (int j = 0; j < lattice.count; ++j)
-            for (int k = 0; k < D; ++k) fingerprint.add(lattice.b[j][k]);
+        for (int i = 0; i < lattice.count * D; ++i) fingerprint.add(input_.vectors[i]);
         if (input_.weights != nullptr) fingerprint.add(std::uint64_t{1} + input_.weights->are_radii);
         for (std::size_t i = 0; i < input_.count; ++i) {
-            arena_.step(i, 20 * D);
+            arena_.step(i, 60 * D);
             double x[D];
             report_.input.row_a = i;
             if (!input_.points.read(i, D, x)) return Status::not_finite;
@@ -243,46 +284,95 @@ private:
                 if (report_.has_negative) return Status::invalid_argument;
                 fingerprint.add(number);
             }
-            for (int j = 0; j < lattice.count; ++j) {
-                const double along = dot<D>(lattice.e[j], x);
-                for (int k = 0; k < D; ++k) x[k] -= along * lattice.e[j][k];
-            }
-            for (int k = 0; k < D; ++k) beside_[k] = absolute(x[k]) > beside_[k] ? absolute(x[k]) : beside_[k];
+            NearPoint<D> point;
+            if (!point.take(lattice, x)) return Status::out_of_range;
+            if (lattice.count < D) measure_beside(i, point.high);
         }
         report_.input.rows = input_.count;
         report_.input.fingerprint = fingerprint.value();
         return Status::ok;
     }
+    void measure_beside(std::size_t row, const double* x) {
+        double rest[D];
+        copy<D>(x, rest);
+        for (int j = 0; j < out_.lattice.count; ++j) {
+            const double along = dot<D>(out_.lattice.e[j], x);
+            for (int k = 0; k < D; ++k) rest[k] -= along * out_.lattice.e[j][k];
+        }
+        for (int k = 0; k < D; ++k) {
+            if (!(absolute(rest[k]) > beside_[k])) continue;
+            beside_[k] = absolute(rest[k]);
+            farthest_ = row;
+        }
+    }
+    // Requires rows that look_through has found nothing wrong with.
+    NearPoint<D> near_point(std::size_t row) const {
+        double x[D];
+        NearPoint<D> point;
+        input_.points.read(row, D, x);
+        point.take(out_.lattice, x);
+        return point;
+    }
+    // Into how many parts of vectors points fall: 24, 8, or 1 where they stand anywhere.
+    double parts_of_vectors() const {
+        double parts = 1;
+        for (std::size_t i = 0; i < input_.count && parts < 24; ++i) {
+            arena_.step(i, 60 * D);
+            double rest[D];
+            copy<D>(near_point(i).high, rest);
+            for (int j = out_.lattice.count - 1; j >= 0; --j) {
+                const double part = out_.lattice.place(j, rest);
+                for (int k = 0; k < D; ++k) rest[k] -= part * out_.lattice.b[j][k];
+                const auto is_whole = [part](double times) {
+                    return absolute(times * part - nearest_integer(times * part)) < 0x1p-44;
+                };
+                if (is_whole(1) || !is_whole(24)) continue;
+                parts = is_whole(8) && parts < 24 ? 8 : 24;
+            }
+        }
+        return parts;
+    }
+    // A unit, and vectors that are multiples of it.
+    Status settle_grid(Lattice* moved) {
+        double parts = 0;
+        for (int coarser = 0; coarser < 16; ++coarser) {
+            report_.moved = 0;
+            grid_.open(out_.lattice, beside_, coarser);
+            bool moves = !grid_.has_vectors();
+            for (std::size_t i = 0; i < input_.count && !moves; ++i) {
+                arena_.step(i, 60 * D);
+                moves = !grid_.has(near_point(i));
+            }
+            if (moves && parts == 0) parts = parts_of_vectors();
+            if (!grid_.settle(moves, parts, moved, &report_.moved)) break;
+            if (grid_.fits(beside_)) return Status::ok;
+        }
+        report_.input.row_a = farthest_;
+        return Status::out_of_range;
+    }
     Status place_all() {
         Lattice moved;
-        for (int coarser = 0;; ++coarser) {
-            report_.moved = 0;
-            grid_.open(out_.lattice, beside_, coarser, &moved, &report_.moved);
-            if (!moved.reduce(grid_.quanta()) || coarser == 16) {
-                report_.has_bad_lattice = true;
-                report_.culprit = moved.count - 1;
-                return Status::invalid_argument;
-            }
-            if (grid_.fits(moved, beside_)) break;
-        }
-        out_.lattice = moved;
-        grid_.settle(moved);
-        moved.find_far(out_.far);
+        const Status status = settle_grid(&moved);
+        if (status != Status::ok) return status;
         out_.count = static_cast<std::uint32_t>(input_.count);
         out_.x = arena_.take_low<double>(input_.count * numbers);
         out_.row = arena_.take_low<std::uint32_t>(input_.count);
         if (out_.x == nullptr || out_.row == nullptr) return Status::out_of_memory;
         for (std::uint32_t i = 0; i < out_.count; ++i) {
-            arena_.step(i, 60 * D);
-            double p[D], *const x = out_.x + std::size_t{i} * numbers;
-            input_.points.read(i, D, p);
-            report_.input.row_a = i;
+            arena_.step(i, 80 * D);
+            double* const x = out_.x + std::size_t{i} * numbers;
             x[D] = 0;
             if (input_.weights != nullptr) input_.weights->rows.read(i, 1, x + D);
-            if (!grid_.place(p, x, &report_.moved)) return Status::out_of_range;
+            grid_.place(near_point(i), x, &report_.moved);
             for (int k = 0; k < D; ++k) x[k] += 0.0;
             out_.row[i] = i;
         }
+        out_.lattice = moved;
+        moved.find_far(out_.far);
+        double least = infinity;
+        for (int j = 0; j < moved.count; ++j) least = moved.h[j] < least ? moved.h[j] : least;
+        report_.input.row_a = farthest_;
+        if (!(report_.moved <= moved_most * least)) return Status::out_of_range;
         report_.input.row_a = 0;
         return Status::ok;
     }
@@ -335,6 +425,7 @@ private:
     PeriodicReport& report_;
     Grid<D> grid_;
     double beside_[D] = {};
+    std::size_t farthest_ = 0;  // a row
 };
 
 // Calls visit(times, v) for each translation, sum of times[j] b[j] = v, that takes the box of the points to where it

@@ -26,7 +26,8 @@ extern "C" {
  *   weight_stride_bytes
  *                 from one weight to the next. 0: they are packed. Else as the stride of rows of one number
  *   lattice       null: none. Else lattice_count vectors of dim doubles each, packed, with request.periods: the points
- *                 repeat by all sums of whole multiples of them. Finite, linearly independent, of either orientation
+ *                 repeat by all sums of whole multiples of them. Finite, linearly independent, of either orientation,
+ *                 aligned to a double
  *   lattice_count 1 .. D; fewer than D: the other directions have no period */
 typedef struct netmesh_points {
     const void* coordinates;
