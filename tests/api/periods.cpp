@@ -249,6 +249,9 @@ TEST_CASE("refusals") {
     }
     lattice = cube(3);
     request = request_of(3, points, lattice);
+    request.points.lattice = reinterpret_cast<const double*>(reinterpret_cast<const unsigned char*>(lattice.data()) + 1);
+    refused(request, NETMESH_FIELD_LATTICE);
+    request.points.lattice = lattice.data();
     request.points.lattice_count = 4;
     refused(request, NETMESH_FIELD_LATTICE_COUNT);
     request.points.lattice_count = 0;
@@ -282,7 +285,7 @@ TEST_CASE("refusals") {
     wrong[3 * 7 + 1] = nan;
     CHECK(c.engine.persist(request_of(3, wrong, lattice)) == NETMESH_NOT_FINITE);
     CHECK(c.engine.detail().index_a == 7);
-    wrong[3 * 7 + 1] = 1e9;
+    wrong[3 * 7 + 1] = 1e16;
     CHECK(c.engine.persist(request_of(3, wrong, lattice)) == NETMESH_OUT_OF_RANGE);
     CHECK(c.engine.detail().index_a == 7);
     Points radii(20, 0.1);
@@ -293,6 +296,68 @@ TEST_CASE("refusals") {
     // A plane that repeats in itself.
     const Points plane = {0, 0, 0, 0.5, 0.25, 0}, two = {1, 0, 0, 0, 1, 0};
     CHECK(c.engine.persist(request_of(3, plane, two)) == NETMESH_FLAT);
+}
+
+TEST_CASE("a skew basis costs no digits") {
+    // Found by a second reading: lattices whose short vectors are differences of long ones.
+    for (const double skew : {1e3, 1e6, 1e9, 1e12}) {
+        const Points one = {0.1, 0.2}, lattice = {0.7, 0, 0.7 * skew + 0.3, 0.9};
+        // Of the vectors as doubles.
+        const double second = lattice[2] - std::nearbyint(lattice[2] / 0.7) * 0.7;
+        Context c(block);
+        REQUIRE(c.engine.persist(request_of(2, one, lattice)) == NETMESH_OK);
+        const double moved = report_of(c.engine).input.moved;
+        CHECK(moved < 1e-14);
+        std::vector<double> births;
+        for (const Bar& bar : bars_of(c.engine))
+            if (bar.degree == 1 && bar.death == std::numeric_limits<double>::infinity()) births.push_back(bar.birth);
+        REQUIRE(births.size() == 2);
+        CHECK(std::fabs(births[0] - 0.35) < 1e-14);
+        if (skew < 1e4) CHECK(std::fabs(births[1] - 0.5 * std::hypot(second, 0.9)) < 1e-12);
+    }
+    const Points grid = {0.25, 0.5, 0.125, 0.75}, skew = {1, 0, 1e12, 1};
+    Context a(block), b(block);
+    REQUIRE(a.engine.persist(request_of(2, grid, skew)) == NETMESH_OK);
+    REQUIRE(b.engine.persist(request_of(2, grid, cube(2))) == NETMESH_OK);
+    CHECK(report_of(a.engine).input.moved == 0);
+    CHECK(bars_of(a.engine) == bars_of(b.engine));
+}
+
+TEST_CASE("halves to eighths and thirds of vectors stay what they are") {
+    for (const double side : {10.86, 2.87, 5.43, 0.1, 3.7e5, 1.0})
+        for (const int parts : {2, 3, 4, 6, 8}) {
+            Points points;
+            for (int i = 0; i < parts * parts; ++i)
+                for (const int at : {i % parts, i / parts}) points.push_back(at / static_cast<double>(parts) * side);
+            Context c(block);
+            REQUIRE(c.engine.persist(request_of(2, points, cube(2, side))) == NETMESH_OK);
+            double first = 0;
+            for (const Bar& bar : bars_of(c.engine)) {
+                if (bar.degree > 0 || bar.death == std::numeric_limits<double>::infinity()) continue;
+                if (first == 0) first = bar.death;
+                CHECK(bar.death == first);
+            }
+            CHECK(std::fabs(first - side / parts / 2) < 1e-14 * side);
+            CHECK(report_of(c.engine).input.moved < 1e-14 * side);
+        }
+}
+
+TEST_CASE("far points: taken near, or refused by row") {
+    const Points points = {0.25, 0.5, 0.25 + 3e9, 0.75 - 4e8}, near = {0.25, 0.5, 0.25, 0.75};
+    Context a(block), b(block);
+    REQUIRE(a.engine.persist(request_of(2, points, cube(2))) == NETMESH_OK);
+    REQUIRE(b.engine.persist(request_of(2, near, cube(2))) == NETMESH_OK);
+    CHECK(bars_of(a.engine) == bars_of(b.engine));
+    // Beside a lattice that is oblique to the axes copies have few digits left.
+    Points beside = {0, 0, 0.2, 0.3, 0.4, 1e6};
+    const Points oblique = {1.05, 0.0731};
+    REQUIRE(a.engine.persist(request_of(2, beside, oblique)) == NETMESH_OK);
+    CHECK(report_of(a.engine).input.moved < 1e-9);
+    beside[5] = 1e14;
+    CHECK(a.engine.persist(request_of(2, beside, oblique)) == NETMESH_OUT_OF_RANGE);
+    CHECK(a.engine.detail().index_a == 2);
+    // As far beside an axis nothing is moved.
+    REQUIRE(a.engine.persist(request_of(2, beside, Points{1, 0})) == NETMESH_OK);
 }
 
 TEST_CASE("every block: a diagram or out of memory") {
