@@ -141,9 +141,9 @@ Outcome Session::explain(netmesh_status status, const PointCloud& cloud, std::si
     case NETMESH_OUT_OF_RANGE:
         if (cloud.lattice.kind != Lattice::none)
             return cloud.fault(detail.index_a,
-                               "this point is more than 4,096 periods away, or coordinates are too far "
-                               "apart in size for an exact alpha complex; any copy of a point can stand "
-                               "in its place");
+                               "this point is 2^50 periods away, or so far beside the lattice that its copies "
+                               "have no digits left, or coordinates are too far apart in size for an exact alpha "
+                               "complex; any copy of a point can stand in its place");
         if (filter_of(options_) == NETMESH_FILTER_ALPHA)
             return file_error(cloud.name, "coordinates too far apart in size for an exact alpha complex: it has room "
                                           "for 2^2075 units in space, 2^1185 in R^6");

@@ -157,10 +157,10 @@ TEST_CASE("periods: what does not go with them is refused by its option") {
 
 TEST_CASE("periods: points that are far away, and a block that is too small") {
     const Folder folder;
-    folder.write("far.csv", "0,0\n1e6,0.5\n");
+    folder.write("far.csv", "0,0\n1e16,0.5\n");
     Result result = folder.run("persist far.csv --box 1,1 -q");
     CHECK(result.exit == 3);
-    CHECK(result.says("far.csv:2: this point is more than 4,096 periods away"));
+    CHECK(result.says("far.csv:2: this point is 2^50 periods away"));
     folder.write("p.csv", points);
     result = folder.run("persist p.csv --box 4,4 --memory 1K -q");
     CHECK(result.exit == 4);
