@@ -27,14 +27,16 @@ struct NormalForm {
         }
         return h;
     }
-    static bool is_less(const Item& a, const Item& b) {
-        return a.point != b.point ? a.point < b.point : a.shift < b.shift;
-    }
+    struct IsLess {
+        bool operator()(const Item& a, const Item& b) const {
+            return a.point != b.point ? a.point < b.point : a.shift < b.shift;
+        }
+    };
     // Below 0, 0 or above.
     int compare(const NormalForm& other) const {
         for (int i = 0; i < count; ++i) {
-            if (is_less(item[i], other.item[i])) return -1;
-            if (is_less(other.item[i], item[i])) return 1;
+            if (IsLess{}(item[i], other.item[i])) return -1;
+            if (IsLess{}(other.item[i], item[i])) return 1;
         }
         return 0;
     }
@@ -118,7 +120,7 @@ private:
             for (int i = 0; i <= k; ++i)
                 form.item[i] = {copies_.point_of(vertex[i], points_.count),
                                 copies_.shift_of(vertex[i], points_.count) - from};
-            insertion_sort(form.item, static_cast<std::uint64_t>(k) + 1, NormalForm::is_less);
+            insertion_sort(form.item, static_cast<std::uint64_t>(k) + 1, NormalForm::IsLess{});
             if (best->count == 0 || form.compare(*best) < 0) *best = form;
         }
     }

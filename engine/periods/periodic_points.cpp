@@ -28,7 +28,7 @@ std::int64_t floor_of(double x) {
     return static_cast<double>(whole) > x ? whole - 1 : whole;
 }
 
-void note(double difference, double* most) {
+void note_moved(double difference, double* most) {
     if (absolute(difference) > *most) *most = absolute(difference);
 }
 
@@ -103,7 +103,7 @@ public:
                 lattice->rest[j][k] = 0;
                 if (moves && quantum_[k] != 0) to = nearest_integer(x / unit) * unit;
                 stretch_[j][k] = (to - x) - given_.rest[j][k];
-                note(stretch_[j][k], moved_by);
+                note_moved(stretch_[j][k], moved_by);
             }
         moves_ = moves;
         if (!lattice->orthogonalise()) return false;
@@ -136,7 +136,7 @@ public:
             times += left > 0.5 * q ? 1 : left < -0.5 * q ? -1 : 0;
             n[k] = static_cast<std::int64_t>(times);
             x[k] = times * q;
-            note((x[k] - was.high[k]) - was.low[k], moved_by);
+            note_moved((x[k] - was.high[k]) - was.low[k], moved_by);
         }
         if (is_near_edge(x)) choose(n, x);
     }
