@@ -249,7 +249,8 @@ TEST_CASE("refusals") {
     }
     lattice = cube(3);
     request = request_of(3, points, lattice);
-    request.points.lattice = reinterpret_cast<const double*>(reinterpret_cast<const unsigned char*>(lattice.data()) + 1);
+    request.points.lattice =
+        reinterpret_cast<const double*>(reinterpret_cast<const unsigned char*>(lattice.data()) + 1);
     refused(request, NETMESH_FIELD_LATTICE);
     request.points.lattice = lattice.data();
     request.points.lattice_count = 4;
