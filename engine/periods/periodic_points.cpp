@@ -46,12 +46,15 @@ template <int D> struct NearPoint {
             low[k] = 0;
         }
         // Again, as numbers are large in the beginning.
-        for (int turn = 0; turn < 4; ++turn)
+        bool has_gone = true;
+        for (int turn = 0; turn < 4 && has_gone; ++turn) {
+            has_gone = false;
             for (int j = lattice.count - 1; j >= 0; --j) {
                 const double place = lattice.place(j, high) + edge;
                 if (!(absolute(place) < periods_most)) return false;
                 const double times = static_cast<double>(floor_of(place));
                 if (times == 0) continue;
+                has_gone = true;
                 for (int k = 0; k < D; ++k) {
                     const DoubleDouble left =
                         DoubleDouble{high[k], low[k]} -
@@ -60,6 +63,7 @@ template <int D> struct NearPoint {
                     low[k] = left.low;
                 }
             }
+        }
         return true;
     }
 };
