@@ -44,11 +44,11 @@ private:
         double sides[D], volume = 1;
         for (int k = 0; k < D; ++k) {
             double least = infinity, most = -infinity;
-            for (std::uint32_t i = 0; i < points_.count; ++i) {
-                const double x = points_.x[std::size_t{i} * numbers + static_cast<std::size_t>(k)];
+            arena_.each(points_.count, 4, [&](std::uint64_t i) {
+                const double x = points_.x[i * numbers + static_cast<std::size_t>(k)];
                 least = x < least ? x : least;
                 most = x > most ? x : most;
-            }
+            });
             sides[k] = most - least;
         }
         // Sides of the lattice take the place of as many of the longest ones.
@@ -157,8 +157,7 @@ private:
             for (int i = 0; i <= D; ++i) vertex[i] = VertexId(store.vertex(cell.vertex[i]).origin);
             __builtin_memcpy(rows + std::size_t{kept++} * row_bytes, vertex, row_bytes);
         });
-        const std::uint32_t vertices = store.state.vertex_count;
-        arena_.each(vertices, 2, [&](std::uint64_t v) {
+        arena_.each(store.state.vertex_count, 2, [&](std::uint64_t v) {
             seen += store.vertex(static_cast<std::uint32_t>(v)).origin < points_.count;
         });
         out_.report.copies = copies_.count - points_.count;

@@ -46,11 +46,11 @@ private:
             double* const kept = side_[sides_];
             for (int i = 0; i < D; ++i) kept[i] = side[i] / length;
             double low = infinity, high = -infinity;
-            for (std::uint32_t v = 0; v < points_.count; ++v) {
-                const double y = dot<D>(kept, points_.x + std::size_t{v} * (D + 1));
+            store_.arena.each(points_.count, 4 * D, [&](std::uint64_t v) {
+                const double y = dot<D>(kept, points_.x + v * (D + 1));
                 low = y < low ? y : low;
                 high = y > high ? y : high;
-            }
+            });
             low_[sides_] = low;
             high_[sides_++] = high;
         }

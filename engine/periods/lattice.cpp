@@ -9,12 +9,6 @@ namespace {
 
 constexpr double shortest_part = 0x1p-45;
 
-// -= times * other.
-void subtract(double* high, double* low, double times, double other, double other_low) {
-    const DoubleDouble left = DoubleDouble{*high, *low} - DoubleDouble{times, 0} * DoubleDouble{other, other_low};
-    *high = left.high;
-    *low = left.low;
-}
 void exchange(double* a, double* b, int count) {
     for (int k = 0; k < count; ++k) {
         const double x = a[k];
@@ -52,8 +46,7 @@ bool Lattice::reduce() {
         for (int pass = 0; pass < 3; ++pass)
             for (int i = j - 1; i >= 0; --i) {
                 const double times = nearest_integer(dot(dim, e[i], b[j]) / h[i]);
-                if (times == 0) continue;
-                for (int k = 0; k < dim; ++k) subtract(&b[j][k], &rest[j][k], times, b[i][k], rest[i][k]);
+                if (times != 0) subtract(times, i, b[j], rest[j]);
             }
         if (!orthogonalise()) return false;
         const double along = dot(dim, e[j - 1], b[j]);
@@ -101,5 +94,23 @@ void Lattice::find_far(double* far) const {
 }
 
 double Lattice::place(int j, const double* x) const { return dot(dim, e[j], x) / h[j]; }
+
+void Lattice::split(const double* x, double* part) const {
+    double left[most];
+    copy(dim, x, left);
+    for (int j = count - 1; j >= 0; --j) {
+        part[j] = place(j, left);
+        for (int k = 0; k < dim; ++k) left[k] -= part[j] * b[j][k];
+    }
+}
+
+void Lattice::subtract(double times, int j, double* high, double* low) const {
+    for (int k = 0; k < dim; ++k) {
+        const DoubleDouble left =
+            DoubleDouble{high[k], low[k]} - DoubleDouble{times, 0} * DoubleDouble{b[j][k], rest[j][k]};
+        high[k] = left.high;
+        low[k] = left.low;
+    }
+}
 
 }  // namespace netmesh

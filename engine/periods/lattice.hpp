@@ -39,6 +39,10 @@ struct Lattice {
     void find_far(double* far) const;
     // e[j] . x / h[j].
     double place(int j, const double* x) const;
+    // x as a sum of part[j] b[j], and of what lies beside the lattice.
+    void split(const double* x, double* part) const;
+    // x = high + low, less times b[j], in about 106 bits.
+    void subtract(double times, int j, double* high, double* low) const;
 
 private:
     bool reduce();

@@ -55,13 +55,7 @@ template <int D> struct NearPoint {
                 const double times = static_cast<double>(floor_of(place));
                 if (times == 0) continue;
                 has_gone = true;
-                for (int k = 0; k < D; ++k) {
-                    const DoubleDouble left =
-                        DoubleDouble{high[k], low[k]} -
-                        DoubleDouble{times, 0} * DoubleDouble{lattice.b[j][k], lattice.rest[j][k]};
-                    high[k] = left.high;
-                    low[k] = left.low;
-                }
+                lattice.subtract(times, j, high, low);
             }
         }
         return true;
@@ -96,8 +90,8 @@ public:
         for (int k = 0; k < D; ++k) all &= is_multiple(point.high[k], point.low[k], quantum_[k]);
         return all;
     }
-    // The lattice from here on, its vectors moved or not. False: it is none any more.
-    // parts: of so many units vectors are multiples where anything moves.
+    // The lattice from here on, its vectors moved or not: to multiples of so many units, parts. False: it is none any
+    // more.
     bool settle(bool moves, double parts, Lattice* lattice, double* moved_by) {
         *lattice = given_;
         for (int j = 0; j < given_.count; ++j)
@@ -163,18 +157,15 @@ private:
         return longest == 0 ? 0 : reach + longest;
     }
     void stretch(NearPoint<D>* point) const {
-        double rest[D];
-        copy<D>(point->high, rest);
-        for (int j = given_.count - 1; j >= 0; --j) {
-            const double part = given_.place(j, rest);
+        double part[Lattice::most];
+        given_.split(point->high, part);
+        for (int j = 0; j < given_.count; ++j)
             for (int k = 0; k < D; ++k) {
-                rest[k] -= part * given_.b[j][k];
                 const DoubleDouble sum =
-                    DoubleDouble{point->high[k], point->low[k]} + DoubleDouble{part * stretch_[j][k], 0};
+                    DoubleDouble{point->high[k], point->low[k]} + DoubleDouble{part[j] * stretch_[j][k], 0};
                 point->high[k] = sum.high;
                 point->low[k] = sum.low;
             }
-        }
     }
     void add(int j, std::int64_t times, std::int64_t* n, double* x) const {
         if (times == 0) return;
@@ -322,13 +313,11 @@ private:
         double parts = 1;
         for (std::size_t i = 0; i < input_.count && parts < 24; ++i) {
             arena_.step(i, 60 * D);
-            double rest[D];
-            copy<D>(near_point(i).high, rest);
-            for (int j = out_.lattice.count - 1; j >= 0; --j) {
-                const double part = out_.lattice.place(j, rest);
-                for (int k = 0; k < D; ++k) rest[k] -= part * out_.lattice.b[j][k];
-                const auto is_whole = [part](double times) {
-                    return absolute(times * part - nearest_integer(times * part)) < 0x1p-44;
+            double part[Lattice::most];
+            out_.lattice.split(near_point(i).high, part);
+            for (int j = 0; j < out_.lattice.count; ++j) {
+                const auto is_whole = [&](double times) {
+                    return absolute(times * part[j] - nearest_integer(times * part[j])) < 0x1p-44;
                 };
                 if (is_whole(1) || !is_whole(24)) continue;
                 parts = is_whole(8) && parts < 24 ? 8 : 24;

@@ -90,20 +90,23 @@ typedef enum netmesh_weighting_id {
  *   filter    alpha; auto takes it without a choice. All else refuses periods: other filters, netmesh_mesh, pieces,
  *             bounds, cycles, keep_mesh
  *   degrees   to D. With all D periods the classes that last are those of the torus, 1, D, .., 1 of them, in degree
- *             D one where the balls cover all. Fewer periods: those of a smaller torus, or none where it stays open
+ *             D one where the balls cover all. Fewer periods: those of a smaller torus
  *   points    may lie anywhere; which copy of a point is given does not matter. Points equal to a copy of an earlier
  *             one are duplicates
  *   numbers   a copy has to be a double, too. Where some are none, points and a short basis of the lattice are first
  *             moved to multiples of a power of two, 2^-53 of what copies reach. Where points stand at halves, quarters
- * or eighths of vectors, to 2^-44, these are moved to 8 times that, with thirds or sixths to 24 times, and points with
- * them: they stay where they are. report.input.moved says how far; 0: nothing was moved. Of the moved numbers the
- * diagram is exact ties      broken by index and, among copies of the same points, by the entries of x x^T, in this
- * order: the triangulation repeats, too. The diagram does not depend on it memory    that of alpha with weights for the
- * points of one period and of a margin around it about as wide as the largest empty ball, and 44 bytes a point more.
- * netmesh_plan counts points spread evenly cost      that of as many points errors    INVALID_ARGUMENT (LATTICE):
- * vector index_a is not finite, or depends on those before it as far as 2^-45 of what their lattice is long.
- * OUT_OF_RANGE: point index_a is 2^50 periods away, or so far beside the lattice that numbers would be moved by 2^-20
- * of its distances; a vector is not between 2^-300 and 2^300; alpha's. FLAT: with all copies */
+ *             or eighths of vectors, to 2^-44, these are moved to 8 times that, with thirds or sixths to 24 times, and
+ *             points with them: they stay where they are. report.input.moved says how far; 0: nothing was moved. Of
+ *             the moved numbers the diagram is exact
+ *   ties      broken by index and, among copies of the same points, by the entries of x x^T, in this order: the
+ *             triangulation repeats, too. The diagram does not depend on it
+ *   memory    that of alpha with weights for the points of one period and of a margin around it about as wide as the
+ *             largest empty ball, and what tells whose copy each of them is. netmesh_plan counts points spread evenly
+ *   cost      that of as many points
+ *   errors    INVALID_ARGUMENT (LATTICE): vector index_a is not finite, or depends on those before it as far as 2^-45
+ *             of what their lattice is long. OUT_OF_RANGE: point index_a is 2^50 periods away, or so far beside the
+ *             lattice that numbers would be moved by 2^-20 of its distances; a vector is not between 2^-300 and 2^300;
+ *             alpha's. FLAT: with all copies */
 typedef struct netmesh_periods netmesh_periods;
 extern const netmesh_periods netmesh_periodic;
 
