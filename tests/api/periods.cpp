@@ -9,23 +9,18 @@
 #include <vector>
 
 #include "common/inputs.hpp"
+#include "common/kept.hpp"
 #include "common/polls.hpp"
 #include "netmesh.hpp"
 
 namespace {
 
 using inputs::Points;
-
-struct Unit {
-    alignas(16) unsigned char bytes[16];
-};
-struct Context {
-    explicit Context(std::size_t bytes) : storage(bytes / 16), engine(storage.data(), storage.size() * 16) {
-        REQUIRE(engine.status() == NETMESH_OK);
-    }
-    std::vector<Unit> storage;
-    netmesh::Engine engine;
-};
+using kept::Bar;
+using kept::bars_of;
+using kept::Context;
+using kept::hidden_of;
+using kept::report_of;
 
 netmesh::Request request_of(int dim, const Points& points, const Points& lattice) {
     netmesh::Request request(&netmesh_filter_alpha);
@@ -41,34 +36,6 @@ Points cube(int dim, double side = 1) {
 Points on_grid(Points points) {
     for (double& x : points) x = std::floor(x * 0x1p30) * 0x1p-30;
     return points;
-}
-
-struct Bar {
-    std::uint32_t degree;
-    double birth, death;
-    bool operator==(const Bar& b) const { return std::memcmp(this, &b, sizeof b) == 0; }
-};
-std::vector<Bar> bars_of(const netmesh::Engine& engine) {
-    std::vector<Bar> bars;
-    for (const netmesh_pair& pair : engine.pairs()) {
-        Bar bar;
-        std::memset(&bar, 0, sizeof bar);
-        bar.degree = pair.degree;
-        bar.birth = pair.birth;
-        bar.death = pair.death;
-        bars.push_back(bar);
-    }
-    return bars;
-}
-netmesh_report report_of(const netmesh::Engine& engine) {
-    auto report = netmesh::sized<netmesh_report>();
-    netmesh_get_report(engine.context(), &report);
-    return report;
-}
-std::vector<std::uint64_t> hidden_of(const netmesh::Engine& engine) {
-    std::vector<std::uint64_t> rows;
-    engine.for_each_hidden([&](std::uint64_t, std::uint64_t row) { rows.push_back(row); });
-    return rows;
 }
 
 constexpr std::size_t block = std::size_t(1) << 26;

@@ -1,0 +1,52 @@
+// A context in memory of its own, and what it holds after a diagram was made: bars to the bit, rows of hidden points.
+#pragma once
+#include <doctest/doctest.h>
+
+#include <cstdint>
+#include <cstring>
+#include <vector>
+
+#include "netmesh.hpp"
+
+namespace kept {
+
+struct Unit {
+    alignas(16) unsigned char bytes[16];
+};
+struct Context {
+    explicit Context(std::size_t bytes) : storage(bytes / 16), engine(storage.data(), storage.size() * 16) {
+        REQUIRE(engine.status() == NETMESH_OK);
+    }
+    std::vector<Unit> storage;
+    netmesh::Engine engine;
+};
+
+struct Bar {
+    std::uint32_t degree;
+    double birth, death;
+    bool operator==(const Bar& b) const { return std::memcmp(this, &b, sizeof b) == 0; }
+};
+inline std::vector<Bar> bars_of(const netmesh::Engine& engine) {
+    std::vector<Bar> bars;
+    for (const netmesh_pair& pair : engine.pairs()) {
+        Bar bar;
+        std::memset(&bar, 0, sizeof bar);
+        bar.degree = pair.degree;
+        bar.birth = pair.birth;
+        bar.death = pair.death;
+        bars.push_back(bar);
+    }
+    return bars;
+}
+inline std::vector<std::uint64_t> hidden_of(const netmesh::Engine& engine) {
+    std::vector<std::uint64_t> rows;
+    engine.for_each_hidden([&](std::uint64_t, std::uint64_t row) { rows.push_back(row); });
+    return rows;
+}
+inline netmesh_report report_of(const netmesh::Engine& engine) {
+    auto report = netmesh::sized<netmesh_report>();
+    netmesh_get_report(engine.context(), &report);
+    return report;
+}
+
+}  // namespace kept
