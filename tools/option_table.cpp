@@ -382,6 +382,8 @@ const std::vector<OptionEntry>& option_entries() {
          "the mesh that the diagram or vineyard was made of"},
         {"--mesh", persist, "MESH.node", apply_path<&Options::mesh_out>,
          "also write the mesh that is filtered, with the filter's values"},
+        {"--proof", persist, "FILE", apply_path<&Options::proof>,
+         "of filter alpha: also write the triangulation that proves the diagram, for netmesh-verify"},
         {"--tau", mesh | persist | vineyard | size | check, "T", "tau",
          "bound on the aspect ratio of Voronoi cells, above 2 (2.5 for D = 2, 3; 3.08; 4 for D = 5, 6)"},
         {"--eps", mesh | size | check, "E", "size_eps",

@@ -158,8 +158,8 @@ void complete(Options* options) {
     }
     if (options->distances && r.filter == nullptr) r.filter = &netmesh_filter_rips;
     const bool is_left_open = r.filter == nullptr || r.filter == &netmesh_filter_auto;
-    if (options->command == Command::pieces || (goes_by_pieces(*options) && is_left_open))
-        r.filter = &netmesh_filter_alpha;
+    const bool asks_for_alpha = goes_by_pieces(*options) || !options->proof.empty();
+    if (options->command == Command::pieces || (asks_for_alpha && is_left_open)) r.filter = &netmesh_filter_alpha;
     if (options->command == Command::vineyard && r.filter == nullptr) r.filter = &netmesh_filter_knn;
     const bool is_open = options->command == Command::persist || options->command == Command::size;
     if (is_open && (r.filter == nullptr || r.filter == &netmesh_filter_auto)) {
@@ -217,9 +217,24 @@ Outcome check_together(const Options& options) {
         if (r.filter != &netmesh_filter_alpha)
             return usage_error("--pieces is of filter alpha alone, not of " +
                                std::string(filter_name(filter_of(options))));
-        for (const char* const name : {"--representatives", "--bounds", "--mesh", "--check", "--values-at"})
+        for (const char* const name : {"--representatives", "--bounds", "--mesh", "--check", "--values-at", "--proof"})
             if (was_given(options, name))
                 return usage_error(std::string(name) + " does not go with --pieces, which keep bars alone");
+    }
+    if (!options.proof.empty()) {
+        if (r.filter != &netmesh_filter_alpha)
+            return usage_error("--proof is of filter alpha alone, not of " +
+                               std::string(filter_name(filter_of(options))) +
+                               "; `netmesh check` looks at its diagrams");
+        for (const char* const name : {"--all", "--least", "--min-persistence", "--top"})
+            if (was_given(options, name))
+                return usage_error("--proof does not go with " + std::string(name) +
+                                   ": it proves all bars, and no other");
+        if (!options.table.weights.empty() || options.table.lattice.kind != Lattice::none)
+            return usage_error("--proof does not go with " +
+                               std::string(options.table.weights.empty() ? options.table.lattice.option()
+                                                                         : weights_option(options.table)) +
+                               ": there are no such proofs yet");
     }
     if (!options.table.weights.empty() && goes_by_pieces(options))
         return usage_error(weights_option(options.table) + " does not go with --pieces, which are of points alone");

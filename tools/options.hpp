@@ -34,6 +34,7 @@ struct Options {
     std::string svg;
     std::string mesh_out;         // persist: where the filtered mesh goes
     std::string representatives;  // where the cycles go
+    std::string proof;            // persist: where the proof of the diagram goes
     std::string pace_path;        // where the order of the inputs goes
     std::string weighted_path;    // where the weighted cells of cages go
     double least = 0;             // of bars that are written

@@ -19,15 +19,16 @@
 #include "tools/opinion/cell_values.hpp"
 #include "tools/pieces/schedule.hpp"
 #include "tools/plot/plots.hpp"
+#include "tools/proof/proof_writer.hpp"
 
 namespace netmesh::tool {
 
 namespace {
 
 // Names of outputs, in which {} stands for the input's.
-constexpr std::string Options::*outputs[] = {&Options::out,       &Options::svg,
-                                             &Options::mesh_out,  &Options::representatives,
-                                             &Options::pace_path, &Options::weighted_path};
+constexpr std::string Options::*outputs[] = {
+    &Options::out,   &Options::svg,       &Options::mesh_out,     &Options::representatives,
+    &Options::proof, &Options::pace_path, &Options::weighted_path};
 
 bool persists(const Options& options) { return options.command == Command::persist; }
 
@@ -57,6 +58,8 @@ Outcome check_outputs(const Options& options, std::uint32_t dim) {
         if (outcome.good()) outcome = check_cycles_ending(options.representatives, true, dim);
         if (!outcome.good()) return outcome;
         outcome = check_mesh_ending(options.mesh_out, dim);
+        if (outcome.good() && !options.proof.empty())
+            outcome = check_ending(options.out, ".pers", "a diagram with a proof");
     } else if (outcome.good()) {
         outcome = check_mesh_ending(options.out, dim);
         if (!options.svg.empty() && dim > 3) {
@@ -67,8 +70,8 @@ Outcome check_outputs(const Options& options, std::uint32_t dim) {
         if (options.voronoi && options.svg.empty()) return usage_error("--voronoi goes with --svg");
     }
     if (!outcome.good()) return outcome;
-    return check_writable({options.out, options.mesh_out, options.svg, options.representatives, options.pace_path,
-                           options.weighted_path});
+    return check_writable({options.out, options.mesh_out, options.svg, options.representatives, options.proof,
+                           options.pace_path, options.weighted_path});
 }
 
 // What a command starts from.
@@ -240,13 +243,15 @@ CyclePlaces places_of(const Options& options, const EngineMesh& mesh, const Poin
 
 // Files, pictures, data on stdout: what the options ask for. All that is handed over must outlive the jobs.
 std::vector<FileJob> diagram_jobs(const Options& options, const Engine& engine, const Result& result,
-                                  const netmesh_report& report) {
+                                  const PointCloud& cloud, const netmesh_report& report) {
     std::vector<FileJob> jobs;
     if (!options.representatives.empty())
         jobs.push_back({options.representatives, [&](TextWriter& out) {
                             write_cycles(engine, options.representatives, result.chosen, result.places, out);
                         }});
     if (!options.mesh_out.empty()) add_mesh_files(result.mesh, options.mesh_out, &jobs);
+    if (!options.proof.empty())
+        jobs.push_back({options.proof, [&](TextWriter& out) { write_proof(result.mesh, cloud, result.bars, out); }});
     if (!options.svg.empty()) {
         const auto draw = [&](TextWriter& out) {
             out << diagram_picture(result.list, report, result.bounds, options.axis);
@@ -432,7 +437,7 @@ Outcome make_and_finish(Options& options, Input& input, double start, double rea
     if (needs_places(cycles_ending)) result.places = places_of(options, result.mesh, cloud);
     if (options.request.bounds != nullptr) run.bounds = &result.bounds;
     if (options.json && options.out.empty()) run.bars = &result.list;
-    return finish_run(diagram_jobs(options, session.engine(), result, *run.engine), start, &run);
+    return finish_run(diagram_jobs(options, session.engine(), result, cloud, *run.engine), start, &run);
 }
 
 // The options of one of several inputs: {} in names of outputs is its name without folder and ending.

@@ -118,7 +118,7 @@ Outcome check_apart(const Options& options) {
     for (const std::string& path : given)
         if (!path.empty() && path != "-")
             for (const std::string& one : with_companions(file_of(path))) inputs.push_back(one);
-    for (const std::string& path : {options.out, options.svg, options.mesh_out, options.representatives,
+    for (const std::string& path : {options.out, options.svg, options.mesh_out, options.representatives, options.proof,
                                     options.pace_path, options.weighted_path}) {
         if (path.empty() || path == "-") continue;
         for (const std::string& one : with_companions(path)) {

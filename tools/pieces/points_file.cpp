@@ -5,7 +5,7 @@
 #include <cstring>
 
 #include "platform/interrupt.hpp"
-#include "tools/pieces/fingerprint.hpp"
+#include "tools/io/fingerprint.hpp"
 
 namespace netmesh::tool {
 

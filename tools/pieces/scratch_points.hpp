@@ -6,8 +6,8 @@
 #include <vector>
 
 #include "platform/files.hpp"
+#include "tools/io/fingerprint.hpp"
 #include "tools/outcome.hpp"
-#include "tools/pieces/fingerprint.hpp"
 #include "tools/pieces/points_file.hpp"
 
 namespace netmesh::tool {
