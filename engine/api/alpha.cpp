@@ -32,7 +32,7 @@ netmesh_status alpha_of_given_points(netmesh_context* context) {
 Complaint settle_alpha(const Settling& s) {
     const bool is_other = s.rules.method != nullptr && !s.rules.method->triangulates();
     return is_other ? Complaint{NETMESH_FIELD_METHOD, "the filter alpha is of a triangulation; leave out the method"}
-                    : settle_alpha_of_points(s);
+                    : settle_mesh_degree(s);
 }
 
 netmesh_status run_alpha(netmesh_context* context) {

@@ -105,7 +105,7 @@ const netmesh_filter netmesh_filter_auto = {NETMESH_FILTER_AUTO,
                                                 given::squares | given::periods,
                                             run_auto,
                                             plan_of_auto,
-                                            settle_alpha_of_points,
+                                            settle_mesh_degree,
                                             nullptr,
                                             nullptr,
                                             nullptr};

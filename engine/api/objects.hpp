@@ -105,17 +105,19 @@ struct netmesh_want {
     const netmesh_method* method;  // of fit
 };
 
-// What the numbers behind points.weights are. run: the diagram of the context's request, which is settled, by the
-// filter alpha; mesh: the triangulation alone.
+// What the numbers behind points.weights are. settle: what is said of weights and does not go together. run: the
+// diagram of the context's request, which is settled but for where its numbers stand, by the filter alpha; mesh: the
+// triangulation alone.
 struct netmesh_weighting {
     bool are_radii;
+    netmesh::Complaint (*settle)(const netmesh::Settling& settling);
     netmesh_status (*run)(netmesh_context* context);
     netmesh_status (*mesh)(netmesh_context* context);
 };
 
-// What points.lattice is. run: the diagram of the context's request, which is settled, by the filter alpha. plan: its
-// bytes.
+// What points.lattice is. settle, run: the same. plan: the diagram's bytes.
 struct netmesh_periods {
+    netmesh::Complaint (*settle)(const netmesh::Settling& settling);
     netmesh_status (*run)(netmesh_context* context);
     double (*plan)(const netmesh_request& request);
 };

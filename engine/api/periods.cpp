@@ -1,10 +1,38 @@
 // Points with periods: their alpha diagrams, with weights or without.
 #include "api/plan.hpp"
 #include "api/request.hpp"
+#include "api/settling.hpp"
 #include "jobs/alpha_of_periodic_points.hpp"
 
 namespace netmesh {
 namespace {
+
+// Whether what is said of periods goes together; the vectors themselves are read by the job alone.
+Complaint settle_lattice(const Settling& s) {
+    if (s.is_promise()) return {NETMESH_FIELD_PERIODS, "nothing is promised with periods; leave them out"};
+    if (s.source != Source::points) return {NETMESH_FIELD_PERIODS, "periods are of points; give points"};
+    if (s.call == Call::mesh)
+        return {NETMESH_FIELD_PERIODS, "there are no triangulations and meshes with periods; call netmesh_persist"};
+    if (s.r.points.lattice_count == 0)
+        return {NETMESH_FIELD_LATTICE_COUNT, "periods without vectors; give points.lattice"};
+    if (s.r.points.lattice_count > s.r.points.dim) return {NETMESH_FIELD_LATTICE_COUNT, "more vectors than dimensions"};
+    if (s.r.keep_mesh != 0) return {NETMESH_FIELD_KEEP_MESH, "with periods no triangulation is kept; leave it out"};
+    if (!s.takes_alpha()) return fine();
+    if (s.r.bounds != nullptr)
+        return {NETMESH_FIELD_BOUNDS, "with periods each bar is the exact one, rounded; leave out bounds"};
+    if (s.r.cycles != nullptr) return {NETMESH_FIELD_CYCLES, "there are no cycles with periods yet; leave them out"};
+    return fine();
+}
+
+// Nothing where numbers are there. What the context holds stays.
+Complaint missing_numbers(const netmesh_request& r) {
+    if (r.weighting != nullptr && r.points.weights == nullptr)
+        return {NETMESH_FIELD_WEIGHTS, "a weighting without weights; give points.weights"};
+    if (r.points.lattice == nullptr) return {NETMESH_FIELD_LATTICE, "periods without a lattice; give points.lattice"};
+    return reinterpret_cast<std::uintptr_t>(r.points.lattice) % 4 != 0
+               ? Complaint{NETMESH_FIELD_LATTICE, "the lattice is not aligned to its numbers"}
+               : Complaint{};
+}
 
 netmesh_status fail_with_periods(netmesh_context* context, Status status, const PeriodicReport& report) {
     const std::uint64_t row = report.input.row_a;
@@ -21,8 +49,10 @@ netmesh_status fail_with_periods(netmesh_context* context, Status status, const 
 }
 
 netmesh_status diagram_with_periods(netmesh_context* context) {
-    clear(context);
     const netmesh_request& r = context->request;
+    const Complaint missing = missing_numbers(r);
+    if (missing.text != nullptr) return refuse(context, missing);
+    clear(context);
     const netmesh_points& p = r.points;
     Monitor monitor = monitor_of(r.monitor);
     const Watch watch(context->arena, monitor);
@@ -78,5 +108,6 @@ double plan_with_periods(const netmesh_request& r) {
 
 extern "C" {
 extern const netmesh_periods netmesh_periodic;
-const netmesh_periods netmesh_periodic = {netmesh::diagram_with_periods, netmesh::plan_with_periods};
+const netmesh_periods netmesh_periodic = {netmesh::settle_lattice, netmesh::diagram_with_periods,
+                                          netmesh::plan_with_periods};
 }

@@ -18,12 +18,6 @@ netmesh_status TakenRequest::take(netmesh_context* context, const netmesh_reques
     Complaint complaint =
         fault == NETMESH_FIELD_NONE ? settle(call, context->input.dim, &request) : complaint_about_struct(fault);
     if (complaint.text == nullptr && request.points.dim != 0) complaint = complaint_about_coordinates(request.points);
-    if (complaint.text == nullptr && request.weighting != nullptr && request.points.weights == nullptr)
-        complaint = {NETMESH_FIELD_WEIGHTS, "a weighting without weights; give points.weights"};
-    if (complaint.text == nullptr && request.periods != nullptr && request.points.lattice == nullptr)
-        complaint = {NETMESH_FIELD_LATTICE, "periods without a lattice; give points.lattice"};
-    if (complaint.text == nullptr && reinterpret_cast<std::uintptr_t>(request.points.lattice) % 4 != 0)
-        complaint = {NETMESH_FIELD_LATTICE, "the lattice is not aligned to its numbers"};
     if (complaint.text == nullptr) return NETMESH_OK;
     __builtin_memset(&request, 0, sizeof request);
     return refuse(context, complaint);

@@ -36,50 +36,25 @@ bool is_part_given(const netmesh_request& r, const Given& part) {
     return false;
 }
 
-// What the platform aligns a number to inside of a struct: of doubles 4 bytes in 32 bits on x86, 8 elsewhere.
-std::size_t alignment_of(const netmesh_points& points) {
-    struct AlignedDouble {
-        char before;
-        double x;
-    };
-    return points.format == NETMESH_POINTS_FLOAT32 ? alignof(float) : offsetof(AlignedDouble, x);
-}
-// Whether what is said of weights goes together; the numbers themselves are read by the job alone.
+// What is said of weights and periods without naming a kind of them, or by naming one.
 Complaint settle_weights(const Settling& s) {
-    const netmesh_points& p = s.r.points;
-    const bool is_weighted = s.r.weighting != nullptr;
     if (s.r.squares > 1) return {NETMESH_FIELD_SQUARES, "neither 0 nor 1"};
-    if (s.r.squares != 0 && !is_weighted) return {NETMESH_FIELD_SQUARES, "of points with weights alone; leave it out"};
-    if (p.weights != nullptr && !is_weighted)
-        return {NETMESH_FIELD_WEIGHTING, "weights without a weighting; name netmesh_radii or netmesh_weights"};
-    if (!is_weighted)
-        return p.weight_stride_bytes != 0
-                   ? Complaint{NETMESH_FIELD_WEIGHT_STRIDE_BYTES, "there are no weights; leave it out"}
-                   : fine();
-    if (s.is_promise()) return {NETMESH_FIELD_WEIGHTING, "nothing is promised with weights; leave them out"};
-    if (s.source != Source::points) return {NETMESH_FIELD_WEIGHTING, "weights are of points; give points"};
-    const std::size_t number = p.format == NETMESH_POINTS_FLOAT32 ? sizeof(float) : sizeof(double);
-    const std::size_t stride = p.weight_stride_bytes;
-    return stride != 0 && (stride < number || stride % alignment_of(p) != 0 || stride > SIZE_MAX / 2 / p.count)
-               ? Complaint{NETMESH_FIELD_WEIGHT_STRIDE_BYTES, "less than a number, not aligned as it is, or too large"}
-               : fine();
+    if (s.r.weighting != nullptr) return dispatch_settle(*s.r.weighting, s);
+    const netmesh_points& p = s.r.points;
+    const netmesh_field field = s.r.squares != 0             ? NETMESH_FIELD_SQUARES
+                                : p.weights != nullptr       ? NETMESH_FIELD_WEIGHTING
+                                : p.weight_stride_bytes != 0 ? NETMESH_FIELD_WEIGHT_STRIDE_BYTES
+                                                             : NETMESH_FIELD_NONE;
+    return {field,
+            field != NETMESH_FIELD_NONE ? "of points with weights alone; name a weighting, or leave it out" : nullptr};
 }
 
-// The same of periods.
 Complaint settle_periods(const Settling& s) {
     const netmesh_points& p = s.r.points;
-    if (s.r.periods == nullptr)
-        return p.lattice != nullptr || p.lattice_count != 0
-                   ? Complaint{NETMESH_FIELD_PERIODS, "a lattice without periods; name netmesh_periodic"}
-                   : fine();
-    if (s.is_promise()) return {NETMESH_FIELD_PERIODS, "nothing is promised with periods; leave them out"};
-    if (s.source != Source::points) return {NETMESH_FIELD_PERIODS, "periods are of points; give points"};
-    if (s.call == Call::mesh)
-        return {NETMESH_FIELD_PERIODS, "there are no triangulations and meshes with periods; call netmesh_persist"};
-    if (p.lattice_count == 0) return {NETMESH_FIELD_LATTICE_COUNT, "periods without vectors; give points.lattice"};
-    if (p.lattice_count > p.dim) return {NETMESH_FIELD_LATTICE_COUNT, "more vectors than dimensions"};
-    if (s.r.keep_mesh != 0) return {NETMESH_FIELD_KEEP_MESH, "with periods no triangulation is kept; leave it out"};
-    return fine();
+    if (s.r.periods != nullptr) return dispatch_settle(*s.r.periods, s);
+    return p.lattice != nullptr || p.lattice_count != 0
+               ? Complaint{NETMESH_FIELD_PERIODS, "a lattice without periods; name netmesh_periodic"}
+               : fine();
 }
 
 Complaint settle_source(const Settling& s) {
@@ -248,18 +223,6 @@ Complaint settle_mesh_degree(const Settling& s) {
     return fine();
 }
 
-Complaint settle_alpha_of_points(const Settling& s) {
-    if (s.r.periods != nullptr && s.r.bounds != nullptr)
-        return {NETMESH_FIELD_BOUNDS, "with periods each bar is the exact one, rounded; leave out bounds"};
-    if (s.r.periods != nullptr && s.r.cycles != nullptr)
-        return {NETMESH_FIELD_CYCLES, "there are no cycles with periods yet; leave them out"};
-    if (s.r.weighting != nullptr && s.r.bounds != nullptr)
-        return {NETMESH_FIELD_BOUNDS, "with weights each bar is the exact one, rounded; leave out bounds"};
-    if (s.r.weighting != nullptr && s.r.cycles != nullptr)
-        return {NETMESH_FIELD_CYCLES, "there are no cycles with weights yet; leave them out"};
-    return settle_mesh_degree(s);
-}
-
 Complaint settle_accuracy(const Settling& s) {
     const bool has_theta = s.has(filter_trait::has_theta);
     if (is_given(s.goal.theta) && !(s.goal.theta > 0 && s.goal.theta <= mediality_of_scales))
@@ -290,6 +253,14 @@ Complaint complaint_about_point_count(std::uint64_t count) {
     if (count == 0) return {NETMESH_FIELD_POINT_COUNT, "there are no points"};
     if (count > NETMESH_POINTS_MAX) return {NETMESH_FIELD_POINT_COUNT, "more than 2^28 points"};
     return {};
+}
+
+std::size_t alignment_of(const netmesh_points& points) {
+    struct AlignedDouble {
+        char before;
+        double x;
+    };
+    return points.format == NETMESH_POINTS_FLOAT32 ? alignof(float) : offsetof(AlignedDouble, x);
 }
 
 Complaint complaint_about_rows(const netmesh_points& p) {

@@ -58,6 +58,8 @@ Complaint complaint_about_dim(std::uint32_t dim);
 Complaint complaint_about_point_count(std::uint64_t count);
 // How many there are and how they lie; their dimension is known.
 Complaint complaint_about_rows(const netmesh_points& points);
+// What the platform aligns a number to inside of a struct: of doubles 4 bytes in 32 bits on x86, 8 elsewhere.
+std::size_t alignment_of(const netmesh_points& points);
 // Where the numbers lie, which a plan does not read.
 Complaint complaint_about_coordinates(const netmesh_points& points);
 // Copies the caller's function, as this version knows it.

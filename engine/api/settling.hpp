@@ -24,6 +24,9 @@ public:
 
     bool has(std::uint32_t trait) const { return row != nullptr && row->has(trait); }
     bool is_of(FilterSource kind) const { return row != nullptr && row->source == kind; }
+    bool takes_alpha() const {
+        return r.filter != nullptr && (r.filter->id == NETMESH_FILTER_ALPHA || r.filter->id == NETMESH_FILTER_AUTO);
+    }
     bool is_promise() const { return call == Call::promise; }
     bool is_certified() const { return r.values == NETMESH_VALUES_CERTIFIED; }
     double ratio_of_tau() const { return square_root(2 + tau_of(dim, rules.tau)); }
@@ -56,15 +59,21 @@ public:
     return want.settle(s);
 }
 
+[[gnu::always_inline]] inline Complaint dispatch_settle(const netmesh_weighting& weighting, const Settling& s) {
+    return weighting.settle(s);
+}
+[[gnu::always_inline]] inline Complaint dispatch_settle(const netmesh_periods& periods, const Settling& s) {
+    return periods.settle(s);
+}
+
 // The first of what is given that is not among those that are read, a union of given::*: a complaint with the text.
 Complaint refuse_unread(const netmesh_request& request, std::uint32_t read, const char* text);
 
 // Steps that several kinds of filters share.
 Complaint settle_neighbours(const Settling& s);
 Complaint settle_mesh_degree(const Settling& s);
-Complaint settle_alpha_of_points(const Settling& s);  // degree, and what there is not with weights
-Complaint settle_accuracy(const Settling& s);         // eps, theta and ratio of the filters tight and scales
-Complaint settle_rules(const Settling& s);            // the mesh; of methods without a filter all there is
-Complaint settle_on_mesh(const Settling& s);          // all of a filter on meshes
+Complaint settle_accuracy(const Settling& s);  // eps, theta and ratio of the filters tight and scales
+Complaint settle_rules(const Settling& s);     // the mesh; of methods without a filter all there is
+Complaint settle_on_mesh(const Settling& s);   // all of a filter on meshes
 
 }  // namespace netmesh

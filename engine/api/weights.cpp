@@ -12,6 +12,28 @@ WeightRows weights_of(const netmesh_request& r) {
     return {{p.weights, p.weight_stride_bytes, p.format == NETMESH_POINTS_FLOAT32}, r.weighting->are_radii};
 }
 
+// Whether what is said of weights goes together; the numbers themselves are read by the job alone.
+Complaint settle_weighting(const Settling& s) {
+    if (s.is_promise()) return {NETMESH_FIELD_WEIGHTING, "nothing is promised with weights; leave them out"};
+    if (s.source != Source::points) return {NETMESH_FIELD_WEIGHTING, "weights are of points; give points"};
+    const netmesh_points& p = s.r.points;
+    const std::size_t stride = p.weight_stride_bytes;
+    const std::size_t number = p.format == NETMESH_POINTS_FLOAT32 ? sizeof(float) : sizeof(double);
+    if (stride != 0 && (stride < number || stride % alignment_of(p) != 0 || stride > SIZE_MAX / 2 / p.count))
+        return {NETMESH_FIELD_WEIGHT_STRIDE_BYTES, "less than a number, not aligned as it is, or too large"};
+    if (!s.takes_alpha()) return fine();
+    if (s.r.bounds != nullptr)
+        return {NETMESH_FIELD_BOUNDS, "with weights each bar is the exact one, rounded; leave out bounds"};
+    if (s.r.cycles != nullptr) return {NETMESH_FIELD_CYCLES, "there are no cycles with weights yet; leave them out"};
+    return fine();
+}
+
+// Nothing where they are there. What the context holds stays.
+Complaint missing_weights(const netmesh_points& p) {
+    return {p.weights == nullptr ? NETMESH_FIELD_WEIGHTS : NETMESH_FIELD_NONE,
+            p.weights == nullptr ? "a weighting without weights; give points.weights" : nullptr};
+}
+
 // Why there is neither a triangulation nor a diagram.
 netmesh_status fail(netmesh_context* context, Status status, const InputReport& input, const HiddenPoints& hidden) {
     const std::uint64_t row = input.row_a;
@@ -28,8 +50,10 @@ void keep_weights(netmesh_context* context, const netmesh_request& r, const Hidd
 }
 
 netmesh_status triangulate_with_weights(netmesh_context* context) {
-    clear(context);
     const netmesh_request& r = context->request;
+    const Complaint missing = missing_weights(r.points);
+    if (missing.text != nullptr) return refuse(context, missing);
+    clear(context);
     Monitor monitor = monitor_of(r.monitor);
     const Watch watch(context->arena, monitor);
     return with_dimension(r.points.dim, [&](auto dimension) {
@@ -79,6 +103,8 @@ netmesh_status diagram_with_weights(netmesh_context* context) {
         const netmesh_status status = triangulate_with_weights(context);
         return status == NETMESH_OK ? filter_with_weights(context) : status;
     }
+    const Complaint missing = missing_weights(r.points);
+    if (missing.text != nullptr) return refuse(context, missing);
     clear(context);
     Monitor monitor = monitor_of(r.monitor);
     const Watch watch(context->arena, monitor);
@@ -108,6 +134,8 @@ netmesh_status diagram_with_weights(netmesh_context* context) {
 
 extern "C" {
 extern const netmesh_weighting netmesh_radii, netmesh_weights;
-const netmesh_weighting netmesh_radii = {true, netmesh::diagram_with_weights, netmesh::triangulate_with_weights};
-const netmesh_weighting netmesh_weights = {false, netmesh::diagram_with_weights, netmesh::triangulate_with_weights};
+const netmesh_weighting netmesh_radii = {true, netmesh::settle_weighting, netmesh::diagram_with_weights,
+                                         netmesh::triangulate_with_weights};
+const netmesh_weighting netmesh_weights = {false, netmesh::settle_weighting, netmesh::diagram_with_weights,
+                                           netmesh::triangulate_with_weights};
 }
