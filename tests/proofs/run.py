@@ -3,7 +3,7 @@
 
     run.py NETMESH VERIFY CLOUDS WORK [--clouds N] [--forgeries N] [--seed S] [--twice N]
 
-- Honest proofs of N clouds that are nearly degenerate (proofs_clouds): accepted, of the first --twice by both verifiers.
+- Honest proofs of N clouds that are nearly degenerate (proofs_clouds): accepted, of the first --twice by both.
 - Forgeries of diagrams, proofs and points, in which every fingerprint is right: refused, where the forged thing is
   surely wrong. Of what can be another valid proof (a bit that is flipped) both verifiers say the same.
 """
@@ -101,7 +101,7 @@ class Case:
         return points
 
     def points_fingerprint(self):
-        return fingerprint([self.dim] + [bits_of(x) for row in self.distinct() for x in row])
+        return fingerprint([self.dim] + [bits_of(x) for row in self.rows for x in row])
 
     def bars_fingerprint(self):
         return fingerprint([w for d, b, e in self.bars for w in (d, bits_of(b), bits_of(e))])
@@ -254,7 +254,8 @@ def flip(case, r):
     if len(shared) != 2:
         return None
     p, q = (set(a) ^ set(b))
-    case.cells = sorted((set(case.cells) - {a, b}) | {tuple(sorted((p, q, shared[0]))), tuple(sorted((p, q, shared[1])))})
+    new = {tuple(sorted((p, q, corner))) for corner in shared}
+    case.cells = sorted((set(case.cells) - {a, b}) | new)
     return False
 
 
@@ -312,7 +313,8 @@ class Runner:
 
     def verdict(self, stem, python=False):
         program = [sys.executable, PYTHON_VERIFIER] if python else [self.a.verify]
-        done = subprocess.run([*program, stem + ".txt", stem + ".pers", stem + ".proof"], capture_output=True, text=True)
+        files = [stem + ending for ending in (".txt", ".pers", ".proof")]
+        done = subprocess.run([*program, *files], capture_output=True, text=True)
         return done.returncode, (done.stderr or done.stdout).strip().splitlines()[-1:]
 
     def fault(self, stem, text):

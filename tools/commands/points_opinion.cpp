@@ -171,7 +171,8 @@ Outcome judge_alpha_of_points(const DiagramClaim& claim, const PointCloud& point
         }
     }
     if (!claim.cycles_path.empty()) return usage_error("--representatives: " + why + ", so cycles cannot be checked");
-    return judge_degree_zero(claim, points, why + "; netmesh-verify looks at them, by a proof (persist --proof)", checked);
+    return judge_degree_zero(claim, points, why + "; netmesh-verify looks at them, by a proof (persist --proof)",
+                             checked);
 }
 
 Outcome judge_balls(const DiagramClaim& claim, const PointCloud& points, std::vector<std::string>* checked) {
