@@ -17,6 +17,7 @@ import subprocess
 import sys
 
 MASK = (1 << 64) - 1
+HEAD_BYTES = 56
 ACCEPTED, UNREADABLE, REFUSED = 0, 3, 7
 HERE = os.path.dirname(os.path.abspath(__file__))
 PYTHON_VERIFIER = os.path.join(HERE, "../../tools/verify/netmesh_verify.py")
@@ -68,7 +69,7 @@ class Case:
     def read(self, data):
         self.kind, self.dim, n, c = struct.unpack_from("<IIQQ", data, 16)
         width = self.row_bytes()
-        at = 64
+        at = HEAD_BYTES
         self.list = [int.from_bytes(data[at + i * width:at + (i + 1) * width], "little") for i in range(n)]
         at += n * width
         self.cells, first = [], 0
@@ -390,9 +391,9 @@ class Runner:
             elif turn == len(FORGERIES) + 2:
                 other = Case(r.choice(good))
                 body = case.body()
-                if other.body()[64:] == body[64:]:
+                if other.body()[HEAD_BYTES:] == body[HEAD_BYTES:]:
                     continue
-                case.write(stem, body[:64] + other.body()[64:])
+                case.write(stem, body[:HEAD_BYTES] + other.body()[HEAD_BYTES:])
                 self.expect(stem, "another's cells", False)
             else:
                 body = bytearray(case.body())
