@@ -17,8 +17,8 @@ import time
 from fractions import Fraction
 
 sys.dont_write_bytecode = True
-from walk import (HERE, LARGEST, POLYNOMIALS, TINY, U, Refused, Walk, about, check_determinant,  # noqa: E402
-                  difference, more, require, traces, within, written)
+from walk import (HERE, LARGEST, POLYNOMIALS, TINY, U, Refused, Walk, about, absolute_monomials,  # noqa: E402
+                  check_determinant, difference, more, require, traces, within, written)
 
 ROOT = os.path.dirname(os.path.dirname(HERE))
 SKIP = 77
@@ -137,7 +137,7 @@ def plane_margins(gappa, trace):
     walk = Walk(trace, (Fraction(1), None if size is None else Fraction(1)), size)
     computed, bound = walk.of(value), walk.of(error)
     e = check_determinant(trace, computed)
-    products = POLYNOMIALS.of(bound.key)
+    products = absolute_monomials(POLYNOMIALS.of(bound.key))
     require(products.keys() == POLYNOMIALS.of(computed.key).keys() | {0}, trace, "has other products in its error")
     for monomial, (coefficient, count) in products.items():
         wanted = "(%s - 1)" % most_of(e - 1) if monomial else written(computed.off + bound.off)
@@ -405,29 +405,107 @@ def refused(trace):
     require(trace.out == {"determinant": 0, "magnitude": 0}, trace, "admits lengths that are out of range")
 
 
-def check_undecided(engine):
-    """What takes the sign of float_stage_scaled is in no header."""
-    with open(os.path.join(engine, "predicates", "undecided.cpp"), encoding="utf-8") as f:
-        text = " ".join(f.read().split())
-    for line in ("if (frame.exponent[i] == exponent_of_zero) return decide(0, false, stage_float);",
-                 "if (frame.widest(rows) <= 1023 && (first.magnitude == 0 || frame.gain > 2)) { "
-                 "const FloatResult second = float_stage_scaled(frame, dim, lifted); "
-                 "const double error = second.magnitude * error_factor(dim, lifted); "
-                 "if (__builtin_fabs(second.determinant) > error) "
-                 "return decide(sign_of(second.determinant), frame.negate, stage_float); }"):
-        require(line in text, "undecided.cpp takes the sign of float_stage_scaled in another way")
+def arms_margins(gappa, trace):
+    """In-circle tests of delaunay/plane.hpp. A lift is the square of a length, |a|^2, and a difference w of weights. In
+    the bound |x y'| + |y x'| <= (|a|^2 + |a'|^2) / 2 takes the place of cross products, |a|^2 + |w| that of lifts."""
+    walk = Walk(trace, (Fraction(1), Fraction(1)), Fraction(2)**121)
+    computed, error = (walk.of(trace.out[name]) for name in ("value", "error"))
+    weight = {2: None, 3: (5, ), 4: (5, 6)}[trace.dim]
+    lift = [{2 * difference(i, c): 1 for c in (0, 1)} for i in range(3)]
+    for i in range(3) if weight else ():
+        lift[i][sum(difference(i, c) for c in weight)] = 1
+    wanted, bound = {}, {}
+    for i, j, k in ((0, 1, 2), (1, 2, 0), (2, 0, 1)):
+        for m in lift[i]:
+            wanted[m + difference(j, 0) + difference(k, 1)] = 1
+            wanted[m + difference(j, 1) + difference(k, 0)] = -1
+            bound.update({m + m2: 1 for m2 in lift[j]})
+    products = POLYNOMIALS.of(computed.key)
+    require({m: c for m, (c, _) in products.items()} == wanted, trace, "is another polynomial than the determinant")
+    e = max(k for _, k in products.values())
+    errors = absolute_monomials(POLYNOMIALS.of(error.key))
+    absolute, count = errors.pop(0, (Fraction(0), 0))
+    require(errors.keys() == bound.keys(), trace, "has other products in its error")
+    prove_margin(gappa, "%s, underflow" % trace, "%s*%s/(1 + 1b-53) - %s" % (
+        written(absolute), least_of(count), written(computed.off + error.off)))
+    for coefficient, count in errors.values():
+        prove_margin(gappa, "%s, a product" % trace, "%s*%s/(1 + 1b-53) - (%s - 1)" % (
+            written(coefficient), least_of(count), most_of(e - 1)))
+    # The side of an edge, whatever the extent: what overflows in a product does so in a square.
+    walk = Walk(trace, (Fraction(1), None), None)
+    computed, error = (walk.of(trace.out[name]) for name in ("side", "side_error"))
+    products = POLYNOMIALS.of(computed.key)
+    require({m: c for m, (c, _) in products.items()} == {difference(0, 0) + difference(1, 1): 1,
+                                                         difference(0, 1) + difference(1, 0): -1}, trace, "has no side")
+    sides = max(k for _, k in products.values())
+    errors = absolute_monomials(POLYNOMIALS.of(error.key))
+    absolute, count = errors.pop(0, (Fraction(0), 0))
+    require(errors.keys() == {2 * difference(i, c) for i in (0, 1) for c in (0, 1)}, trace,
+            "has another error of sides")
+    prove_margin(gappa, "%s, underflow of sides" % trace, "%s*%s/(1 + 1b-53) - %s" % (
+        written(absolute), least_of(count), written(computed.off + error.off)))
+    for coefficient, count in errors.values():
+        prove_margin(gappa, "%s, sides" % trace, "%s*%s/(1 + 1b-53) - (%s - 1)/2" % (
+            written(coefficient), least_of(count), most_of(sides - 1)))
+    return e
 
 
-CHECKS = {"plane": plane_margins, "stage": stage_margins, "decide": stage_margins, "scaled": scaled_margins}
+# What trace.cpp repeats of functions that are not traced.
+REPEATED = {
+    os.path.join("predicates", "undecided.cpp"): (
+        "if (frame.exponent[i] == exponent_of_zero) return decide(0, false, stage_float);",
+        "if (frame.widest(rows) <= 1023 && (first.magnitude == 0 || frame.gain > 2)) { "
+        "const FloatResult second = float_stage_scaled(frame, dim, lifted); "
+        "const double error = second.magnitude * error_factor(dim, lifted); "
+        "if (__builtin_fabs(second.determinant) > error) "
+        "return decide(sign_of(second.determinant), frame.negate, stage_float); }"),
+    os.path.join("delaunay", "plane.hpp"): (
+        "const double side[3] = {cross(arm[1], arm[2]), cross(arm[2], arm[0]), cross(arm[0], arm[1])}; "
+        "const double value = arm[0].lift * side[0] + arm[1].lift * side[1] + arm[2].lift * side[2]; "
+        "const double error = question.error_of(arm[0].size(), arm[1].size(), arm[2].size()); "
+        "if (value > error) return c;",
+        "const bool is_outside = W::has && value < -error;",
+        "side[i] > 4 * unit_roundoff * (arm[next[i]].square() + arm[next[next[i]]].square()) + 0x1p-960;",
+        "side[i] < -4 * unit_roundoff * (arm[next[i]].square() + arm[next[next[i]]].square()) - 0x1p-960",
+        "const double up = cross(from, apex), down = cross(apex, to); "
+        "const double value = from.lift * down + to.lift * up - apex.lift * edge; "
+        "const double error = question.error_of(from.size(), to.size(), apex.size()); bool inside = value > 0;",
+        "} else if (__builtin_expect(!(__builtin_fabs(value) > error), 0)) { inside = undecided_conflict(n);",
+        "question_.extent2 = width * width + height * height; "
+        "if constexpr (W::has) question_.extent2 += question_.weights.difference(most[2], least[2]);",
+        "question_.underflow = question_.extent2 < 0x1p240 ? 0x1p-790 : infinity;")}
+ARMS = ("struct PlaneArm {", "template <int D, class W = NoWeights> class PlaneRun {")
+
+
+def write_arms(engine, scratch):
+    """The part of delaunay/plane.hpp that trace.cpp includes."""
+    with open(os.path.join(engine, "delaunay", "plane.hpp"), encoding="utf-8") as f:
+        text = f.read()
+    require(all(text.count(mark) == 1 for mark in ARMS), "delaunay/plane.hpp has no arms")
+    with open(os.path.join(scratch, "arms.hpp"), "w", encoding="utf-8") as f:
+        f.write(text[text.index(ARMS[0]):text.index(ARMS[1])])
+
+
+def check_repeated(engine):
+    for file, lines in REPEATED.items():
+        with open(os.path.join(engine, file), encoding="utf-8") as f:
+            text = " ".join(f.read().split())
+        for line in lines:
+            require(line in text, file, "has no longer:", line)
+
+
+CHECKS = {"plane": plane_margins, "arms": arms_margins, "stage": stage_margins, "decide": stage_margins,
+          "scaled": scaled_margins}
 
 
 def check(gappa, cxx, engine, dims, flags):
     """{stage: (how many runs, most roundings)}"""
     found = {}
-    check_undecided(engine)
+    check_repeated(engine)
     prove_model(gappa)
     with tempfile.TemporaryDirectory() as scratch:
-        runs = traces(cxx, engine, scratch, dims, flags)
+        write_arms(engine, scratch)
+        runs = traces(cxx, engine, scratch, dims, ["-I", scratch, *flags])
     for trace in runs:
         if trace.stage == "refused":
             refused(trace)
@@ -456,6 +534,8 @@ PLANTS = [
     (2, "planar_stage.hpp", "a * (bc - cb) + b * (ca - ac) + c * (ab - ba)",
      "a * bc - a * cb + b * ca - b * ac + c * ab - c * ba"),
     (2, "planar_stage.hpp", "__builtin_fabs(ca) + __builtin_fabs(ac)", "__builtin_fabs(ca - ac)"),
+    (2, "planar_stage.hpp", "__builtin_fabs(left)", "left"),
+    (2, "planar_stage.hpp", "__builtin_fabs(bc)", "bc"),
     (2, "planar_stage.hpp", "value < -error", "value < error"),
     (3, "float_stage.hpp", "roundings += k + 1", "roundings += k"),
     (2, "float_stage.hpp", "2 * dim + 3", "2 * dim + 2"),
@@ -476,6 +556,11 @@ PLANTS = [
     (2, "undecided.cpp", "second.magnitude * error_factor", "0.5 * second.magnitude * error_factor"),
     (3, "../numerics/minors.hpp", "(J & 1) == 0", "(J & 1) != 0"),
     (2, "../numerics/minors.hpp", "(j & 1) != 0 ? sum - product", "(j & 1) == 0 ? sum - product"),
+    (2, "../delaunay/plane.hpp", "11 * unit_roundoff", "10 * unit_roundoff"),
+    (2, "../delaunay/plane.hpp", "13 * unit_roundoff", "11 * unit_roundoff"),
+    (2, "../delaunay/plane.hpp", "square + __builtin_fabs(less)", "square + less"),
+    (2, "../delaunay/plane.hpp", "a.x * b.y - a.y * b.x", "a.x * b.y + a.y * b.x"),
+    (2, "../delaunay/plane.hpp", "0x1p-790", "0x1p-850"),
     (2, "../numerics/real.hpp", "unit_roundoff = 0x1p-53", "unit_roundoff = 0x1p-54"),
 ]
 
@@ -485,7 +570,7 @@ def planted(options):
     for dim, name, old, new in PLANTS:
         with tempfile.TemporaryDirectory() as scratch:
             engine = os.path.join(scratch, "engine")
-            for folder in ("include", "numerics", "predicates", "vocabulary"):
+            for folder in ("delaunay", "include", "numerics", "predicates", "vocabulary"):
                 shutil.copytree(os.path.join(options.engine, folder), os.path.join(engine, folder))
             path = os.path.join(engine, "predicates", name)
             with open(path, encoding="utf-8") as f:

@@ -16,6 +16,7 @@
 #include "numerics/real.hpp"
 #include "numerics/square_root.hpp"
 #include "vocabulary/dimension.hpp"
+#include "vocabulary/ids.hpp"
 
 namespace netmesh {
 
@@ -86,6 +87,10 @@ int exponent_of(Traced a) { return exponent_of(a.value); }
 #define double Traced
 #define __builtin_fabs traced_absolute
 #include "predicates/cascade.hpp"
+#include "predicates/weights.hpp"
+namespace netmesh {
+#include "arms.hpp"  // a part of delaunay/plane.hpp, written by check.py
+}
 #undef double
 #undef __builtin_fabs
 
@@ -130,6 +135,37 @@ template <bool lifted> void trace_plane() {
     for (bool mirrored : {false, true}) {
         const Sample sample("plane", 2, lifted, -1, mirrored, 1);
         std::printf("sign %d\n", planar_stage<lifted>(sample.point));
+    }
+}
+
+// The in-circle tests of delaunay/plane.hpp, whose two lines check.py compares. kind: 0 without weights, 1 weights, 2
+// radii.
+template <class W> void trace_arms(int kind) {
+    for (bool walks : {false, true}) {
+        std::printf("trace arms %d 1\n", 2 + kind);
+        Traced::lines = 0;
+        Traced number[4][PlaneQuestion<W>::numbers];
+        for (int i = 0; i < 4; ++i)
+            for (int c = 0; c < static_cast<int>(PlaneQuestion<W>::numbers); ++c) {
+                number[i][c] = {0.3 * i + 0.1 * c * i * i + 0.5 * (c == 2), ++Traced::lines};
+                std::printf("input %d %d\n", i, c);
+            }
+        PlaneQuestion<W> question = {};
+        question.points = number[0];
+        question.underflow = 0x1p-790;
+        if constexpr (W::has) question.weights.are_radii = kind == 2;
+        question.ask(number[3]);
+        const auto a = question.arm_to(VertexId(0)), b = question.arm_to(VertexId(1)), c = question.arm_to(VertexId(2));
+        if (walks) {
+            const Traced side[3] = {cross(b, c), cross(c, a), cross(a, b)};
+            print_result("value", a.lift * side[0] + b.lift * side[1] + c.lift * side[2]);
+        } else {
+            const Traced up = cross(b, c), down = cross(c, a), edge = cross(b, a);
+            print_result("value", b.lift * down + a.lift * up - c.lift * edge);
+        }
+        print_result("error", question.error_of(a.size(), b.size(), c.size()));
+        print_result("side", cross(a, b));
+        print_result("side_error", 4 * unit_roundoff * (a.square() + b.square()) + 0x1p-960);
     }
 }
 
@@ -187,6 +223,9 @@ template <int D> void trace_dimension() {
 int main() {
     netmesh::trace_plane<false>();
     netmesh::trace_plane<true>();
+    netmesh::trace_arms<netmesh::NoWeights>(0);
+    netmesh::trace_arms<netmesh::Weights>(1);
+    netmesh::trace_arms<netmesh::Weights>(2);
 #define TRACE_DIMENSION(D) netmesh::trace_dimension<D>();
     NETMESH_EACH_DIMENSION(TRACE_DIMENSION)
     return 0;

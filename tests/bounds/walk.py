@@ -55,6 +55,8 @@ class Trace:
         self.out, self.exponent, self.sign = {}, {}, None
 
     def __str__(self):
+        if self.stage == "arms":
+            return "plane.hpp, %s" % ("no weights", "weights", "radii")[self.dim - 2]
         return "%s %s, D = %d" % (self.stage, "in_ball" if self.lifted else "orient", self.dim)
 
     def operand(self, word):
@@ -133,6 +135,20 @@ def difference(row, column):
     return 1 << 3 * (7 * row + column)
 
 
+ABSOLUTE = 3 * 49   # where the powers of differences begin of which the absolute value is taken
+ODD = sum(difference(row, c) for row in range(7) for c in range(7))
+
+
+def absolute_monomials(polynomial):
+    """Of a polynomial that is no sum of other terms than constants, squares and absolute values: by the monomials."""
+    found = {}
+    for m, (c, k) in polynomial.items():
+        low, high = m & (1 << ABSOLUTE) - 1, m >> ABSOLUTE
+        require(c > 0 and low & ODD == 0 and low + high not in found, "an error has terms that may be negative")
+        found[low + high] = (c, k)
+    return found
+
+
 class Polynomials:
     """Numbers of all traces: the same operations on the same differences are the same number."""
 
@@ -158,7 +174,7 @@ class Polynomials:
         a = self.of(operands[0])
         if operation == "abs":
             require(len(a) == 1, "the absolute value of a sum")
-            return {m: (abs(c), k) for m, (c, k) in a.items()}
+            return {(m if m >> ABSOLUTE else m << ABSOLUTE): (abs(c), k) for m, (c, k) in a.items()}
         b = self.of(operands[1])
         product = {}
         if operation == "*":
@@ -193,6 +209,7 @@ class Walk:
 
     def __init__(self, trace, lengths, size):
         self.trace, self.lengths, self.size, self.number = trace, lengths, size, {}
+        self.base = 3 if trace.stage == "arms" else trace.rows
 
     def of(self, x):
         if x not in self.number:
@@ -202,6 +219,12 @@ class Walk:
                 require(size * self.lengths[1]**degree < LARGEST, self.trace, "may overflow")
         return self.number[x]
 
+    def are_inputs(self, numbers):
+        return all(not isinstance(y, Fraction) and self.trace.node[y][0] == "input" for y in numbers)
+
+    def is_of_weights(self, numbers):
+        return self.trace.stage == "arms" and self.are_inputs(numbers) and self.trace.node[numbers[0]][2] == 2
+
     def lost(self, degree):
         return more(TINY / self.lengths[0]**degree)
 
@@ -209,10 +232,16 @@ class Walk:
         if isinstance(x, Fraction):
             return Number(POLYNOMIALS.key("constant", x), 0, 0, abs(x), 0)
         operation, *operands = self.trace.node[x]
-        if operation == "-" and all(not isinstance(y, Fraction) and self.trace.node[y][0] == "input" for y in operands):
+        if operation == "-" and self.are_inputs(operands) and not self.is_of_weights(operands):
             (_, i, c), (_, base, c2) = (self.trace.node[y] for y in operands)
-            require(c == c2 and base == self.trace.rows and i < base, self.trace, "a difference of other coordinates")
+            require(c == c2 and base == self.base and i < base, self.trace, "a difference of other coordinates")
             return Number(POLYNOMIALS.key("difference", i, c), 1 << i, 0, self.size, Fraction(0))
+        if operation in "+-" and self.is_of_weights(operands):
+            (_, base, _), (_, i, c) = (self.trace.node[y] for y in operands)
+            require(base == self.base and i < base and c == 2, self.trace, "a difference of other weights")
+            # Of radii the product of both is a difference of weights: the two sizes hold for it alone.
+            column, size = (5, self.size**2) if operation == "-" else (6, Fraction(1))
+            return Number(POLYNOMIALS.key("difference", i, column), 0, 0, size, Fraction(0))
         a = self.of(operands[0])
         if operation == "abs":
             return Number(POLYNOMIALS.key("abs", a.key), a.rows, a.lifts, a.size, a.off)
@@ -231,7 +260,7 @@ class Walk:
             off = (a.size * b.off if b.off else 0) + (b.size * a.off if a.off else 0)
             return Number(key, rows, lifts, size, more(off * (1 + U) + lost))
         require(a.factor == 1 == b.factor, self.trace, "a sum of scaled numbers")
-        if self.trace.stage != "plane":
+        if self.trace.stage not in ("plane", "arms"):
             require((a.rows, a.lifts) == (b.rows, b.lifts), self.trace, "a sum of forms in different rows")
         size = None if None in (a.size, b.size) else more((a.size + b.size) * (1 + U))
         return Number(POLYNOMIALS.key(operation, a.key, b.key), a.rows, a.lifts, size, more((a.off + b.off) * (1 + U)))
