@@ -16,10 +16,8 @@ from pathlib import Path
 
 class Malformed(Exception):
     """A file that is not what it should be: exit 3."""
-
 class NotProven(Exception):
     """A step that fails: exit 7."""
-
 # ---- Step 1: reads --------------------------------------------------------------------------------------------------
 DECIMAL = re.compile(r"[+-]?([0-9]+(\.[0-9]*)?|\.[0-9]+)([eE][+-]?[0-9]+)?")
 BETWEEN = re.compile(r"[ \t]*[,;][ \t]*|[ \t]+")
@@ -252,7 +250,7 @@ def by_facets(simplices):
             having.setdefault(facet, []).append((s, apex))
     return having
 
-# ---- Step 3: triangulation ------------------------------------------------------------------------------------------
+# ---- Step 3: triangulation ---------------------------------------------------------------------------------------
 def check_triangulation(points, proof):
     """Steps 3a to 3e. Returns the number of hull facets."""
     cells = proof.cells
