@@ -1,6 +1,7 @@
 #!/usr/bin/env python3
-"""tests/gallery/check.py NETMESH WORK [--update]: runs every command of tools/docs/gallery.md in WORK and compares the
-diagram and the picture that it leaves with those of tools/docs/gallery. --update writes these."""
+"""tests/gallery/check.py NETMESH WORK [--update]: runs every command of tools/docs/gallery.md in WORK, where scripts of
+the page are, and compares the diagram and the picture that it leaves with those of tools/docs/gallery. --update writes
+these."""
 import os
 import pathlib
 import re
@@ -30,6 +31,8 @@ def main():
     text = (GALLERY.parent / "gallery.md").read_text()
     commands = re.findall(r"```sh\n(.*?)```", text, re.S)
     shown = re.findall(r"!\[[^]]+\]\(gallery/([^)]+)\.svg\)", text)
+    for name, script in re.findall(r"^<!-- file: (\S+) -->\n```\w*\n(.*?)^```$", text, re.M | re.S):
+        (work / name).write_text(script)
     faults, compared = [], set()
     for path in sorted((ROOT / "tests" / "data").iterdir()):
         if path.name != "README.md" and ("`%s`" % path.name) not in (ROOT / "tests/data/README.md").read_text():
