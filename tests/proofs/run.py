@@ -293,8 +293,15 @@ def lower_degree(case, _):
     return True
 
 
+def other_claim(case, r):
+    """True bars under the head of another diagram."""
+    lines = ["# box 0:10,0:10", "# radii 3", "# weights w", "# cell 9,0,0,9", "# a choice of 1 of 2"]
+    case.head.append(r.choice(lines))
+    return True
+
+
 FORGERIES = [drop_bar, double_bar, move_bar, swap_deaths, other_degree, end_essential, add_bar, drop_cell, add_cell,
-             other_corner, flip, swap_places, move_point, far_point, lower_degree]
+             other_corner, flip, swap_places, move_point, far_point, lower_degree, other_claim]
 
 
 def other_list(case, r):

@@ -123,14 +123,14 @@ template <class Fn> void forLines(const string& text, bool marks, Fn line) {
 }
 
 template <class T> bool readNumber(string_view word, T& value) {
-    if (word.size() > 1 && word[0] == '+' && word[1] != '-') word.remove_prefix(1);
+    if (word.size() > 1 && word[0] == '+') word.remove_prefix(1);
+    if (word.find_first_of("anAN") != word.npos) return false;  // nan and inf
     auto [end, error] = std::from_chars(word.data(), word.data() + word.size(), value);
     const bool whole = end == word.data() + word.size();
     if (std::is_same_v<T, double> && error == std::errc::result_out_of_range)  // 0 or infinite
         return value = T(std::strtod(string(word).c_str(), nullptr)), whole;
-    return whole && error == std::errc() && value == value;
+    return whole && error == std::errc();
 }
-
 Points readPoints(const string& name) {
     const string bytes = readFile(name);
     Points points;
@@ -143,9 +143,7 @@ Points readPoints(const string& name) {
         if (begin < bytes.size()) std::sscanf(&bytes[8 + wide], head, &rows, &dim, &length);
         if (length == 0 || bytes.size() - begin != 8 * rows * dim)
             badFile(name + ": not an .npy file of little endian doubles of shape (rows, dim), by rows");
-        points.dim = dim;
-        points.rows = rows;
-        points.x.resize(rows * dim);
+        points = {size_t(dim), size_t(rows), vector<double>(rows * dim)};
         for (size_t i = 0; i < rows * dim; ++i) {
             points.x[i] = bitsAs<double>(littleEndian(&bytes[begin + 8 * i], 8)) + 0.0;  // -0 becomes 0
             if (!std::isfinite(points.x[i])) badFile(name + ": byte " + str(begin + 8 * i) + ": not a finite number");
@@ -157,7 +155,8 @@ Points readPoints(const string& name) {
             size_t numbers = 0;
             for (const string_view word : words) {
                 double x;
-                if (!readNumber(word, x) || !std::isfinite(x)) continue;
+                if (!readNumber(word, x)) continue;
+                if (!std::isfinite(x)) badFile(name + ", line " + str(line) + ": beyond the largest double");
                 points.x.push_back(x + 0.0);
                 ++numbers;
             }
@@ -186,13 +185,17 @@ Diagram readDiagram(const string& name) {
         }
         Bar bar{0, 0, 0, line};
         if (words.size() != 3 || !readNumber(words[0], bar.degree) || !readNumber(words[1], bar.birth) ||
-            !readNumber(words[2], bar.death))
+            (words[2] != "inf" && !readNumber(words[2], bar.death)))
             bad("not degree, birth and death");
-        if (bar.birth < 0 || bar.death < 0) bad("a negative number");
+        if (words[2] == "inf") bar.death = kInf;
+        if (std::signbit(bar.birth) || std::signbit(bar.death) || (bar.death == kInf && words[2] != "inf"))
+            bad("a negative number, or one beyond the largest double");
         if (!diagram.bars.empty() && bar < diagram.bars.back()) bad("bars are not sorted");
         for (const Word w : {bar.degree, bitsAs<Word>(bar.birth), bitsAs<Word>(bar.death)}) sum.add(w);
         diagram.bars.push_back(bar);
     });
+    for (const char* claim : {"radii", "weights", "squares", "box", "cell", "a"})  // a: a choice of bars
+        if (head.count(claim)) badFile(name + ": by its head it claims something else: # " + claim);
     head.emplace("duplicates", "0");
     if (head["filter"] != "alpha") badFile(name + ": not one line # filter alpha");
     for (const char* key : {"dim", "max-degree", "points", "duplicates"})

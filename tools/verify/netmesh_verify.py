@@ -22,6 +22,7 @@ class NotProven(Exception):
 DECIMAL = re.compile(r"[+-]?([0-9]+(\.[0-9]*)?|\.[0-9]+)([eE][+-]?[0-9]+)?")
 BETWEEN = re.compile(r"[ \t]*[,;][ \t]*|[ \t]+")
 HEAD = ("dim", "max-degree", "points", "duplicates", "filter", "input")
+OTHER = ("radii", "weights", "squares", "box", "cell", "a")  # "a choice of": claims of other diagrams
 MASK = (1 << 64) - 1
 
 def mix(z):
@@ -91,6 +92,8 @@ class Diagram:
         for where, line in text_lines(path, Path(path).read_bytes()):
             words = re.findall("[^ \t]+", line)
             if line.startswith("#"):
+                if words[0] == "#" and len(words) > 1 and words[1] in OTHER:
+                    raise Malformed(f"{where}: by its head it claims something else")
                 if words[0] == "#" and len(words) > 2 and words[1] in HEAD:
                     if len(words) > 3 or words[1] in head:
                         raise Malformed(f"{where}: '# {words[1]}' has more than one value, or is there twice")
@@ -124,8 +127,7 @@ class Proof:
             raise Malformed(f"{path}, byte {self.end}: not the fingerprint of all bytes before")
         if kind != 1 or not 2 <= self.dim <= 6:
             raise Malformed(f"{path}, byte 16: kind {kind} is not 1, or dimension {self.dim} not 2 to 6")
-        width = max(1, (max(row_count - 1, 0).bit_length() + 7) // 8)
-        at = 56 + n * width
+        at = 56 + n * (width := max(1, (max(row_count - 1, 0).bit_length() + 7) // 8))
         if at > self.end:
             raise Malformed(f"{path}, byte {self.end}: the list of {n} points is cut off")
         self.rows = [int.from_bytes(data[i : i + width], "little") for i in range(56, at, width)]
@@ -238,12 +240,10 @@ def nearest_root(num, den):
     except OverflowError:
         return math.inf
 
-def facets(s):
-    """The facets of a simplex, each with the vertex that it has not."""
+def facets(s):  # of a simplex, each with the vertex that it has not
     return [(s[:i] + s[i + 1 :], s[i]) for i in range(len(s))]
 
-def by_facets(simplices):
-    """Of each facet of simplices those that have it, each with the other vertex."""
+def by_facets(simplices):  # of each facet of simplices those that have it, each with the other vertex
     having = {}
     for s in simplices:
         for facet, apex in facets(s):
