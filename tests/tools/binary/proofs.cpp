@@ -34,11 +34,12 @@ TEST_CASE("what a proof does not go with is refused by name, and leaves no file"
     refused("--all", "--proof does not go with --all");
     refused("--least 1", "--proof does not go with --least");
     refused("--top 2", "--proof does not go with --top");
-    refused("--radii r", "--proof does not go with --radii: there are no such proofs yet");
+    refused("--radii r", "--proof does not go with --radii r: there are no such proofs yet");
     refused("--box 9,9", "--proof does not go with --box: there are no such proofs yet");
     refused("--pieces 2", "--proof does not go with --pieces");
-    refused("-o p.csv", "a diagram with a proof is written to .pers");
-    refused("-o p.proof", "a diagram with a proof is written to .pers");
+    refused("-o d.json", "a diagram with a proof is written to .pers");
+    refused("-o p.csv", "p.csv: would be written over the input");
+    refused("-o p.proof", "p.proof: two outputs would be written to this file");
     const Result flat = folder.run("persist p.csv --columns x,x -q --proof p.proof -o p.pers");
     CHECK(flat.exit != 0);
     CHECK(!folder.has("p.proof"));
