@@ -51,18 +51,21 @@ netmesh_why why_not_alpha(netmesh_status status, const Allowance& allowance) {
     }
 }
 
+// There is no mesh with weights, and none with periods.
+netmesh_status take_alone(netmesh_context* context) {
+    netmesh_request& r = context->request;
+    r.filter = &netmesh_filter_alpha;
+    if (r.periods == nullptr) r.keep_mesh = 1;
+    const netmesh_status status =
+        r.periods != nullptr ? dispatch(*r.periods, context) : dispatch(*r.weighting, context);
+    if (status == NETMESH_OK) context->diagram.why = NETMESH_WHY_ALONE;
+    return status;
+}
+
 netmesh_status run_auto(netmesh_context* context) {
     const netmesh_points& points = context->request.points;
     if (points.dim == 0) return refuse(context, NETMESH_FIELD_POINTS, "this filter begins with points");
-    if (context->request.periods != nullptr) {
-        context->request.filter = &netmesh_filter_alpha;
-        return dispatch(*context->request.periods, context);
-    }
-    if (context->request.weighting != nullptr) {  // there is no mesh with weights
-        context->request.filter = &netmesh_filter_alpha;
-        context->request.keep_mesh = 1;
-        return dispatch(*context->request.weighting, context);
-    }
+    if (context->request.periods != nullptr || context->request.weighting != nullptr) return take_alone(context);
     Allowance allowance = with_dimension(points.dim, [&](auto dimension) {
         return allowance_of<decltype(dimension)::value>(context->arena, points.count);
     });

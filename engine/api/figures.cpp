@@ -291,6 +291,7 @@ const char* why_name(std::uint32_t why) {
     case NETMESH_WHY_MEMORY: return "memory";
     case NETMESH_WHY_FLAT: return "flat";
     case NETMESH_WHY_RANGE: return "range";
+    case NETMESH_WHY_ALONE: return "alone";
     default: return "unknown";
     }
 }

@@ -40,7 +40,7 @@ const char* netmesh_status_text(netmesh_status status) {
 }
 
 const char* netmesh_why_text(netmesh_why why) {
-    if (!netmesh::in_range(why, NETMESH_WHY_ASKED, NETMESH_WHY_RANGE)) return "unknown reason";
+    if (!netmesh::in_range(why, NETMESH_WHY_ASKED, NETMESH_WHY_ALONE)) return "unknown reason";
     switch (why) {
     case NETMESH_WHY_ASKED: return "it was asked for";
     case NETMESH_WHY_AFFORDABLE: return "the exact alpha complex is affordable";
@@ -49,6 +49,7 @@ const char* netmesh_why_text(netmesh_why why) {
     case NETMESH_WHY_MEMORY: return "the exact alpha complex does not fit in the memory";
     case NETMESH_WHY_FLAT: return "the points lie in a hyperplane and have no Delaunay triangulation";
     case NETMESH_WHY_RANGE: return "coordinates are too far apart in size for an exact alpha complex";
+    case NETMESH_WHY_ALONE: return "no other filter takes weights or periods";
     }
     return "unknown reason";
 }

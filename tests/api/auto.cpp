@@ -271,7 +271,7 @@ TEST_CASE("a planned block does for uniform points, of which alpha is taken") {
 
 TEST_CASE("every reason has a text of its own") {
     std::vector<std::string> texts;
-    for (int why = NETMESH_WHY_ASKED; why <= NETMESH_WHY_RANGE + 1; ++why) {
+    for (int why = NETMESH_WHY_ASKED; why <= NETMESH_WHY_ALONE + 1; ++why) {
         const std::string text = netmesh_why_text(static_cast<netmesh_why>(why));
         for (const std::string& other : texts) CHECK(other != text);
         texts.push_back(text);

@@ -90,6 +90,7 @@ TEST_CASE("which basis, which copy, which order: the same bars, from one point t
             other.filter = &netmesh_filter_auto;
             REQUIRE(b.engine.persist(other) == NETMESH_OK);
             CHECK(bars_of(b.engine) == bars);
+            CHECK(b.engine.report().diagram.why == NETMESH_WHY_ALONE);
         }
 }
 

@@ -158,6 +158,8 @@ TEST_CASE("auto takes alpha, and netmesh_mesh the triangulation alone") {
     request.filter = &netmesh_filter_auto;
     REQUIRE(b.engine.persist(request) == NETMESH_OK);
     CHECK(report_of(a.engine).fingerprint == report_of(b.engine).fingerprint);
+    CHECK(report_of(a.engine).diagram.why == NETMESH_WHY_ASKED);
+    CHECK(report_of(b.engine).diagram.why == NETMESH_WHY_ALONE);
     const netmesh_report whole = report_of(a.engine);
     request.filter = nullptr;
     request.mesh.method = &netmesh_method_delaunay;

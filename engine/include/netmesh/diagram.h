@@ -39,7 +39,9 @@ typedef enum netmesh_why {
     NETMESH_WHY_CELLS = 3,  /* alpha would take more work: many cells, or many ties between their radii */
     NETMESH_WHY_MEMORY = 4, /* the alpha complex does not fit in the block */
     NETMESH_WHY_FLAT = 5,   /* the points have no Delaunay triangulation, as they lie in a hyperplane */
-    NETMESH_WHY_RANGE = 6   /* coordinates are too far apart in size for an exact alpha complex */
+    NETMESH_WHY_RANGE = 6,  /* coordinates are too far apart in size for an exact alpha complex */
+    /* ALPHA */
+    NETMESH_WHY_ALONE = 7 /* no other filter takes weights or periods */
 } NETMESH_AN_INT netmesh_why;
 
 /* "the exact alpha complex is affordable": a static string. */
