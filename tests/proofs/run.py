@@ -377,7 +377,7 @@ class Runner:
             if turn < len(FORGERIES):
                 forgery = FORGERIES[turn]
                 surely = None
-                for _ in range(200):
+                for _ in range(20000):
                     case = Case(r.choice(good))
                     surely = forgery(case, r) if len(case.bars) > 1 else None
                     if surely is not None:
