@@ -89,7 +89,6 @@ const netmesh_filter netmesh_filter_alpha = {NETMESH_FILTER_ALPHA,
                                              given::method | given::cycles | given::keep_mesh | given::seed |
                                                  given::weighting | given::squares | given::periods,
                                              run_alpha,
-                                             plan_of_alpha,
                                              settle_alpha,
                                              nullptr,
                                              &netmesh_method_delaunay,

@@ -93,9 +93,6 @@ netmesh_status run_auto(netmesh_context* context) {
     return status;
 }
 
-// Uniform points have few cells: alpha complexes of them are affordable. Their triangulation is kept.
-double plan_of_auto(const netmesh_request& request) { return plan_of_triangulation(request.points, true); }
-
 }  // namespace
 }  // namespace netmesh
 
@@ -107,7 +104,6 @@ const netmesh_filter netmesh_filter_auto = {NETMESH_FILTER_AUTO,
                                             given::cycles | given::keep_mesh | given::seed | given::weighting |
                                                 given::squares | given::periods,
                                             run_auto,
-                                            plan_of_auto,
                                             settle_mesh_degree,
                                             nullptr,
                                             nullptr,

@@ -24,11 +24,12 @@ void keep_input(netmesh_context* context, std::uint32_t dim, const InputReport& 
 }
 
 // Cancelled, or out of memory: what there is by then stays. Anything else leaves nothing.
-netmesh_status finish_points(netmesh_context* context, Status status, const InputReport& input) {
+// An array, as other texts are that a compiler may put into a table: tables of literals hold those of all other tables.
+constexpr char no_ratios[] = "no mesh with cages of the thesis was found whose ratios are within tau";
+
+netmesh_status finish_points(netmesh_context* context, Status status, const InputReport& input,
+                             const char* text = nullptr) {
     const bool stays = status == Status::ok || status == Status::cancelled || status == Status::out_of_memory;
-    const char* const text = status == Status::check_failed
-                                 ? "no mesh with cages of the thesis was found whose ratios are within tau"
-                                 : nullptr;
     return stays && context->mesh.present ? finish(context, status, nullptr, input.row_a, input.row_b)
                                           : fail_and_clear(context, status, text, input.row_a, input.row_b);
 }
@@ -124,8 +125,8 @@ template <Mesher mesher, Measure measure> netmesh_status mesh_by(netmesh_context
     keep_mesh(context, asked, result);
     status = watch.heed(measure_made<measure>(context, store, asked.size, status));
     context->complete = status == Status::ok;
-    return status != Status::invalid_argument ? finish_points(context, status, result.input)
-                                              : refuse_resolution(context, asked, result.input.row_a);
+    if (status == Status::invalid_argument) return refuse_resolution(context, asked, result.input.row_a);
+    return finish_points(context, status, result.input, status == Status::check_failed ? no_ratios : nullptr);
 }
 
 netmesh_status mesh_by_delaunay(netmesh_context* context) { return triangulate_points(context, nullptr); }

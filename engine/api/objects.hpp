@@ -70,13 +70,12 @@ struct Complaint;
 
 }  // namespace netmesh
 
-// run: the diagram of the context's request, which is settled. plan: bytes, of a request that is settled. settle: what
-// the filter alone knows of a request.
+// run: the diagram of the context's request, which is settled. settle: what the filter alone knows of a request. What
+// it takes is in api/plan.cpp: a program that does not plan has none of it.
 struct netmesh_filter {
     netmesh_filter_id id;
     std::uint32_t reads;  // a union of netmesh::given
     netmesh_status (*run)(netmesh_context* context);
-    double (*plan)(const netmesh_request& request);
     netmesh::Complaint (*settle)(const netmesh::Settling& settling);
     const netmesh::MeshFilter* on_mesh;       // null: not one on meshes
     const netmesh_method *by_tau, *by_ratio;  // what its meshes are made by; by_ratio null: not by a ratio
@@ -115,11 +114,10 @@ struct netmesh_weighting {
     netmesh_status (*mesh)(netmesh_context* context);
 };
 
-// What points.lattice is. settle, run: the same. plan: the diagram's bytes.
+// What points.lattice is. settle, run: the same.
 struct netmesh_periods {
     netmesh::Complaint (*settle)(const netmesh::Settling& settling);
     netmesh_status (*run)(netmesh_context* context);
-    double (*plan)(const netmesh_request& request);
 };
 
 namespace netmesh {
@@ -151,12 +149,6 @@ const netmesh_filter* filter_object(std::uint32_t index);
 // Within another want.
 [[gnu::always_inline]] inline netmesh_status dispatch_bounds(const netmesh_want& bounds, netmesh_context* context) {
     return bounds.run(context);
-}
-[[gnu::always_inline]] inline double dispatch_plan(const netmesh_periods& periods, const netmesh_request& request) {
-    return periods.plan(request);
-}
-[[gnu::always_inline]] inline double dispatch_plan(const netmesh_filter& filter, const netmesh_request& request) {
-    return filter.plan(request);
 }
 
 }  // namespace netmesh

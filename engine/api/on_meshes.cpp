@@ -105,9 +105,8 @@ constexpr const netmesh_method* by_certificate = nullptr;
 
 #define NETMESH_ON_MESH(name, id, reads, by_ratio)                                                                     \
     extern const netmesh_filter netmesh_filter_##name;                                                                 \
-    const netmesh_filter netmesh_filter_##name = {NETMESH_FILTER_##id,  reads,          run_on_mesh,                   \
-                                                  plan_of_mesh_diagram, settle_on_mesh, &name##_on_mesh,               \
-                                                  &netmesh_method_svr,  by_ratio};
+    const netmesh_filter netmesh_filter_##name = {                                                                     \
+        NETMESH_FILTER_##id, reads, run_on_mesh, settle_on_mesh, &name##_on_mesh, &netmesh_method_svr, by_ratio};
 extern "C" {
 NETMESH_EACH_ON_MESH(NETMESH_ON_MESH)
 }

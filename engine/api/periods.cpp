@@ -85,6 +85,8 @@ netmesh_status diagram_with_periods(netmesh_context* context) {
     return finish(context, status);
 }
 
+}  // namespace
+
 // Points spread evenly, a margin of three times their spacing around them, or few points and all copies that matter.
 // Of each 64 bytes: its weight and place, that it is a copy of which by which translation, and marks of faces.
 double plan_with_periods(const netmesh_request& r) {
@@ -103,11 +105,9 @@ double plan_with_periods(const netmesh_request& r) {
     return plan_of_alpha(planned) + 64 * copies;
 }
 
-}  // namespace
 }  // namespace netmesh
 
 extern "C" {
 extern const netmesh_periods netmesh_periodic;
-const netmesh_periods netmesh_periodic = {netmesh::settle_lattice, netmesh::diagram_with_periods,
-                                          netmesh::plan_with_periods};
+const netmesh_periods netmesh_periodic = {netmesh::settle_lattice, netmesh::diagram_with_periods};
 }

@@ -69,10 +69,7 @@ netmesh_status netmesh_settle(const netmesh_request* from, netmesh_request* sett
 size_t netmesh_plan(const netmesh_request* from) {
     netmesh_request request;
     if (read_settled(from, false, &request).text != nullptr) return 0;
-    if (request.periods != nullptr) return whole_bytes(dispatch_plan(*request.periods, request));
-    return source_of(request) == Source::context
-               ? 0
-               : whole_bytes(dispatch_plan(*request.filter, request) + weight_bytes(request));
+    return source_of(request) == Source::context ? 0 : whole_bytes(plan_of_diagram(request));
 }
 
 }  // extern "C"

@@ -7,6 +7,7 @@
 #include "api/settle.hpp"
 #include "complex/triangulation.hpp"
 #include "delaunay/store.hpp"
+#include "filtration/filters.hpp"
 #include "filtration/mesh_filter.hpp"
 #include "filtration/scale_partition.hpp"
 #include "filtration/tight_filter.hpp"
@@ -245,8 +246,6 @@ double plan_of_leaf(std::uint32_t dim, std::uint64_t points, std::uint32_t piece
     });
 }
 
-double plan_of_mesh_diagram(const netmesh_request& request) { return plan_of_mesh(request, true); }
-
 double plan_of_mesh(const netmesh_request& r, bool with_diagram) {
     ErrorSizes sizes;
     const MeshRequest asked = mesh_request_of(r, r.points.dim, &sizes);
@@ -311,6 +310,21 @@ double plan_of_scales(const netmesh_request& r) {
         }
         return block_bytes<D>(mesh_amounts<D>(points, tau, tight_size(eps), figures<D>.tight_surroundings), planned);
     });
+}
+
+double plan_of_diagram(const netmesh_request& r) {
+    if (r.periods != nullptr) return plan_with_periods(r);
+    if (source_of(r) == Source::distances) return plan_of_distances(r);
+    if (source_of(r) == Source::simplices) return plan_of_simplices(r);
+    // Uniform points have few cells: auto takes the alpha complex of them, and keeps the triangulation.
+    if (r.filter->id == NETMESH_FILTER_AUTO) return plan_of_triangulation(r.points, true) + weight_bytes(r);
+    switch (find_filter(r.filter->id)->source) {
+    case FilterSource::delaunay: return plan_of_alpha(r) + weight_bytes(r);
+    case FilterSource::points: return plan_of_points(r);
+    case FilterSource::scales: return plan_of_scales(r);
+    case FilterSource::mesh: break;
+    }
+    return plan_of_mesh(r, true);
 }
 
 }  // namespace netmesh

@@ -18,8 +18,13 @@ double plan_of_triangulation(const netmesh_points& points, bool with_diagram);
 double plan_of_alpha(const netmesh_request& request);
 double plan_of_leaf(std::uint32_t dim, std::uint64_t points, std::uint32_t pieces);
 double plan_of_mesh(const netmesh_request& request, bool with_diagram);
-double plan_of_mesh_diagram(const netmesh_request& request);
 double plan_of_scales(const netmesh_request& request);
+double plan_of_points(const netmesh_request& request);     // filters on points
+double plan_of_distances(const netmesh_request& request);  // 0: the distances are at fault
+double plan_of_simplices(const netmesh_request& request);  // 0: the simplices are at fault
+double plan_with_periods(const netmesh_request& request);
+// The diagram of the request. Of whatever is planned for: no object leads here.
+double plan_of_diagram(const netmesh_request& request);
 
 // What weights take besides: a number of each point, and what alpha diagrams copy of it.
 inline double weight_bytes(const netmesh_request& r) {

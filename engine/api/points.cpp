@@ -30,13 +30,6 @@ PointsFilter points_filter_of(const netmesh_request& r) {
     return {r.filter->id, values_of(r.values), r.k, r.max_degree};
 }
 
-double plan_of_points(const netmesh_request& r) {
-    const double bytes = r.vines != nullptr
-                             ? points_vineyard_bytes(points_filter_of(r), r.k_last, r.points.count, r.points.dim)
-                             : points_bytes(points_filter_of(r), r.points.count, r.points.dim);
-    return bytes + sizeof(netmesh_context) + complex_overhead;
-}
-
 netmesh_status run_on_points(netmesh_context* context) {
     const netmesh_request& r = context->request;
     if (source_of(r) != Source::points) return refuse(context, NETMESH_FIELD_POINTS, "this filter begins with points");
@@ -118,25 +111,22 @@ DistancesRequest wanted_of(const netmesh_distances& d, const netmesh_request& r)
     return wanted;
 }
 
-const char* text_of_flaw(DistanceFlaw flaw) {
-    switch (flaw) {
-    case DistanceFlaw::none: return "more simplices than can be numbered";
-    case DistanceFlaw::negative: return "a distance is negative";
-    case DistanceFlaw::not_a_number: return "a distance is NaN";
-    case DistanceFlaw::asymmetric: return "a distance is not the one the other way round";
-    case DistanceFlaw::own: return "the distance of a point to itself is not 0";
-    case DistanceFlaw::no_point: break;
-    }
-    return "an entry names a point that does not exist";
-}
+// By DistanceFlaw; rows, not pointers: a program holds these texts without those of all other tables.
+constexpr char flaw_texts[][46] = {"more simplices than can be numbered",
+                                   "a distance is negative",
+                                   "a distance is NaN",
+                                   "a distance is not the one the other way round",
+                                   "the distance of a point to itself is not 0",
+                                   "an entry names a point that does not exist"};
+static_assert(sizeof flaw_texts / sizeof flaw_texts[0] == static_cast<int>(DistanceFlaw::no_point) + 1);
 
 netmesh_status fail_at_distance(netmesh_context* context, Status status, const DistanceFault& fault, bool sparse) {
     if (status != Status::invalid_argument) return fail_and_clear(context, status);
     clear(context);
     const bool has_place = fault.flaw != DistanceFlaw::none;
     const netmesh_field field = sparse ? NETMESH_FIELD_ENTRIES : NETMESH_FIELD_NUMBERS;
-    const netmesh_status result =
-        refuse(context, {has_place ? field : NETMESH_FIELD_MAX_DEGREE, text_of_flaw(fault.flaw)}, fault.a);
+    const netmesh_status result = refuse(
+        context, {has_place ? field : NETMESH_FIELD_MAX_DEGREE, flaw_texts[static_cast<int>(fault.flaw)]}, fault.a);
     context->detail.said.index_b = fault.b;
     return result;
 }
@@ -168,30 +158,35 @@ netmesh_status run_rips(netmesh_context* context) {
     return context->request.distances != nullptr ? run_on_distances(context) : run_on_points(context);
 }
 
-double plan_of_rips(const netmesh_request& r) {
-    if (r.distances == nullptr) return plan_of_points(r);
+}  // namespace
+
+double plan_of_points(const netmesh_request& r) {
+    const double bytes = r.vines != nullptr
+                             ? points_vineyard_bytes(points_filter_of(r), r.k_last, r.points.count, r.points.dim)
+                             : points_bytes(points_filter_of(r), r.points.count, r.points.dim);
+    return bytes + sizeof(netmesh_context) + complex_overhead;
+}
+
+double plan_of_distances(const netmesh_request& r) {
     netmesh_distances distances;
     if (read_distances(r, &distances).text != nullptr) return 0;
     return distances_bytes(wanted_of(distances, r), distances.count) + sizeof(netmesh_context) + complex_overhead;
 }
 
-}  // namespace
 }  // namespace netmesh
 
 using namespace netmesh;
 
-#define NETMESH_ON_POINTS(name, id, reads, run, plan)                                                                  \
+#define NETMESH_ON_POINTS(name, id, reads, run)                                                                        \
     extern const netmesh_filter netmesh_filter_##name;                                                                 \
-    const netmesh_filter netmesh_filter_##name = {NETMESH_FILTER_##id, reads,   run,     plan,                         \
-                                                  settle_on_points,    nullptr, nullptr, nullptr};
+    const netmesh_filter netmesh_filter_##name = {                                                                     \
+        NETMESH_FILTER_##id, reads, run, settle_on_points, nullptr, nullptr, nullptr};
 
 extern "C" {
-NETMESH_ON_POINTS(rips, RIPS, given::threshold | given::cycles, run_rips, plan_of_rips)
-NETMESH_ON_POINTS(cech, CECH, given::cycles, run_on_points, plan_of_points)
-NETMESH_ON_POINTS(barycentric_cech, BARYCENTRIC_CECH, given::k | given::k_last | given::vines, run_on_points,
-                  plan_of_points)
-NETMESH_ON_POINTS(barycentric_rips, BARYCENTRIC_RIPS, given::k | given::k_last | given::vines, run_on_points,
-                  plan_of_points)
+NETMESH_ON_POINTS(rips, RIPS, given::threshold | given::cycles, run_rips)
+NETMESH_ON_POINTS(cech, CECH, given::cycles, run_on_points)
+NETMESH_ON_POINTS(barycentric_cech, BARYCENTRIC_CECH, given::k | given::k_last | given::vines, run_on_points)
+NETMESH_ON_POINTS(barycentric_rips, BARYCENTRIC_RIPS, given::k | given::k_last | given::vines, run_on_points)
 }
 
 #undef NETMESH_ON_POINTS

@@ -116,7 +116,6 @@ const netmesh_filter netmesh_filter_scales = {NETMESH_FILTER_SCALES,
                                               given::ratio | given::eps | given::theta | given::tau | given::cycles |
                                                   given::seed,
                                               run_scales,
-                                              plan_of_scales,
                                               settle_scales,
                                               nullptr,
                                               nullptr,

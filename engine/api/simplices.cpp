@@ -11,18 +11,15 @@
 namespace netmesh {
 namespace {
 
-const char* text_of_fault(const SimplexFault& fault) {
-    switch (fault.kind) {
-    case NETMESH_FAULT_NONE: return "the value of a simplex is not a finite number";
-    case NETMESH_FAULT_SIZE: return "a simplex has no vertices or more than 32";
-    case NETMESH_FAULT_TOO_MANY: return "more than 2^31 - 1 simplices of one dimension";
-    case NETMESH_FAULT_VERTEX_TWICE: return "a simplex has a vertex twice";
-    case NETMESH_FAULT_LISTED_TWICE: return "a simplex is listed twice";
-    case NETMESH_FAULT_FACE_MISSING: return "a face of a simplex is missing";
-    case NETMESH_FAULT_FACE_LATER: return "a face enters later than its simplex";
-    }
-    return nullptr;
-}
+// By netmesh_fault; rows, not pointers: a program holds these texts without those of all other tables.
+constexpr char fault_texts[][46] = {"the value of a simplex is not a finite number",
+                                    "a simplex has no vertices or more than 32",
+                                    "more than 2^31 - 1 simplices of one dimension",
+                                    "a simplex has a vertex twice",
+                                    "a simplex is listed twice",
+                                    "a face of a simplex is missing",
+                                    "a face enters later than its simplex"};
+static_assert(sizeof fault_texts / sizeof fault_texts[0] == NETMESH_FAULT_FACE_LATER + 1);
 
 Complaint settle_simplices(const Settling& s) {
     if (s.r.max_degree > NETMESH_DEGREE_MAX) s.r.max_degree = NETMESH_DEGREE_MAX;
@@ -61,6 +58,8 @@ netmesh_status run_simplices(netmesh_context* context) {
     return finish(context, status);
 }
 
+}  // namespace
+
 double plan_of_simplices(const netmesh_request& r) {
     netmesh_simplices given;
     if (read_struct(r.simplices, &given, sizeof given) != NETMESH_FIELD_NONE) return 0;
@@ -71,8 +70,6 @@ double plan_of_simplices(const netmesh_request& r) {
                              : simplices_bytes(given.simplex_count, given.vertex_count);
     return bytes + complex_overhead;
 }
-
-}  // namespace
 
 Complaint read_simplices(const netmesh_request& request, netmesh_simplices* s) {
     const netmesh_field fault = read_struct(request.simplices, s, sizeof *s);
@@ -89,7 +86,7 @@ Complaint read_simplices(const netmesh_request& request, netmesh_simplices* s) {
 
 netmesh_status fail_at_simplex(netmesh_context* context, Status status, const SimplexFault& fault, std::uint32_t step) {
     if (status != Status::not_a_complex && status != Status::not_finite) return fail_and_clear(context, status);
-    fail_and_clear(context, status, text_of_fault(fault), fault.simplex, fault.other);
+    fail_and_clear(context, status, fault_texts[fault.kind], fault.simplex, fault.other);
     context->detail.said.fault = fault.kind;
     context->detail.said.step = step;
     return static_cast<netmesh_status>(status);
@@ -101,12 +98,6 @@ using namespace netmesh;
 
 extern "C" {
 extern const netmesh_filter netmesh_filter_simplices;
-const netmesh_filter netmesh_filter_simplices = {NETMESH_FILTER_NONE,
-                                                 given::cycles | given::vines,
-                                                 run_simplices,
-                                                 plan_of_simplices,
-                                                 settle_simplices,
-                                                 nullptr,
-                                                 nullptr,
-                                                 nullptr};
+const netmesh_filter netmesh_filter_simplices = {
+    NETMESH_FILTER_NONE, given::cycles | given::vines, run_simplices, settle_simplices, nullptr, nullptr, nullptr};
 }

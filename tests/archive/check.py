@@ -259,8 +259,7 @@ INDIRECT_ALLOWED = ("vocabulary/monitor.cpp", "vocabulary/callback.hpp", "mesh/s
 # Calls through the constant objects of api/objects.hpp and of filtration/filters.hpp, by what stands in the line: the
 # objects that it may be, and which of their functions.
 DISPATCH = [(re.compile(r"\bfilter\.run\("), re.compile(r"netmesh_filter_\w+$"), 0),
-            (re.compile(r"\bfilter\.plan\("), re.compile(r"netmesh_filter_\w+$"), 1),
-            (re.compile(r"\bfilter\.settle\("), re.compile(r"netmesh_filter_\w+$"), 2),
+            (re.compile(r"\bfilter\.settle\("), re.compile(r"netmesh_filter_\w+$"), 1),
             (re.compile(r"\bmethod\.mesh\("), re.compile(r"netmesh_method_\w+$"), 0),
             (re.compile(r"\bmethod\.settle\("), re.compile(r"netmesh_method_\w+$"), 1),
             (re.compile(r"\bweighting\.run\("), re.compile(r"netmesh_(radii|weights)$"), 1),
@@ -268,7 +267,6 @@ DISPATCH = [(re.compile(r"\bfilter\.run\("), re.compile(r"netmesh_filter_\w+$"),
             (re.compile(r"\bweighting\.settle\("), re.compile(r"netmesh_(radii|weights)$"), 0),
             (re.compile(r"\bperiods\.settle\("), re.compile(r"netmesh_periodic$"), 0),
             (re.compile(r"\bperiods\.run\("), re.compile(r"netmesh_periodic$"), 1),
-            (re.compile(r"\bperiods\.plan\("), re.compile(r"netmesh_periodic$"), 2),
             (re.compile(r"\bwant\.settle\("), re.compile(r"netmesh_(vines|fit)$"), 1),
             (re.compile(r"\bwant\.run\("), re.compile(r"netmesh_(bounds|cycles|vines|fit)$"), 0),
             (re.compile(r"\bbounds\.run\("), re.compile(r"netmesh_bounds$"), 0),

@@ -1,5 +1,7 @@
-// A block of memory for tests of inner folders, and an arena of exactly so many bytes over it.
+// A block of memory for tests of inner folders, and an arena of exactly so many bytes over it. It is filled, so that what
+// nobody has written shows; a large one at both its ends alone, from where an arena takes.
 #pragma once
+#include <algorithm>
 #include <cstddef>
 #include <cstdlib>
 #include <cstring>
@@ -9,11 +11,16 @@
 class Block {
 public:
     static constexpr int untouched = -1;  // for large blocks, of which the system gives what is used
+    static constexpr std::size_t filled_end = std::size_t{1} << 22;
 
     explicit Block(std::size_t bytes, int fill = 0x55)
         : memory_(std::aligned_alloc(netmesh::Arena::alignment, rounded(bytes > 0 ? bytes : 1))) {
         if (memory_ == nullptr) std::abort();
-        if (fill != untouched) std::memset(memory_, fill, bytes);
+        if (fill != untouched) {
+            const std::size_t filled = std::min(bytes, filled_end);
+            std::memset(memory_, fill, filled);
+            std::memset(static_cast<char*>(memory_) + (bytes - filled), fill, filled);
+        }
         arena.adopt(memory_, bytes);
     }
     ~Block() { std::free(memory_); }

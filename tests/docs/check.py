@@ -285,6 +285,24 @@ def faults_of_names(pages, program):
             faults += ["tools/docs/calls.md: %s is not in %s" % (name, ", ".join(header))
                        for name in re.findall(r"`(netmesh_\w+)`", line) if name in calls - there]
     print("%d options, %d calls" % (len(options), len(calls)))
+    return faults + faults_of_stacks(pages["tools/docs/small-parts.md"])
+
+
+def faults_of_stacks(page):
+    """What the table of small parts says of stacks is what the header promises, of boards and of 64 bits."""
+    wide, narrow = read("engine/include/netmesh/job.h").split("/* figures: stack */")[1].split("#else")
+    macro = re.compile(r"BYTES_(\w+)\(dim\) \\\n([^#]*?)NETMESH_STACK_BYTES\(dim\)")
+    promised = [{(job, dim): int(size) for job, text in macro.findall(part)
+                 for dim, size in re.findall(r"\(dim\) == (\d) \? (\d+)", text)} for part in (narrow, wide)]
+    rows = re.findall(r"^\| (Delaunay|alpha|certified|Rips)[^|]*\| (\d) \|(.*)\|$", page, re.M)
+    faults = [] if len(rows) >= 15 else ["tools/docs/small-parts.md: the table has %d rows" % len(rows)]
+    for job, dim, rest in rows:
+        cells = [cell.strip().replace(",", "") for cell in rest.split("|")]
+        for bits, said, sizes in ((32, cells[3], promised[0]), (64, cells[7], promised[1])):
+            due = sizes.get((job.upper(), dim))
+            if said != str(due):
+                faults.append("tools/docs/small-parts.md: %s, D = %s, %d bits: a stack of %s, the header promises %s"
+                              % (job, dim, bits, said, due))
     return faults
 
 
@@ -540,6 +558,8 @@ def planted(build):
            "no call")
     expect("a call under another header", faults_of_names(
         change(calls, "| `netmesh_get_report` |", "| `netmesh_get_report`, `netmesh_mesh` |"), program), "is not in")
+    parts = "tools/docs/small-parts.md"
+    expect("a stack that was promised once", faults_of_stacks(re.sub(r"3,584", "2,848", pages[parts])), "promises 3584")
     expect("a name that does not exist", faults_of_names({**pages, page: pages[page] + " netmesh_none "}, program),
            "there is no netmesh_none")
 

@@ -13,7 +13,7 @@ import re
 import subprocess
 import sys
 
-FLAGS = ("-O1 -ffreestanding -fno-exceptions -fno-rtti -fno-threadsafe-statics -fno-math-errno -ffp-contract=off "
+FLAGS = ("-O0 -ffreestanding -fno-exceptions -fno-rtti -fno-threadsafe-statics -fno-math-errno -ffp-contract=off "
          "-ffunction-sections -fdata-sections").split()
 
 

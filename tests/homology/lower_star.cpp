@@ -152,7 +152,7 @@ TEST_CASE_TEMPLATE_APPLY(any_arena, Dimensions<4, 4>);
 TEST_CASE_TEMPLATE_DEFINE("stopping at any poll leaves the arena as it was", T, any_poll) {
     constexpr int D = T::value;
     std::mt19937 random(10);
-    const auto ball = grid::freudenthal<D>({9, 8, 7, 7}, random);
+    const auto ball = grid::freudenthal<D>({8, 7, 6, 6}, random);
     std::vector<double> value(ball.vertex_count);
     for (double& t : value) t = double(random());
     struct Countdown {
