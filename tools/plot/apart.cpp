@@ -9,12 +9,13 @@ double length_of(const Bar& bar) { return std::isfinite(bar.death) ? bar.death -
 
 std::size_t count_apart(const std::vector<double>& lengths) {
     constexpr std::size_t most = 12;
-    if (lengths.size() == 1) return 1;
-    std::size_t endless = 0;
-    while (endless < lengths.size() && std::isinf(lengths[endless])) endless++;
+    std::size_t count = 0, endless = 0;  // of those above 0
+    while (count < lengths.size() && lengths[count] > 0) count++;
+    if (count == 1) return 1;
+    while (endless < count && std::isinf(lengths[endless])) endless++;
     std::size_t apart = endless;
     double largest = 1.5;
-    for (std::size_t i = endless; i + 1 < lengths.size() && i < endless + most; i++) {
+    for (std::size_t i = endless; i + 1 < count && i < endless + most; i++) {
         if (!(lengths[i] >= largest * lengths[i + 1])) continue;
         largest = lengths[i] / lengths[i + 1];
         apart = i + 1;

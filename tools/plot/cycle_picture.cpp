@@ -14,10 +14,10 @@ namespace netmesh::tool {
 namespace {
 
 constexpr double page_size = 1000, margin = 40;
-// A colour for each cycle, the longest bar's first; what has no colour is not drawn.
-constexpr const char* colours[] = {"#d5590e", "#1f77b4", "#1aa77d", "#c21dff",
-                                   "#8c6d00", "#e0457b", "#592710", "#7a6fd0"};
-constexpr std::size_t cycles_most = sizeof colours / sizeof *colours;
+// A colour for each cycle, those of degrees, which are told apart with colour blindness, too; the longest bar's first.
+// What has no colour is not drawn.
+constexpr std::size_t cycles_most = 6;
+const char* cycle_colour(std::size_t i) { return degree_colour(static_cast<std::uint32_t>((i + 1) % cycles_most)); }
 
 // Cycles are pulled tight among edges of balls that meet at this multiple of the birth: holes that are noise are filled
 // by then, and edges still short beside the hole.
@@ -107,7 +107,7 @@ void write_cycle_picture(const std::vector<CycleEntry>& cycles, const CyclePlace
         const Bar& bar = chosen[i]->bar;
         const double radius = std::min(pull_ratio * bar.birth, bar.death);
         for (const std::vector<std::uint32_t>& simplex : tightened(chosen[i]->simplices, radius, places)) {
-            Piece piece{{}, 0, colours[i]};
+            Piece piece{{}, 0, cycle_colour(i)};
             for (const std::uint32_t v : simplex) piece.corners.push_back(all[v]);
             seen.insert(seen.end(), piece.corners.begin(), piece.corners.end());
             pieces.push_back(piece);
@@ -133,7 +133,7 @@ void write_cycle_picture(const std::vector<CycleEntry>& cycles, const CyclePlace
     for (std::size_t i = 0; i < chosen.size(); i++) {
         const Bar& bar = chosen[i]->bar;
         const std::uint32_t degree = bar.degree;
-        const char* const colour = colours[i];
+        const char* const colour = cycle_colour(i);
         legend.add(
             20,
             [degree, colour](Svg& svg, double x, double y) {

@@ -58,13 +58,13 @@ def _group(diagram, degree, at, parts, y):
 def count_apart(longest):
     """How many of the bars, which are the longest, stand apart: what never dies, and the others above the largest gap
     of lengths."""
-    lengths = (longest[:, 1] - longest[:, 0]).tolist()
+    lengths = [length for length in (longest[:, 1] - longest[:, 0]).tolist() if length > 0]
     if len(lengths) == 1:
         return 1
     apart, largest = sum(length == np.inf for length in lengths), APART
     for i in range(apart, len(lengths) - 1):
-        if lengths[i] >= largest * lengths[i + 1] and lengths[i] > 0:
-            largest = lengths[i] / lengths[i + 1] if lengths[i + 1] > 0 else np.inf
+        if lengths[i] >= largest * lengths[i + 1]:
+            largest = lengths[i] / lengths[i + 1]
             apart = i + 1
     return apart
 

@@ -10,7 +10,8 @@ const sub = degree => String.fromCharCode(0x2080 + degree);
 
 // How many of the lengths, which descend, stand apart: those that are infinite, and the others above the largest gap, where
 // a length is at least 1.5 times the next one. A single bar does.
-function count_apart(lengths) {
+function count_apart(all) {
+    const lengths = all.filter(length => length > 0);
     if (lengths.length === 1) return 1;
     let apart = lengths.findIndex(Number.isFinite), largest = 1.5;
     if (apart < 0) return lengths.length;
