@@ -3,6 +3,9 @@
 
 #include <doctest/doctest.h>
 
+#include <cstdlib>
+#include <sstream>
+
 using Names = std::vector<std::string>;
 
 namespace {
@@ -274,4 +277,36 @@ TEST_CASE("what is said of k, of points on a line, and of the whole process") {
     CHECK(folder.run("persist p.csv --filter knn").says("--k 4 does not see single ones"));
     CHECK_FALSE(folder.run("persist p.csv --filter knn --k 4").says("outliers"));
     CHECK(folder.run("persist p.csv --memory 1M").says("; the whole process took "));
+}
+
+TEST_CASE("pictures of cycles show the bars that stand apart, or those that are chosen, and say what is left out") {
+    const Folder folder;
+    REQUIRE(folder.run("sample circle -n 40 -o a.csv").exit == 0);
+    std::string two = folder.read("a.csv");
+    std::istringstream rows(two);
+    for (std::string row; std::getline(rows, row);) {  // the same, half as large, beside it
+        const std::size_t comma = row.find_first_of(", \t");
+        const double x = std::strtod(row.c_str(), nullptr), y = std::strtod(row.c_str() + comma + 1, nullptr);
+        if (comma == std::string::npos || row[0] == 'x') continue;
+        two += std::to_string(3 + x / 2) + row[comma] + std::to_string(y / 2) + "\n";
+    }
+    folder.write("two.csv", two);
+    const auto count = [&](const std::string& word) {
+        const std::string picture = folder.read("c.svg");
+        std::size_t found = 0;
+        for (std::size_t at = 0; (at = picture.find(word, at)) != std::string::npos; at++) found++;
+        return found;
+    };
+    const std::string legend = "\xE2\x82\x81, from ";
+    REQUIRE(folder.run("persist two.csv -q -o d.pers --representatives c.svg").exit == 0);
+    CHECK(count(legend) == 2);
+    REQUIRE(folder.run("persist two.csv -q -o d.pers --representatives c.svg --top 1").exit == 0);
+    CHECK(count(legend) == 1);
+    CHECK(count("not drawn") == 0);  // nothing that was chosen
+    REQUIRE(folder.run("sample ball --dim 2 -n 200 -o ball.csv").exit == 0);
+    REQUIRE(folder.run("persist ball.csv -q -o d.pers --representatives c.svg").exit == 0);
+    CHECK(count("not drawn: ") == 1);
+    REQUIRE(folder.run("persist ball.csv -q -o d.pers --representatives c.svg --top 9").exit == 0);
+    CHECK(count(legend) == 6);
+    CHECK(count("not drawn: 3 shorter bars") == 1);
 }
