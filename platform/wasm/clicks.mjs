@@ -132,7 +132,7 @@ const paths = {
         await page.click('#missing');
         await done(page);
         const read = await text(page, '#read');
-        check(read.includes('left out 1 of 25 rows') && read.includes('1 duplicates merged'), read);
+        check(read.includes('left out 1 of 25 rows') && read.includes('1 duplicate merged'), read);
         equal(await bars(page, 1), 1, 'holes');
     },
     async 'certified band'(page) {

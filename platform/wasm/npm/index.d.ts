@@ -66,7 +66,7 @@ export interface FunctionOptions {
 }
 export interface MeshPersistOptions extends DiagramOptions, FunctionOptions {
     filter?: MeshFilter;
-    /** Neighbours, of knn and kdistance. */
+    /** Neighbours, of knn and kdistance; without it 1, the distance to the points, outliers and all. */
     k?: number;
     values?: 'certified' | 'thesis';
     /** Where each true birth and death surely is. */

@@ -111,7 +111,7 @@ function take_result(result, cloud, wanted) {
         is_drawn,
         described: `filter ${filter_name(wanted.asked.filter)}, ${cloud.count} points in ${cloud.dim} dimensions` };
     const merged = cloud.count - result.figures.inputs;
-    if (merged > 0) $('read').textContent += `; ${merged.toLocaleString('en')} duplicates merged`;
+    if (merged > 0) $('read').textContent += `; ${merged.toLocaleString('en')} duplicate${merged === 1 ? '' : 's'} merged`;
     chosen = null;
     const seconds = (result.milliseconds / 1000).toFixed(2);
     say(`${last.described}: done in ${seconds} s${wanted.note === '' ? '' : '; ' + wanted.note}`);
