@@ -482,8 +482,8 @@ const std::vector<OptionEntry>& option_entries() {
          "highest homology degree (D-1, of points that repeat D; 1 for " + list_filters(on_points, "and") + ")"},
         {"--max-degree", homology, "P", "max_degree", "highest homology degree (the dimension of the complex)"},
         {"--representatives", persist | homology, "FILE", apply_path<&Options::representatives>,
-         ".vtu or .obj: a cycle for each bar to look at; .svg: of bars that stand apart by their length, or that --top\n"
-         "                    or --least choose; .txt or .cycles: a line `bar DEGREE BIRTH DEATH N`,\n"
+         ".vtu or .obj: a cycle for each bar to look at; .svg: of bars that stand apart by their length, or that\n"
+         "                    --top or --least choose; .txt or .cycles: a line `bar DEGREE BIRTH DEATH N`,\n"
          "                    then N simplices, one a line: by vertices of the\n"
          "                    mesh, or of scales, rips and cech by the different points in their order"},
         {"--representatives", check, "FILE", apply_path<&Options::representatives>,

@@ -4,6 +4,7 @@ import numpy as np
 ROWS = 12       # bars of a degree that are drawn, the longest
 SHARE = 0.03    # of the longest, below which no bar is drawn where there are many
 APART = 1.5     # how many times the next length the last one is that stands apart
+FEW, END = 8, 2.5  # below the last of so few bars is a gap, too, as of this
 COLOURS = ("#1f2d4a", "#d5590e", "#1aa77d", "#c21dff", "#592710", "#9180be")
 WIDTH, LEFT, RIGHT, ROW = 640, 120, 150, 14
 
@@ -59,14 +60,12 @@ def count_apart(longest):
     """How many of the bars, which are the longest, stand apart: what never dies, and the others above the largest gap
     of lengths."""
     lengths = [length for length in (longest[:, 1] - longest[:, 0]).tolist() if length > 0]
-    if len(lengths) == 1:
-        return 1
     apart, largest = sum(length == np.inf for length in lengths), APART
     for i in range(apart, len(lengths) - 1):
         if lengths[i] >= largest * lengths[i + 1]:
             largest = lengths[i] / lengths[i + 1]
             apart = i + 1
-    return apart
+    return len(lengths) if len(lengths) <= FEW and largest < END else apart
 
 
 def _escaped(text):

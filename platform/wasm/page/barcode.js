@@ -9,10 +9,9 @@ const counted = count => count.toLocaleString('en');
 const sub = degree => String.fromCharCode(0x2080 + degree);
 
 // How many of the lengths, which descend, stand apart: those that are infinite, and the others above the largest gap, where
-// a length is at least 1.5 times the next one. A single bar does.
+// a length is at least 1.5 times the next one; below the last of at most 8 is a gap, too, as of 2.5.
 function count_apart(all) {
     const lengths = all.filter(length => length > 0);
-    if (lengths.length === 1) return 1;
     let apart = lengths.findIndex(Number.isFinite), largest = 1.5;
     if (apart < 0) return lengths.length;
     for (let i = apart, end = Math.min(apart + 12, lengths.length - 1); i < end; ++i) {
@@ -20,7 +19,7 @@ function count_apart(all) {
         largest = lengths[i] / lengths[i + 1];
         apart = i + 1;
     }
-    return apart;
+    return lengths.length <= 8 && largest < 2.5 ? lengths.length : apart;
 }
 
 // [{ degree, total, exist, apart, shown: [index of a pair] }]; apart: how long a bar is at least that stands apart

@@ -49,8 +49,12 @@ TEST_CASE("bars stand apart above the largest gap between their lengths") {
     CHECK(count_apart({}) == 0);
     CHECK(count_apart({1}) == 1);
     CHECK(count_apart({3, 2.9, 1, .9, .8}) == 2);
-    CHECK(count_apart({3, 2.5, 2, 1.6}) == 0);
-    CHECK(count_apart({HUGE_VAL, HUGE_VAL, 2, 1.9}) == 2);
+    CHECK(count_apart({3, 2.5, 2, 1.6}) == 4);  // so few, and none is much shorter
+    CHECK(count_apart({1, .5}) == 2);
+    CHECK(count_apart({1, .3}) == 1);
+    CHECK(count_apart({3, 2.9, 2.8, 2.7, 2.6, 2.5, 2.4, 2.3, 2.2}) == 0);
+    CHECK(count_apart({HUGE_VAL, HUGE_VAL, 2, 1.9}) == 4);
+    CHECK(count_apart({HUGE_VAL, 2, 1.9, 1.8, 1.7, 1.6, 1.5, 1.4, 1.3}) == 1);
     CHECK(count_apart({HUGE_VAL, 5, 1, .9}) == 2);
     CHECK(count_apart({9, 6, 1, 0, 0}) == 2);
     CHECK(count_apart({9, 0, 0}) == 1);
