@@ -29,6 +29,9 @@ private:
 // and the memory stays the caller's.
 void forget_pages(void* begin, std::size_t bytes);
 
+// The most that this process has had in memory at a time; 0 where the system does not say.
+std::size_t peak_process_bytes();
+
 // Memory that this process can hope to use: the machine's, or the control group's limit where that is lower.
 std::size_t physical_memory_bytes();
 

@@ -281,6 +281,11 @@ std::string apply_skip(Options& options, const std::string& text) {
     return parse_unsigned(text, &options.table.skip) ? "" : "must be a number of lines";
 }
 
+std::string apply_drop_missing(Options& options, const std::string&) {
+    options.table.drop_missing = true;
+    return {};
+}
+
 std::string apply_out(Options& options, const std::string& text) {
     options.out = text == "-" ? "" : text;
     return text.empty() ? "must be a file name" : "";
@@ -355,8 +360,11 @@ const std::vector<OptionEntry>& option_entries() {
         {"--columns", points, "LIST", apply_columns,
          "the columns of a table or array that are coordinates: numbers from 1, ranges, names of the header: 2-4,z"},
         {"--delimiter", points, "C", apply_delimiter,
-         "what stands between columns: , ; | tab or blank; commas in numbers are then decimal (told by the file)"},
+         "what stands between columns: , ; | tab or blank; commas in numbers are then decimal (told by the file:\n"
+         "                    commas first, with blanks in cells and quotes as RFC 4180 has them)"},
         {"--skip", points, "N", apply_skip, "lines left out at the top of a table (none but a header)"},
+        {"--drop-missing", points, nullptr, apply_drop_missing,
+         "rows of a table that lack a value (empty, NA, nan, -) in a column that is taken are left out, and said"},
         {"--radii", delaunay | persist | check, "COLUMN", apply_weights<true>,
          "balls about the points, of filter alpha: the column of their radii, which grow together; of .pqr radius; of\n"
          "                    .xyz and .pdb vdw, van der Waals radii by element"},
@@ -413,7 +421,7 @@ const std::vector<OptionEntry>& option_entries() {
         {"--focus", persist, "C|auto", apply_focus,
          "certify this ratio, above 1, of what matters to radii --from to --to. auto: refine where bars are undecided "
          "until\n"
-         "                    each surely is real or surely short, or --memory is full; the file says C, A and B"},
+         "                    each is certified to exist or is short, or --memory is full; the file says C, A and B"},
         {"--focus", check, "C", apply_focus, "certify this ratio, above 1, of what matters to radii --from to --to"},
         {"--longer-than", persist, "L", "longer_than",
          "with --focus auto: bars that may die after L times their birth, L above 1, are to be decided (1.5)"},
@@ -474,7 +482,8 @@ const std::vector<OptionEntry>& option_entries() {
          "highest homology degree (D-1, of points that repeat D; 1 for " + list_filters(on_points, "and") + ")"},
         {"--max-degree", homology, "P", "max_degree", "highest homology degree (the dimension of the complex)"},
         {"--representatives", persist | homology, "FILE", apply_path<&Options::representatives>,
-         ".vtu, .obj or .svg: a cycle for each bar to look at; .txt or .cycles: a line `bar DEGREE BIRTH DEATH N`,\n"
+         ".vtu or .obj: a cycle for each bar to look at; .svg: of bars that stand apart by their length, or that\n"
+         "                    --top or --least choose; .txt or .cycles: a line `bar DEGREE BIRTH DEATH N`,\n"
          "                    then N simplices, one a line: by vertices of the\n"
          "                    mesh, or of scales, rips and cech by the different points in their order"},
         {"--representatives", check, "FILE", apply_path<&Options::representatives>,
@@ -488,7 +497,8 @@ const std::vector<OptionEntry>& option_entries() {
         {"--scratch", persist, "DIR", apply_path<&Options::scratch>,
          "with --pieces: the folder for their files, which stay there: the same command goes on with what it finds"},
         {"--memory", engine | pieces | vineyard | homology | check, "SIZE", apply_memory,
-         "the block that the engine works in: 64K, 512M, 2G; reserved lazily until the job fits if not given"},
+         "the block that the engine works in: 64K, 512M, 2G; reserved lazily until the job fits if not given. Points,\n"
+         "                    results and the program are beside it: the summary says what the whole process took"},
         {"--seed", engine | vineyard | check | sample, "S", "seed", "of every random choice (1)"},
         {"--noise", sample, "X", apply_noise, "standard deviation of a normal offset of every coordinate (0)"},
         {"--turns", sample, "A,B", apply_turns, "of the Clifford winding about its two circles (1,10)"},
@@ -514,9 +524,9 @@ const std::vector<OptionEntry>& option_entries() {
         {"--check", homology, nullptr, apply_switch<&Options::check>,
          "check that each cycle is one, is born with its bar and dies with it"},
         {"--bounds", persist, nullptr, "bounds",
-         "where each birth and death surely is and which bars surely are real, behind the bars, and the certified "
-         "ratio by\n"
-         "                    scale, in front of them; both in JSON and in the picture"},
+         "where each birth and death surely is and which bars are certified to exist, however short, behind the bars, "
+         "and the\n"
+         "                    certified ratio by scale, in front of them; both in JSON and in the picture"},
         {"--all", persist | pieces | homology | check, nullptr, "keep_zero_pairs", "keep bars of length zero"},
         {"--json", engine | pieces | vineyard | homology | distance | size | check, nullptr,
          apply_switch<&Options::json>,

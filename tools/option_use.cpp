@@ -19,7 +19,7 @@ bool is_one_of(const std::string& name, Names names) {
     return std::any_of(names.begin(), names.end(), [&](const char* other) { return name == other; });
 }
 
-constexpr Names table_options = {"--columns", "--delimiter", "--skip"};
+constexpr Names table_options = {"--columns", "--delimiter", "--skip", "--drop-missing"};
 // Of size, those that the engine reads.
 constexpr Names size_options = {"--tau", "--eps", "--method", "--finish", "--cages", "--audit", "--k", "--max-degree"};
 

@@ -205,6 +205,8 @@ Outcome check_together(const Options& options) {
     if (!options.weighted_path.empty() && (!hierarchical || r.mesh.finish != 0))
         return usage_error("--weighted-cells goes with --method netmesh, without --finish, which removes cages");
     if (options.pace_theta > 0 && options.pace_path.empty()) return usage_error("--theta goes with --pace");
+    if (options.command == Command::persist && !was_given(options, "--filter") && was_given(options, "--k"))
+        return usage_error("--k is of the distance to the k-th nearest point: --filter knn or kdistance");
     if (options.order > 0 && options.log) return usage_error("--log goes with the bottleneck distance alone");
     if (options.relative_error > 0 && options.order == 0)
         return usage_error("--error goes with --wasserstein; the bottleneck distance is exact");
@@ -247,7 +249,7 @@ Outcome check_together(const Options& options) {
     if (options.sparse && !options.distances) return usage_error("--sparse goes with --distances");
     if (r.goal.longer_than > 0 && !options.focus_auto) return usage_error("--longer-than goes with --focus auto");
     if (options.focus_auto && was_given(options, "--fit"))
-        return usage_error("--fit finds the best ratio, --focus auto which bars are real; leave one out");
+        return usage_error("--fit finds the best ratio, --focus auto which bars are certified to exist; leave one out");
     const bool fits_error = r.fit != nullptr && r.filter == &netmesh_filter_function;
     if (fits_error && (r.values == NETMESH_VALUES_CERTIFIED || was_given(options, "--method")))
         return usage_error(

@@ -110,7 +110,7 @@ constexpr Option options[] = {
     OPTION("audit", NAMES, AUDIT, mesh.audit, "location, quality or both", "none", "measure every intermediate mesh",
            nullptr, words(audit_words)),
     OPTION("bounds", FLAG, BOUNDS, bounds, "0 or 1", "0",
-           "where each birth and death surely is and which bars surely are real", &netmesh_bounds, no_words),
+           "where each birth and death surely is and which bars are certified to exist", &netmesh_bounds, no_words),
     OPTION("cycles", FLAG, CYCLES, cycles, "0 or 1", "0", "a representative of each bar", &netmesh_cycles, no_words),
     OPTION("vines", FLAG, VINES, vines, "0 or 1", "0", "diagrams for k to k_last, or for each step, and their vines",
            &netmesh_vines, no_words),

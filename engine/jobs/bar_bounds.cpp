@@ -102,7 +102,7 @@ private:
 
 namespace {
 
-// A death at a or before belongs to no class that surely is real.
+// A death at a or before belongs to no class that is certified to exist.
 template <class After>
 void bound_each(const Interleaving& interleaving, const BarList& bars, bool zero_is_exact, After&& certain_after,
                 const Arena& arena, BarBounds* bounds) {
@@ -178,9 +178,9 @@ BarBounds by_rounding(const Pair& bar, const UniformBound& bound) {
             bar.death > bar.birth ? 1u : 0u, 0};
 }
 
-// By the ratio and the slack s for rounding: phi and psi of the head are x c s, and a bar is real when its death is
-// after c^2 s^2 times its birth. Below the normal range the roundings of a value, and of a bound, are less than four
-// times the least double together.
+// By the ratio and the slack s for rounding: phi and psi of the head are x c s, and a bar is certified to exist when
+// its death is after c^2 s^2 times its birth. Below the normal range the roundings of a value, and of a bound, are less
+// than four times the least double together.
 BarBounds by_ratio(const Pair& bar, const UniformBound& bound) {
     const bool zero = is_born_at_zero(bar, bound);  // whatever the ratio: 0 times infinity is no number
     const double slack = bound.rounded ? 1 + 0x1p-50 : 1, least = bound.rounded ? 0x1p-1072 : 0;

@@ -28,7 +28,7 @@ namespace netmesh {
 
 struct BarBounds {
     double birth_low, birth_high, death_low, death_high;
-    double certain_after;   // the bar is surely real when its death is after this
+    double certain_after;   // the bar is certified to exist when its death is after this
     std::uint32_t certain;  // or for another reason: 1
     std::uint32_t unused;
 };

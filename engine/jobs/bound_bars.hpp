@@ -1,4 +1,4 @@
-// For each bar of a diagram where the true one surely is, and which bars surely are real.
+// For each bar of a diagram where the true one surely is, and which bars are certified to exist.
 #pragma once
 #include "filtration/filters.hpp"
 #include "jobs/bar_bounds.hpp"

@@ -1,4 +1,4 @@
-// Certified bars: bars that surely are real though the bounds of all cells of their scales together do not tell:
+// Certified bars: bars that are certified to exist though the bounds of all cells of their scales together do not tell:
 // classes that a cover within the offsets has and a cover around them keeps.
 //
 // With lo_v <= F <= hi_v on each cell let X_a be the union of the cells with hi_v <= a and Y_a that of the cells with

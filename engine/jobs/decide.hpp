@@ -1,8 +1,8 @@
 // Scales of interest chosen from diagrams: a mesh is refined where bars are undecided.
 //
-// Of a diagram with bounds a bar is undecided when it is not surely real, and its bounds do not exclude that the true
-// one lives longer than `longer_than` times its birth, L below. Scales are taken from above: a mesh of the scale s has
-// s^-D as many vertices, and classes that die late are those of the whole shape.
+// Of a diagram with bounds a bar is undecided when it is not certified to exist, and its bounds do not exclude that the
+// true one lives longer than `longer_than` times its birth, L below. Scales are taken from above: a mesh of the scale s
+// has s^-D as many vertices, and classes that die late are those of the whole shape.
 //
 // Why scales near a bar decide it, and which: let cells across s, those with lo < s < hi, have hi <= R^2 lo. A class
 // born by s / R^2 is then there in the cells with hi <= s, which cover the sublevel set at s / R^2, and one that dies
@@ -13,7 +13,7 @@
 // shown yet shows or is excluded. Where bars are seen they are gone to at once: nothing is refined for scales below.
 //
 // How far R has to go: let all cells that matter to scales from `from` on keep R, and let a bar (b, d) that is not
-// surely real be undecided up to `reach`. Then d <= psi(phi(b)) <= R max(from, R b), and reach = phi(d) <= R^2
+// certified to exist be undecided up to `reach`. Then d <= psi(phi(b)) <= R max(from, R b), and reach = phi(d) <= R^2
 // max(from, R b). With R^4 < L and from <= reach / L^(3/4), which is less than reach / R^3, so R b > from and reach <=
 // R^3 b: b is above from, its true birth b / R at least, and L < reach / (b / R) <= R^4. So it is not for Steiner cells
 // that such a bar is undecided but for those of inputs, of which a mesh is asked nothing but its ratio everywhere.
@@ -43,7 +43,7 @@ struct DecisionView {
 double undecided_reach(const DecisionView& view);
 
 // True classes that live longer than longer_than times their birth and die after this each have a bar of their own,
-// which surely is real. At least undecided_reach: here classes without any bar count as well.
+// which is certified to exist. At least undecided_reach: here classes without any bar count as well.
 double decided_from(const DecisionView& view);
 
 // Goals, one after the other, by what comes of the one before. Each lowers the scales of interest, or their ratio where

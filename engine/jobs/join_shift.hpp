@@ -15,11 +15,11 @@
 //
 //     its true birth in [before(psi_i^-(b)), phi_i(b)],    its true death in [before(psi_i^-(d)), phi_i(d)],
 //
-// before(y) = inf {a : a + R(a) >= y}, and is surely real when d > psi_i(after(phi_i(b))), after(a) = a + R(a): then
-// psi_i^-(d) > after(phi_i(b)), and the bar of P_i's offsets that it is matched to is too long to be left over by the
-// matching with F's. Two matchings one after the other are one: bars that are certain belong to different true bars.
-// The same for whatever else says that a bar of P_i's offsets is alive from x to y: the true one is if y >= after(x).
-// Values that are higher than true ones come from the join alone, so nothing is added to phi_i.
+// before(y) = inf {a : a + R(a) >= y}, and is certified to exist when d > psi_i(after(phi_i(b))), after(a) = a + R(a):
+// then psi_i^-(d) > after(phi_i(b)), and the bar of P_i's offsets that it is matched to is too long to be left over by
+// the matching with F's. Two matchings one after the other are one: bars that are certain belong to different true
+// bars. The same for whatever else says that a bar of P_i's offsets is alive from x to y: the true one is if y >=
+// after(x). Values that are higher than true ones come from the join alone, so nothing is added to phi_i.
 #pragma once
 #include <cstdint>
 

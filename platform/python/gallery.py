@@ -36,11 +36,6 @@ def show(name, diagram, title):
     print("%-12s %s %s" % (name, diagram.fingerprint, title))
 
 
-def longest(bars, count=1):
-    """The longest bars, the longest one first."""
-    return bars[np.argsort(bars[:, 0] - bars[:, 1])[:count]]
-
-
 # %% Atoms of a protein: rings of six atoms die at the length of their bonds, rings of five before that.
 with gzip.open(data / "1A8O.pdb.gz", "rt") as file:
     atoms = [line for line in file if line.startswith(("ATOM", "HETATM"))]
@@ -53,7 +48,7 @@ show("protein", diagram, "%d rings of six atoms, %d of five" % ((early[:, 1] > 1
 quakes = np.genfromtxt(data / "earthquakes.csv", delimiter=",", names=True)
 points = np.column_stack((quakes["x"], quakes["y"], quakes["z"]))
 diagram = netmesh.persist(points)
-void, second = longest(diagram.intervals(2), 2)
+void, second = diagram.longest(2, 2)
 show("earthquakes", diagram, "a void from %.0f to %.0f km" % tuple(1000 * void))
 assert 1000 * (second[1] - second[0]) < 3
 

@@ -93,7 +93,7 @@ const paths = {
         await done(page);
         equal(await bars(page, 1), 1, 'holes');
         const read = await text(page, '#read');
-        check(read.includes('commas are decimal') && read.includes('line 1 skipped'), read);
+        check(read.includes('commas read as decimal') && read.includes('skipped header "x;y"'), read);
     },
     async 'chosen file'(page) {
         const path = join(files, 'cube.txt');
@@ -108,11 +108,32 @@ const paths = {
         await type(page, '#text', '1 2\n3 4\n5 six\n');
         await page.click('#run');
         await bad(page);
-        check((await status(page)).startsWith('line 3 is not a row of numbers'), await status(page));
+        check((await status(page)).startsWith('line 3: "six" is not a number'), await status(page));
         await type(page, '#text', '1 2\n3 4 5\n');
         await page.click('#run');
         await bad(page);
-        check((await status(page)).includes('line 2 has 3 numbers, the first point has 2'), await status(page));
+        check((await status(page)).includes('line 2: 3 columns where line 1 has 2'), await status(page));
+        equal(await text(page, '#read'), '', 'no count of points that are gone');
+    },
+    async 'columns of a table'(page) {
+        const rows = ring.replaceAll(' ', '').split('\n')
+            .map((row, i) => `2024-03-01 10:0${i % 10}:00,"Lab A, bench",${row}`);
+        rows[5] = '2024-03-01 10:05:00,"Lab B",,NA';
+        rows.push(rows[0]);
+        const table = 'time,site,x,y\n' + rows.join('\n');
+        await page.run(`document.querySelector('#text').value = ${JSON.stringify(table)}`);
+        await page.click('#run');
+        await bad(page);
+        check((await status(page)).includes('columns 3, 4 are numbers'), await status(page));
+        await page.run(`document.querySelector('#columns').value = 'x,y'`);
+        await page.click('#run');
+        await bad(page);
+        check((await status(page)).includes('has to be left out'), await status(page));
+        await page.click('#missing');
+        await done(page);
+        const read = await text(page, '#read');
+        check(read.includes('left out 1 of 25 rows') && read.includes('1 duplicate merged'), read);
+        equal(await bars(page, 1), 1, 'holes');
     },
     async 'certified band'(page) {
         await type(page, '#text', ring);
@@ -123,13 +144,13 @@ const paths = {
         const ratio = await page.run('last.result.ratio');
         check(ratio > 1 && ratio <= 1.8, `ratio ${ratio}`);
         equal(await page.run("document.querySelectorAll('#barcode .doubt').length > 0"), true, 'a band');
-        check((await text(page, '#barcode')).includes('too short to be surely real: death'), 'its legend');
+        check((await text(page, '#barcode')).includes('too short to be certified: death'), 'its legend');
         check((await text(page, '#figures')).includes('worst aspect ratio'), 'figures of the mesh');
         await page.click('#bounds');
         await page.click('#run');
         await page.until("last.wanted.asked.bounds === 1 && !document.querySelector('#run').disabled", 'bounds');
-        equal(await page.run("last.result.pairs.find(p => p.degree === 1).real"), true, 'the hole is real');
-        check((await text(page, '#barcode')).includes('surely real by its bounds'), 'the legend of bounds');
+        equal(await page.run("last.result.pairs.find(p => p.degree === 1).exists"), true, 'the hole exists');
+        check((await text(page, '#barcode')).includes('certified by its bounds'), 'the legend of bounds');
     },
     async 'what the engine chooses'(page) {
         const curve = Array.from({ length: 1000 }, (_, i) => [i / 1000, (i / 1000) ** 2, (i / 1000) ** 3]);
@@ -153,6 +174,38 @@ const paths = {
         await page.click('#run');
         await page.until("last !== null && !document.querySelector('#run').disabled", 'a ratio');
         check((await status(page)).includes('as a ratio is asked for'), await status(page));
+    },
+    // The reader's text of as many points would be slow to type: they come as a file does.
+    async 'many points in space'(page) {
+        await page.run(`document.querySelector('#text').value = ${JSON.stringify(cube(40000, 3))}`);
+        await choose(page, '#memory', '1024');
+        await page.run(`window.shares = [];
+            new MutationObserver(() => shares.push(document.querySelector('#progress').value))
+                .observe(document.querySelector('#progress'), { attributes: true });`);
+        await page.click('#run');
+        await page.until("document.querySelector('#status').textContent.includes('done in')", 'a result', 120);
+        check((await page.run('last.result.pairs.length')) > 100000, 'bars');
+        const note = await text(page, '#view-note');
+        check(note.includes('too large to draw more of it'), note);
+        check(Number(await page.run("document.querySelector('#radius').value")) > 0, 'the slider');
+        const shares = await page.run('shares');
+        check(shares.length > 3 && shares.every((x, i) => i === 0 || x >= shares[i - 1]), `progress ${shares}`);
+        await page.click('#radius', .5, .5);
+        check((await text(page, '#betti')).includes('H'), 'holes at the radius');
+    },
+    async 'a million bars'(page) {
+        await choose(page, '#sample', 'noisy circle, 2D');
+        await done(page);
+        await page.run(`(() => {
+            const { result, cloud, wanted } = last, pairs = [];
+            for (let i = 0; i < 1000000; ++i)
+                pairs.push({ degree: i % 2, birth: i % 2, death: i % 2 + 1 / (1 + i), exists: true, after: 0,
+                    cycle: null });
+            take_result({ ...result, pairs }, cloud, wanted);
+        })()`);
+        check((await status(page)).includes('done in'), await status(page));
+        check((await text(page, '#barcode')).includes('500,000 bars'), 'the barcode');
+        check((await page.run("pers_text(last.result, '').length")) > 1e7, 'the file');
     },
     async 'neighbours'(page) {
         await type(page, '#text', ring);

@@ -12,12 +12,13 @@ module = base64.b64encode(pathlib.Path(sys.argv[2]).read_bytes()).decode("ascii"
 def part(found):
     name = found.group(1)
     text = module if name == "MODULE" else (folder / name).read_text(encoding="utf-8")
+    text = re.sub(r"^export (?=function|class|const)", "", text, flags=re.M)  # a module of the package, as a script
     if name != "MODULE" and ("</script" in text or "</style" in text):
         sys.exit(f"{name} would end its own element")
     return text
 
 
-page, count = re.subn(r"@([A-Za-z.]+)@", part, (folder / "page.html").read_text(encoding="utf-8"))
-if count != 8:
-    sys.exit(f"the page has {count} parts and not 8")
+page, count = re.subn(r"@([A-Za-z./]+)@", part, (folder / "page.html").read_text(encoding="utf-8"))
+if count != 9:
+    sys.exit(f"the page has {count} parts and not 9")
 pathlib.Path(sys.argv[3]).write_text(page, encoding="utf-8")

@@ -253,7 +253,7 @@ static double fine_far_away(void* user, const double* x) {
     return 0.18 + std::fmax(0.0, 0.95 - std::sqrt(nearest2)) + 2 * std::fmax(0.0, std::sqrt(norm2) - 1.45);
 }
 
-TEST_CASE("one-dimensional classes of the Clifford torus and that of the 3-sphere around it are surely real") {
+TEST_CASE("one-dimensional classes of the Clifford torus and that of the 3-sphere around it are certified to exist") {
     if (dimensions({4}).empty()) return;
     inputs::Points points = inputs::clifford(500);
     Session session(4);

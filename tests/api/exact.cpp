@@ -16,7 +16,7 @@ double distance(const std::vector<netmesh_pair>& a, const std::vector<netmesh_pa
     return std::ldexp(d.value, d.exponent);
 }
 
-// Surely real bars belong to different true ones; here to any.
+// Bars that are certified to exist belong to different true ones; here to any.
 void check_bounds(Session& s, const std::vector<netmesh_pair>& exact) {
     REQUIRE(s.bound_bars() == NETMESH_OK);
     const std::vector<netmesh_pair> pairs = s.pairs();

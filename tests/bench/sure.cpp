@@ -1,5 +1,5 @@
-// Which bars of the experiment of 7.7 are surely real: 2,000 points of the curve on the Clifford torus, on a mesh of
-// tau 4 whose cells have an out-radius of at most SIZE (0.16) where the points are FROM (0.95) or more away.
+// Which bars of the experiment of 7.7 are certified to exist: 2,000 points of the curve on the Clifford torus, on a
+// mesh of tau 4 whose cells have an out-radius of at most SIZE (0.16) where the points are FROM (0.95) or more away.
 //
 //   bench_sure [SIZE [FROM]]
 #include <cinttypes>
@@ -46,8 +46,9 @@ int main(int argc, char** argv) {
     for (std::size_t i = 0; i < bounds.size(); ++i) {
         const netmesh_bar_bounds& b = bounds[i];
         if (pairs[i].degree == 0 || b.certain == 0) continue;
-        std::printf("H%" PRIu32 " %.4f %.4f surely real: born in %.4f .. %.4f, dies in %.4f .. %.4f\n", pairs[i].degree,
-                    pairs[i].birth, pairs[i].death, b.birth_low, b.birth_high, b.death_low, b.death_high);
+        std::printf("H%" PRIu32 " %.4f %.4f certified to exist: born in %.4f .. %.4f, dies in %.4f .. %.4f\n",
+                    pairs[i].degree, pairs[i].birth, pairs[i].death, b.birth_low, b.birth_high, b.death_low,
+                    b.death_high);
     }
     return 0;
 }

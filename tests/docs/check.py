@@ -14,8 +14,9 @@ Blocks: ```sh is run and has to succeed; ```console has lines `$ command` and wh
 line that begins with time; ```python is run where numpy is there. A line in front of a block says otherwise:
 <!-- run by: TEST -->, the name of a test that does it; <!-- not run: REASON -->; <!-- needs: PROGRAM --> of one that is
 run where there is such a program; <!-- file: NAME --> of a block that is a file in the folder of the commands that
-follow. In that folder are the files of the project, its build as `build`, and for pages that have it beside
-them the project as `netmesh`."""
+follow. <!-- rows: COMMANDS --> in front of a table: behind these commands those in its cells are run,
+row by row. In that folder are the files of the project, its build as `build`, and for pages that have it beside them
+the project as `netmesh`."""
 import argparse
 import glob
 import importlib.util
@@ -30,6 +31,9 @@ from html.parser import HTMLParser
 
 ROOT = os.path.normpath(os.path.join(os.path.dirname(os.path.abspath(__file__)), "..", ".."))
 BLOCK = re.compile(r"(?:^<!-- ([a-z ]+): (.*?) -->\n)?^```(\w*)\n(.*?)^```$", re.M | re.S)
+# A table of commands, and a cell that has some.
+ROWS = re.compile(r"^<!-- rows: (.*?) -->\n((?:\|.*\n)+)", re.M)
+COMMAND_CELL = re.compile(r"\| `((?:netmesh|awk) [^`]*)`")
 OPTION = re.compile(r"(?<![\w-])(--?[A-Za-z][\w-]*)")
 
 
@@ -105,7 +109,15 @@ def faults_of_commands(pages, build, write=False):
         counts = {"run": 0, "elsewhere": 0}
         with tempfile.TemporaryDirectory() as path:
             folder = Folder(path, build)
-            for block in BLOCK.finditer(text):
+            found = sorted([*BLOCK.finditer(text), *ROWS.finditer(text)], key=lambda match: match.start())
+            for block in found:
+                if block.re is ROWS:
+                    for command in [block.group(1)] + COMMAND_CELL.findall(block.group(2)):
+                        counts["run"] += 1
+                        status, said = folder.run(["sh", "-ec", command])
+                        if status != 0:
+                            faults.append("%s: ends with %d:\n%s\n%s" % (page, status, command, said))
+                    continue
                 says, what, language, body = block.groups()
                 place = "%s:%d" % (page, text.count("\n", 0, block.start(3)) + 1)
                 if says == "run by":

@@ -227,7 +227,7 @@ TEST_CASE(
 }
 
 // Why a bar is not real for being longer than twice the shift at its birth.
-TEST_CASE("by differences a bar is real when it dies after psi(phi(birth)), not after twice its own shift") {
+TEST_CASE("by differences a bar exists for certain when it dies after psi(phi(birth)), not after twice its shift") {
     const double t[] = {0, 6};
     const Interval interval[] = {{0, 1}, {1, 6}};
     const Pair bar = {0, 5, 0, 0};

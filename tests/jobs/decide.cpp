@@ -53,7 +53,7 @@ bool same(const RatioGoal& a, const RatioGoal& b) {
 
 }  // namespace
 
-TEST_CASE("a bar is undecided until it surely is real, or short") {
+TEST_CASE("a bar is undecided until it is certified to exist, or short") {
     CHECK(is_undecided(bar(1, 1.6), 1.5));
     CHECK_FALSE(is_undecided(bar(1, 1.6, true), 1.5));
     CHECK_FALSE(is_undecided(bar(1, 1.4), 1.5));

@@ -51,6 +51,14 @@ assert.ok(mesh.neighbours.includes(-1) && mesh.markers[60] > 0 && Math.abs(mesh.
 mesh.persist({ filter: 'knn', k: 2 });
 assert.equal(mesh.values.length, mesh.vertexCount);
 
+// The longest bars.
+const eight = netmesh.persist([...circle, ...circle.map(([x, y]) => [3 + x / 2, y / 2])]);
+close(eight.longest(1)[1], 1);
+assert.deepEqual([eight.longest(1, 2).length, eight.longest(0).length, eight.longest(0)[1]], [4, 2, Infinity]);
+close(eight.longest(1, 2)[3], 0.5);
+assert.equal(eight.longest(1, 1000).length, eight.intervals(1).length);
+assert.throws(() => eight.longest(1, 0), { status: 'invalid-argument', argument: 'count' });
+
 // Rips of points, by a threshold, and of distances.
 const distances = circle.map(p => circle.map(q => Math.hypot(p[0] - q[0], p[1] - q[1])));
 for (const made of [netmesh.rips(circle), netmesh.rips(circle, { threshold: 2 }), netmesh.rips(null, { distances })]) {
@@ -58,6 +66,9 @@ for (const made of [netmesh.rips(circle), netmesh.rips(circle, { threshold: 2 })
     close(made.intervals(1)[1], Math.sqrt(3) / 2);
 }
 assert.equal(netmesh.rips(circle, { threshold: 0.5 }).intervals(1)[1], Infinity);
+assert.throws(() => netmesh.rips(distances), { status: 'invalid-argument', argument: 'points', message: /rips\(null/ });
+assert.equal(netmesh.persist(distances, { filter: 'rips' }).intervals(0).length, 120);
+assert.throws(() => netmesh.persist(circle, { k: 3 }), { status: 'invalid-argument', argument: 'k', message: /knn/ });
 assert.equal(netmesh.rips([[0], [1], [3]]).intervals(0).length, 6);
 
 // Distances by hand.

@@ -1,9 +1,11 @@
 // What the types of the package admit, and what they do not.
-import { load, loadWorker, Diagram, Mesh, NetmeshError, Status, Vineyard } from 'netmesh';
+import { load, loadWorker, parseTable, Diagram, Mesh, NetmeshError, Status, Vineyard } from 'netmesh';
 
 const netmesh = await load();
 const diagram: Diagram = netmesh.persist([[0, 0], [1, 0], [0, 1]], { filter: 'complete', ratio: 2, bounds: true });
-const bars: Float64Array = diagram.intervals(1);
+const bars: Float64Array = diagram.longest(1, 2);
+const { points, dim } = parseTable('x,y\n1,2\n', { columns: ['x', 2], dropMissing: true });
+netmesh.persist(points, { dim });
 for (const { degree, birth, death } of diagram) console.log(degree + birth + death);
 const mesh: Mesh = netmesh.mesh(new Float64Array(6), { dim: 2, progress: now => now.done > now.total });
 const cells: Int32Array = mesh.cells;

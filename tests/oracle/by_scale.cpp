@@ -221,7 +221,7 @@ TEST_CASE("what a fit decides is so") {
         std::size_t certain = 0;
         CHECK(bounds_hold(session, truth, &certain));
         real += certain;
-        // Each true class that is long and dies late has a bar of its own that is said to be real.
+        // Each true class that is long and dies late has a bar of its own that is said to exist.
         std::map<std::uint32_t, Bars> ours, due;
         const std::vector<netmesh_pair> pairs = session.pairs();
         const std::vector<netmesh_bar_bounds> bounds = read_all(session.context, netmesh_get_bar_bounds);
@@ -245,7 +245,7 @@ TEST_CASE("what a fit decides is so") {
             if (degree > 0) due_in_all += bars.size();
         }
     }
-    MESSAGE(sets() << " sets, " << focused << " refined, " << real << " bars surely real, " << due_in_all
+    MESSAGE(sets() << " sets, " << focused << " refined, " << real << " bars certified to exist, " << due_in_all
                    << " classes above degree 0 that had to be among them");
     CHECK(focused >= static_cast<std::size_t>(sets()) / 4);
     CHECK(due_in_all > 0);

@@ -1,7 +1,7 @@
 // The additive bound of the filter by a function against the truth: sublevel sets of random Lipschitz functions on a
 // fine grid, by GUDHI's cubical complexes and bottleneck distance. The distance is at most certified_error and what the
 // grid is too coarse to tell; where a mesh was made for an error, certified_error is at most that, and every bar that
-// is said to be real has a true one of its own within its bounds, those by its own cells; and every true bar longer
+// is said to exist has a true one of its own within its bounds, those by its own cells; and every true bar longer
 // than twice the error lies within the bounds of some bar. NETMESH_FUNCTION_SETS functions (24) in the plane and in
 // space, every tenth in R^4.
 #include <doctest/doctest.h>

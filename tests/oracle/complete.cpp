@@ -34,7 +34,7 @@ template <int D> void within_certificate(const std::string& name, const inputs::
         CHECK(certain > 0);
         MESSAGE(name << " D=" << D << std::string(values == NETMESH_VALUES_THESIS ? " thesis" : " certified")
                      << " values: true ratio " << ratio << ", certified " << r.diagram.certified_ratio << ", tau "
-                     << r.mesh.tau << ", " << certain << " bars surely real");
+                     << r.mesh.tau << ", " << certain << " bars certified to exist");
     }
 }
 
@@ -56,7 +56,7 @@ template <int D> void reaches_ratio(const std::string& name, const inputs::Point
     CHECK(moves_within(curve(session), diagram(session), truth));
     MESSAGE(name << " D=" << D << " by the certificate: true ratio " << true_ratio << ", certified "
                  << r.diagram.certified_ratio << ", " << r.mesh.vertices << " vertices, " << certain
-                 << " bars surely real");
+                 << " bars certified to exist");
 }
 
 }  // namespace

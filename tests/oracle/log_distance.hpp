@@ -65,7 +65,7 @@ inline double log_distance(Diagram ours, Diagram truth, std::uint32_t dim) {
     return distance;
 }
 
-// A bar that is said to be real.
+// A bar that is said to exist.
 struct Claim {
     std::uint32_t degree;
     netmesh_bar_bounds bounds;
@@ -109,7 +109,7 @@ inline bool all_real(const std::vector<Claim>& claims, const Diagram& truth, dou
     return true;
 }
 
-// Do the bounds of the session's bars hold? *certain: how many are said to be real. slack: the truth is known to within
+// Do the bounds of the session's bars hold? *certain: how many are said to exist. slack: the truth is known to within
 // this factor, and bars so short may be missing from it.
 inline bool bounds_hold(Session& session, const Diagram& truth, std::size_t* certain, double slack = 1 + 1e-9) {
     REQUIRE(session.bound_bars() == NETMESH_OK);

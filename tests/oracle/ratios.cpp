@@ -1,7 +1,7 @@
 // Certified ratio, true ratio and theory's bound of every filter on point sets in 2D, 3D and 4D, as a table
 // (ctest -R oracle.ratios -V). The truth: the alpha complex; for d_k nested sets of points, on sets small enough; for
 // the k-distance sublevel sets on a fine grid. The true ratio is e to the exact log-bottleneck distance. Each is inside
-// its certified ratio and its ratio by scale, that inside theory's bound, and each bar said to be real inside its
+// its certified ratio and its ratio by scale, that inside theory's bound, and each bar said to exist inside its
 // bounds. The bound for d_k and the k-distance holds where every cell is as good as tau says
 // (filtration/function_filter.hpp); refinement looks at the cells as the complete filter needs them.
 #include <doctest/doctest.h>
@@ -36,7 +36,7 @@ void print_row(const Case& c, const Session& session, const char* filter, double
 }
 
 void print_head() {
-    std::printf("| filter | points | D | inputs | vertices | certified | true | theory | bars | surely real |\n");
+    std::printf("| filter | points | D | inputs | vertices | certified | true | theory | bars | exist |\n");
     std::printf("|---|---|---|---|---|---|---|---|---|---|\n");
 }
 

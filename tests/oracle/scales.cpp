@@ -74,8 +74,8 @@ std::size_t by_scale(Session& session, netmesh::Request request, const Diagram& 
         CHECK(step.reach >= by_scale.steps[i - 1].reach);
     }
     CHECK(worst <= r.diagram.certified_ratio);
-    MESSAGE("surely real: " << certain << " bars by scale, " << by_ratio << " by the ratio "
-                            << r.diagram.certified_ratio << "; worst ratio by scale " << worst);
+    MESSAGE("certified to exist: " << certain << " bars by scale, " << by_ratio << " by the ratio "
+                                   << r.diagram.certified_ratio << "; worst ratio by scale " << worst);
     return certain;
 }
 
@@ -95,7 +95,7 @@ inputs::Points rings(int dim, std::size_t around, std::size_t each, double ratio
     return p;
 }
 
-// How many classes above degree 0 are surely real, {by the ratio, by scale}.
+// How many classes above degree 0 are certified to exist, {by the ratio, by scale}.
 template <int D> std::pair<std::size_t, std::size_t> real_rings(const inputs::Points& points, double ratio) {
     Session exact(D);
     REQUIRE(exact.alpha(points) == NETMESH_OK);
@@ -178,7 +178,7 @@ TEST_CASE("a ratio for the joined diagram, in every dimension") {
     for_each_dimension<6, 6>([](auto dim) { within_ratio<dim>(nested(6, 3, 1e-3, 7, 39), 1.0 / 9, 2.4, true); });
 }
 
-TEST_CASE("rings of two scales are surely real by scale, where the ratio does not tell") {
+TEST_CASE("rings of two scales are certified to exist by scale, where the ratio does not tell") {
     const auto plane = real_rings<2>(rings(2, 12, 12, 0.02), 1.9);
     CHECK(plane.second == 13);
     CHECK(plane.first < 13);

@@ -35,7 +35,7 @@ template <int D> void within_eps(const std::string& name, const inputs::Points& 
         MESSAGE(name << " D=" << D << ", eps " << eps
                      << std::string(values == NETMESH_VALUES_THESIS ? ", thesis" : ", certified")
                      << " values: log distance " << distance << ", certified ratio " << r.diagram.certified_ratio
-                     << ", " << r.mesh.vertices << " vertices, " << certain << " bars surely real");
+                     << ", " << r.mesh.vertices << " vertices, " << certain << " bars certified to exist");
     }
 }
 
@@ -61,7 +61,7 @@ template <int D> void within_ratio(const inputs::Points& points, double ratio) {
         CHECK(bounds_hold(session, truth, &certain));
         MESSAGE("D=" << D << ", ratio " << ratio << ": log distance " << distance << ", certified ratio "
                      << r.diagram.certified_ratio << ", " << r.mesh.vertices << " vertices, " << certain
-                     << " bars surely real");
+                     << " bars certified to exist");
     }
 }
 

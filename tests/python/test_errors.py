@@ -103,6 +103,23 @@ def test_persist_refuses(options, argument):
     assert error.argument == argument and str(error).startswith(argument)
 
 
+def test_distances_in_place_of_points():
+    distances = np.abs(np.subtract.outer(np.arange(9.0), np.arange(9.0)))
+    error = raised(errors.InvalidArgument, netmesh.rips, distances)
+    assert error.argument == "points" and "rips(distances=...)" in str(error)
+    assert len(netmesh.persist(distances, "rips").intervals(0)) == 9  # as it says
+    distances[2, 1] += 1e-9
+    assert len(netmesh.rips(distances).intervals(0)) == 9  # nothing that is a matrix of distances
+    assert len(netmesh.rips([[0, 1], [1, 0]]).intervals(0)) == 2
+
+
+def test_a_k_that_is_given_or_not():
+    error = raised(errors.InvalidArgument, netmesh.persist, POINTS, k=3)
+    assert error.argument == "k" and 'filter="knn"' in str(error)
+    with pytest.warns(UserWarning, match="outliers"):
+        netmesh.persist(POINTS, "knn")
+
+
 @pytest.mark.parametrize("options, argument", [
     (dict(tau=2), "tau"), (dict(tau=0), "tau"), (dict(tau="x"), "tau"), (dict(method="x"), "method"),
     (dict(purpose="x"), "purpose"), (dict(domain_factor=9), "domain_factor"), (dict(cages="x"), "cages"),

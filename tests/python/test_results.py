@@ -1,6 +1,7 @@
 """Diagrams, meshes, vineyards: what their attributes say."""
 import doctest
 import typing
+from xml.etree import ElementTree
 
 import numpy as np
 import pytest
@@ -28,6 +29,44 @@ def test_a_circle():
             diagram.intervals(degree)
     with pytest.raises(errors.InvalidArgument):
         diagram.to_gudhi("feet")
+
+
+def test_the_longest_bars():
+    diagram = netmesh.persist(np.concatenate((circle(40), 3 + 0.5 * circle(30))))
+    bars = diagram.intervals(1)
+    lengths = bars[:, 1] - bars[:, 0]
+    assert (diagram.longest() == bars[[np.argmax(lengths)]]).all() and diagram.longest(1).shape == (1, 2)
+    two = diagram.longest(1, 2)
+    assert two[0, 1] == pytest.approx(1) and two[1, 1] == pytest.approx(0.5)
+    assert len(diagram.longest(1, 1000)) == len(bars) and len(netmesh.persist([[0, 0], [1, 1], [1, 0]]).longest(1)) < 2
+    assert diagram.longest(0)[0, 1] == np.inf
+    finite = diagram.longest(0, 1000)[1:]
+    assert (np.diff(finite[:, 1] - finite[:, 0]) <= 0).all()
+    for degree, count in ((2, 1), (1, 0), (1, 1.5)):
+        with pytest.raises(errors.InvalidArgument):
+            diagram.longest(degree, count)
+
+
+def test_betti_numbers_at_many_radii():
+    diagram = netmesh.persist(circle(60))
+    radii = np.array([[0.01, 0.5], [2, 0]])
+    counts = diagram.betti(radii)
+    assert counts.shape == (2, 2, 2)
+    for at in np.ndindex(2, 2):
+        assert tuple(counts[at]) == diagram.betti(radii[at])
+    assert diagram.betti([0.5, 0.9]).tolist() == [[1, 1], [1, 1]]
+
+
+def test_pictures_without_another_package(tmp_path):
+    diagram = netmesh.persist(np.concatenate((circle(40), 3 + 0.5 * circle(30))))
+    picture = diagram._repr_svg_()
+    assert ElementTree.fromstring(picture).tag.endswith("svg")
+    assert "2 stand apart" in picture and "exact" in picture and "&#8734;" in picture
+    diagram.save(tmp_path / "d.svg")
+    assert (tmp_path / "d.svg").read_text() == picture
+    for few in (netmesh.persist([[0, 0], [1, 1], [1, 0]]), netmesh.homology([[0]], [0.0]),
+                netmesh.persist(circle(20), "complete", ratio=2)):
+        ElementTree.fromstring(few._repr_svg_())
 
 
 def test_intervals_are_not_copied():

@@ -12,7 +12,7 @@ from netmesh.sklearn import PersistenceFeatures  # noqa: E402
 
 from conftest import circle  # noqa: E402
 
-KINDS = ("landscape", "betti", "statistics")
+KINDS = ("landscape", "betti", "image", "statistics")
 
 
 @pytest.mark.filterwarnings("ignore")
@@ -23,7 +23,7 @@ def test_estimator_checks(estimator, check):
     check(estimator)
 
 
-@pytest.mark.parametrize("kind, count", [("landscape", 80), ("betti", 40), ("statistics", 12)])
+@pytest.mark.parametrize("kind, count", [("landscape", 80), ("betti", 40), ("image", 800), ("statistics", 12)])
 def test_features(kind, count):
     clouds = [circle(30, 0.05, seed) for seed in range(4)] + [circle(20, 0.3, 9)]
     made = PersistenceFeatures(kind).fit(clouds)
@@ -44,6 +44,24 @@ def test_a_landscape_by_hand():
     assert made.transform(square)[0, 5:] == pytest.approx(tent)
     betti = PersistenceFeatures("betti", resolution=5).fit(square).transform(square)[0]
     assert betti[:5] == pytest.approx([3, 3, 3, 0, 0])  # the essential one is left out
+
+
+def test_an_image_by_hand():
+    square = [np.array([[0.0, 0], [2, 0], [0, 2], [2, 2]])]
+    made = PersistenceFeatures("image", resolution=5, filter="rips").fit(square)
+    step, length = np.sqrt(2) / 4, np.sqrt(2) - 1
+    births, lengths = np.meshgrid(made.radii_, made.radii_)
+    due = length * np.exp(-(((births - 1) / step) ** 2 + ((lengths - length) / step) ** 2) / 2)
+    assert made.transform(square)[0, 25:] == pytest.approx(due.ravel())
+
+
+def test_neighbours_against_outliers():
+    cloud = circle(40)
+    with_outlier = np.concatenate((cloud, [[0.0, 0.0]]))
+    longest = [PersistenceFeatures("statistics", filter="knn", k=4).fit_transform([points])[0, 7]
+               for points in (cloud, with_outlier)]
+    assert longest[1] == pytest.approx(longest[0], rel=0.1)
+    assert PersistenceFeatures("statistics").fit_transform([with_outlier])[0, 7] < 0.7 * longest[0]
 
 
 def test_series_that_repeat_are_circles():

@@ -383,8 +383,9 @@ Outcome check_diagram(const Options& options, RunReport* run) {
         (essential == 1 ? "one essential class"
                         : counted(static_cast<std::size_t>(essential), "essential class", "essential classes")));
     if (!file.head && !says_how(options)) {
-        outcome = refuse_options(options, {"--representatives", "--memory", "--columns", "--delimiter", "--skip"},
-                                 "nothing says how " + file.name + " was made, so nothing is made again");
+        outcome = refuse_options(
+            options, {"--representatives", "--memory", "--columns", "--delimiter", "--skip", "--drop-missing"},
+            "nothing says how " + file.name + " was made, so nothing is made again");
         if (!outcome.good()) return outcome;
         // What can be made again by nobody cannot be checked, whatever points stand beside it.
         return file_error(file.name, "carries no certificate: it does not say how it was made, nor do options",

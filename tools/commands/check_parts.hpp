@@ -84,7 +84,7 @@ Outcome second_opinion_on_points(const DiagramClaim& claim, const PointCloud& po
 // The same for a complex that was listed, or is too large for that.
 Outcome second_opinion_on_complex(const DiagramClaim& claim, const SimplexList& simplices, RunReport* run);
 
-// Of a diagram that is joined of scales: bars, what is real, and cycles of points against the exact diagram.
+// Of a diagram that is joined of scales: bars, what is certified, and cycles of points against the exact diagram.
 Outcome second_opinion_on_scales(const DiagramClaim& claim, const PointCloud& points, RunReport* run);
 
 // The diagram of the positional argument: its form; and, where its head or the options say how it was made, the same

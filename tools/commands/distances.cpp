@@ -62,7 +62,8 @@ Outcome run_distances(const Options& given) {
     const Bounds bounds;
     const std::vector<Bar> list = needs_list(options) ? bars_of(bars) : std::vector<Bar>();
     if (options.json && options.out.empty()) run.bars = &list;
-    const CyclePlaces places = input.of_points() ? places_of(input.cloud) : CyclePlaces{};
+    CyclePlaces places = input.of_points() ? places_of(input.cloud) : CyclePlaces{};
+    places.all_chosen = !chosen.empty();
     std::vector<FileJob> jobs;
     if (!options.svg.empty())
         jobs.push_back({picture_path(options.svg),

@@ -229,7 +229,8 @@ struct Result {
 };
 
 // Cycles go by vertices of a mesh, or by points.
-CyclePlaces places_of(const Options& options, const EngineMesh& mesh, const PointCloud& cloud) {
+CyclePlaces places_of(const Options& options, const EngineMesh& mesh, const PointCloud& cloud,
+                      const netmesh_report& report) {
     if (!has_cells(kind_of(options))) return places_of(cloud);
     CyclePlaces places;
     places.dim = mesh.dim;
@@ -237,6 +238,11 @@ CyclePlaces places_of(const Options& options, const EngineMesh& mesh, const Poin
         const netmesh_vertex vertex = mesh.vertex(i);
         places.coordinates.insert(places.coordinates.end(), vertex.coordinates, vertex.coordinates + mesh.dim);
         places.inputs += vertex.marker == 0;
+    }
+    if (report.diagram.filter != NETMESH_FILTER_ALPHA || !cloud.weights.empty() || mesh.dim > 3) return places;
+    for (std::uint64_t c = 0; c < mesh.cell_count; c++) {
+        const netmesh_cell cell = mesh.cell(c);
+        places.cells.insert(places.cells.end(), cell.vertices, cell.vertices + mesh.dim + 1);
     }
     return places;
 }
@@ -300,12 +306,15 @@ void take_focus(const netmesh_goal& made, Options* options) {
 }
 
 // The filter that the engine has taken, as if it had been asked for; and one line about it where none was asked for.
-void take_filter(const netmesh_diagram_report& diagram, Options* options) {
+void take_filter(const netmesh_diagram_report& diagram, std::uint32_t dim, Options* options) {
     const bool is_auto = options->request.filter == &netmesh_filter_auto;
     if (!persists(*options) || !(is_auto || !options->implies_mesh.empty())) return;
     if (!options->quiet) {
         const std::string reason = is_auto ? netmesh_why_text(diagram.why) : options->implies_mesh + " asks for a mesh";
-        const std::string text = std::string("filter ") + filter_name(diagram.filter) + ": " + reason + "\n";
+        // Of points on a line pairs of balls say all, and exactly.
+        const bool on_line = is_auto && diagram.why == NETMESH_WHY_FLAT && dim == 2;
+        const std::string text = std::string("filter ") + filter_name(diagram.filter) + ": " + reason +
+                                 (on_line ? "; on a line --filter rips is exact" : "") + "\n";
         std::fputs(text.c_str(), stderr);
     }
     options->request.filter = about(diagram.filter).filter;
@@ -399,6 +408,11 @@ Outcome make_and_finish(Options& options, Input& input, double start, double rea
     if (options.vertex_function) outcome = settle_mesh(options, &input.mesh, &session);
     if (!outcome.good()) return outcome;
     tell_cost(options, cloud);
+    if (persists(options) && about(filter_of(options)).needs_k != 0 && about(filter_of(options)).is_on_mesh != 0 &&
+        !was_given(options, "--k"))
+        tell_note(options, cloud.name,
+                  std::string("filter ") + filter_name(filter_of(options)) +
+                      " with --k 1 is the distance to the points, outliers and all; --k 4 does not see single ones");
     const auto all_work = [&](Session& s) { return work(s, options, input, &measured); };
     outcome =
         session.run(input.pieces ? input.pieces->plan() : plan_of(options, cloud.dim, cloud.rows()), cloud, all_work);
@@ -408,7 +422,7 @@ Outcome make_and_finish(Options& options, Input& input, double start, double rea
     if (!outcome.good()) return outcome;
     run.engine = session.report();
     if (options.focus_auto) take_focus(run.engine->mesh.goal, &options);
-    take_filter(run.engine->diagram, &options);
+    take_filter(run.engine->diagram, cloud.dim, &options);
     tell_highest_degree(options, cloud.name, run.engine->diagram);
     run.clock = session.clock();
     if (options.analyse) run.analysis = measured.analysis;
@@ -434,7 +448,8 @@ Outcome make_and_finish(Options& options, Input& input, double start, double rea
     if (needs_list(options)) result.list = bars_of(result.bars);
     result.head = head_of(options, *run.engine);
     const std::string cycles_ending = ending_of(options.representatives);
-    if (needs_places(cycles_ending)) result.places = places_of(options, result.mesh, cloud);
+    if (needs_places(cycles_ending)) result.places = places_of(options, result.mesh, cloud, *run.engine);
+    result.places.all_chosen = !result.chosen.empty();
     if (options.request.bounds != nullptr) run.bounds = &result.bounds;
     if (options.json && options.out.empty()) run.bars = &result.list;
     return finish_run(diagram_jobs(options, session.engine(), result, cloud, *run.engine), start, &run);
@@ -482,7 +497,8 @@ Outcome collect(const Options& from) {
     Outcome outcome = points.open(folder.points());
     if (!outcome.good()) return outcome;
     const PiecesJob& job = points.job();
-    for (const char* const name : {"--max-degree", "--all", "--pieces", "--columns", "--delimiter", "--skip"})
+    for (const char* const name :
+         {"--max-degree", "--all", "--pieces", "--columns", "--delimiter", "--skip", "--drop-missing"})
         if (was_given(from, name))
             return usage_error(std::string(name) + " does nothing here: split has said it of all pieces");
     Options options = persist_options(from, job);

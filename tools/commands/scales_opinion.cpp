@@ -25,7 +25,7 @@ bool parse_radius(std::string_view word, double* value) {
     return true;
 }
 
-// Who is surely real: `DEGREE BIRTH DEATH # birth A B death C D real`.
+// Who is certified to exist: `DEGREE BIRTH DEATH # birth A B death C D real`.
 Outcome read_real(const DiagramFile& file, std::vector<BarBox>* boxes, std::vector<std::size_t>* bars) {
     std::size_t bar = 0;
     for (const BoundLine& line : file.bounds) {
@@ -78,7 +78,7 @@ Outcome judge_real(const DiagramFile& file, const std::vector<Bar>& truth, std::
     std::size_t at = 0;
     if (!can_place(boxes, truth, &at))
         return file.wrong(file.line_of(bars[at]), bar_text(file.bars, bars[at]) +
-                                                      ": said to be real, but no true bar is within its bounds that is "
+                                                      ": said to exist, but no true bar is within its bounds that is "
                                                       "not another's");
     if (!boxes.empty())
         *text += ", and the " + grouped_text(boxes.size()) + " that are real different ones within their bounds";

@@ -20,8 +20,10 @@ struct CycleEntry {
 // Where the vertices of cycles are, D = 2 and 3.
 struct CyclePlaces {
     std::uint32_t dim = 0;
-    std::vector<double> coordinates;  // [vertices][dim]
-    std::size_t inputs = 0;           // so many of the first are input points
+    std::vector<double> coordinates;        // [vertices][dim]
+    std::size_t inputs = 0;                 // so many of the first are input points
+    std::vector<std::uint32_t> cells = {};  // [..][dim + 1], of the Delaunay triangulation that an alpha diagram is of
+    bool all_chosen = false;                // bars were chosen by the user; else pictures choose
 };
 // VTK's unstructured grid of vertices, lines, triangles and tetrahedra, with cell data bar, degree, birth and death.
 void write_cycles_vtu(const std::vector<CycleEntry>& cycles, const CyclePlaces& places, TextWriter& out);

@@ -8,6 +8,12 @@
 
 namespace netmesh::tool {
 
+namespace {
+
+constexpr const char* certain_word = " exists";  // of a bar that is certified to exist
+
+}  // namespace
+
 bool comes_before(const Bar& a, const Bar& b) {
     if (a.degree != b.degree) return a.degree < b.degree;
     if (a.birth != b.birth) return a.birth < b.birth;
@@ -26,7 +32,7 @@ void write_diagram(const BarSource& bars, const Bounds& known, TextWriter& out) 
         if (i < bounds.size()) {
             const netmesh_bar_bounds& b = bounds[i++];
             out << " # birth " << b.birth_low << ' ' << b.birth_high << " death " << b.death_low << ' ' << b.death_high;
-            if (b.certain != 0) out << " real";
+            if (b.certain != 0) out << certain_word;
         }
         out << '\n';
     });
@@ -42,6 +48,14 @@ std::vector<BoundLine> bound_lines(std::string_view content) {
         number++;
         if (!line.empty() && line.back() == '\r') line.remove_suffix(1);
         const bool of_bar = line.find(" # birth ") != std::string_view::npos;
+        // Until 0.2.0 the word was another one.
+        constexpr std::string_view old_word = " real";
+        const std::size_t body = line.size() - std::min(line.size(), old_word.size());
+        const bool is_old = of_bar && line.substr(body) == old_word;
+        if (is_old) {
+            lines.push_back({number, std::string(line.substr(0, body)) + certain_word});
+            continue;
+        }
         if (of_bar || line.substr(0, 8) == "# scale ") lines.push_back({number, std::string(line)});
     }
     return lines;

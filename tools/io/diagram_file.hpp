@@ -54,7 +54,7 @@ struct Bounds {
 
 // With bounds, comments `# scale FROM low LOW high HIGH reach REACH ratio RATIO` (netmesh_scale_step) come first, of a
 // function with `error ERROR` in place of the ratio, and
-// every line ends in a comment: `# birth A B death C D real`, the last word where it is.
+// every line ends in a comment: `# birth A B death C D exists`, the last word where the bar is certified to exist.
 void write_diagram(const BarSource& bars, const Bounds& bounds, TextWriter& out);
 
 // For other programs: a header and a bar a line, `inf` for deaths that are none, behind them the bounds if there are
@@ -65,7 +65,7 @@ void write_json_bars(Json& json, const BarSource& bars, TextWriter* out = nullpt
 void write_diagram_json(const BarSource& bars, TextWriter& out);
 void write_diagram_npy(const BarSource& bars, TextWriter& out);
 
-// A line that write_diagram makes of bounds.
+// A line that write_diagram makes of bounds; for `exists` files of version 0.2.0 have `real`.
 struct BoundLine {
     std::uint64_t number;
     std::string text;

@@ -9,7 +9,7 @@ namespace netmesh::tool {
 
 void write_diagram_csv(const BarSource& bars, const Bounds& known, TextWriter& out) {
     const bool bounded = known.bars.size() == bars.size() && bars.size() > 0;
-    out << "degree,birth,death" << (bounded ? ",birth_low,birth_high,death_low,death_high,real\n" : "\n");
+    out << "degree,birth,death" << (bounded ? ",birth_low,birth_high,death_low,death_high,exists\n" : "\n");
     std::size_t i = 0;
     bars.for_each([&](const Bar& bar) {
         out << bar.degree << ',' << bar.birth << ',' << bar.death;

@@ -288,20 +288,24 @@ Outcome parse_surface(const Source& source, bool with_radii, PointCloud* cloud) 
     return parse_xyz_atoms(source.content, with_radii, cloud);
 }
 
+// Options that say how a text is read.
+bool is_of_text(const TableOptions& options) {
+    return options.delimiter != 0 || options.skip != 0 || options.drop_missing;
+}
+
 // A list of atoms where a table could be.
 bool has_atoms(const Source& source, const TableOptions& options) {
-    const bool in_text = options.delimiter != 0 || options.skip != 0;
-    return is_table_ending(source.ending) && (source.ending == ".xyz" || source.ending.empty()) && !in_text &&
-           options.columns.empty() && is_chemical_xyz(source.content);
+    return is_table_ending(source.ending) && (source.ending == ".xyz" || source.ending.empty()) &&
+           !is_of_text(options) && options.columns.empty() && is_chemical_xyz(source.content);
 }
 
 // Tables, whatever their width; everything else becomes one.
 Outcome parse_source(const Source& source, const TableOptions& options, Table* table) {
-    const bool in_text = options.delimiter != 0 || options.skip != 0;
     table->name = source.name;
     const bool array = source.ending == ".npy" || source.ending == ".npz";
     const bool text = is_table_ending(source.ending) && !has_atoms(source, options);
-    if (in_text && !text) return usage_error("--delimiter and --skip are for tables in text, not for " + source.name);
+    if (is_of_text(options) && !text)
+        return usage_error("--delimiter, --skip and --drop-missing are for tables in text, not for " + source.name);
     if (text) {
         const Outcome outcome = parse_table(source.content, options, table);
         if (outcome.good() && source.ending == ".xyz" && table->width > 3 && options.columns.empty() &&
@@ -412,7 +416,7 @@ Outcome open_stream(const std::string& path, const TableOptions& options, std::u
     if (!file->read(0, &source.content[0], source.content.size(), &why)) return {};
     // What is packed, or at odds with its name, is left to the reader of the whole.
     if (source.content.compare(0, 2, "\x1F\x8B") == 0 || !settle(false, &source).good()) return {};
-    const bool in_text = options.delimiter != 0 || options.skip != 0;
+    const bool in_text = is_of_text(options);
     if (source.ending == ".npy" && !in_text)
         return open_npy_stream(source.content, source.name, options, std::move(file), stream);
     if (source.ending == ".ply" && !in_text && options.columns.empty())
@@ -421,13 +425,34 @@ Outcome open_stream(const std::string& path, const TableOptions& options, std::u
     return open_table_stream(source.content, source.name, options, std::move(file), stream);
 }
 
+namespace {
+
+// A square of at least three rows with 0 on its diagonal and equal halves, none below 0.
+bool looks_like_distances(const Table& table) {
+    const std::size_t n = table.width;
+    if (table.has_weights || n < 3 || table.rows() != n) return false;
+    for (std::size_t i = 0; i < n; i++) {
+        if (table.values[i * n + i] != 0) return false;
+        for (std::size_t j = 0; j < i; j++)
+            if (table.values[i * n + j] != table.values[j * n + i] || table.values[i * n + j] < 0) return false;
+    }
+    return true;
+}
+
+}  // namespace
+
 Outcome take_table(Table table, PointCloud* cloud, std::uint32_t columns_max) {
     cloud->name = table.name;
     const std::size_t width = table.width - table.has_weights;
+    const bool of_distances = looks_like_distances(table);
     if (width < dim_min || width > columns_max) {
         const std::string complaint =
             columns_text(width) + (table.has_weights ? " besides that of weights" : "") +
             (columns_max > dim_max ? "; points have 2 to 65,536 coordinates here" : "; points have 2 to 6 coordinates");
+        if (of_distances)
+            return file_error(table.name, complaint +
+                                              "; a matrix of distances, as this looks like one, is read by persist "
+                                              "--distances");
         if (table.lines.empty()) return file_error(table.name, complaint);
         return line_error(
             table.name, table.lines[0],
@@ -448,6 +473,10 @@ Outcome take_table(Table table, PointCloud* cloud, std::uint32_t columns_max) {
     cloud->lines = std::move(table.lines);
     cloud->cell = std::move(table.cell);
     cloud->note = std::move(table.note);
+    if (of_distances)
+        cloud->note += (cloud->note.empty() ? "" : "; ") +
+                       std::string("took a matrix that looks like distances for coordinates; persist --distances "
+                                   "takes it for distances");
     return {};
 }
 

@@ -1,6 +1,7 @@
 #include "tools/io/table.hpp"
 
 #include <algorithm>
+#include <cstring>
 
 #include "tools/io/lines.hpp"
 #include "tools/io/numbers.hpp"
@@ -10,14 +11,11 @@ namespace netmesh::tool {
 
 std::string parse_columns(const std::string& text, std::vector<std::string>* columns) {
     columns->clear();
-    std::size_t at = 0;
-    while (at <= text.size()) {
-        const std::size_t stop = std::min(text.find(',', at), text.size());
-        const std::string item(without_blanks(std::string_view(text).substr(at, stop - at)));
-        if (item.empty()) return "must be numbers from 1, ranges or names of the header: 1,3-4,z";
-        columns->push_back(item);
-        at = stop + 1;
-    }
+    std::vector<Field> fields;
+    const bool good = cut_line(text, ',', &fields) && !fields.empty() &&
+                      std::none_of(fields.begin(), fields.end(), [](const Field& field) { return field.text.empty(); });
+    if (!good) return "must be numbers from 1, ranges or names of the header: 1,3-4,z";
+    for (const Field& field : fields) columns->push_back(name_in(field));
     return {};
 }
 
@@ -90,12 +88,25 @@ bool starts_with_any(std::string_view text, std::initializer_list<std::string_vi
                        [&](std::string_view piece) { return text.substr(0, piece.size()) == piece; });
 }
 
-// What to do about a field that is no number.
-std::string remedy_for(std::string_view text) {
+std::string lower_case(std::string_view text) {
     std::string lower(text);
     for (char& c : lower) c = c >= 'A' && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : c;
+    return lower;
+}
+
+// What stands where there is no value.
+bool is_missing(std::string_view text) {
+    if (text.empty()) return true;
+    if (text.size() > 7) return false;
+    const std::string lower = lower_case(text);
     for (const char* missing : {"na", "n/a", "null", "none", "-", "--", ".", "?", "missing", "#n/a", "nan", "-nan"})
-        if (lower == missing) return "; a row with a missing value has to be left out or filled in";
+        if (lower == missing) return true;
+    return false;
+}
+
+// What to do about a field that is no number, and no missing value.
+std::string remedy_for(std::string_view text) {
+    const std::string lower = lower_case(text);
     if (starts_with_any(lower, {"[", "(", "{", "array("}))
         return "; write plain rows of numbers, as numpy.savetxt does, without brackets";
     if (lower.find("\xE2\x88\x92") != std::string::npos || lower.find("\xE2\x80\x93") != std::string::npos)
@@ -113,6 +124,20 @@ std::string remedy_for(std::string_view text) {
     if (d != std::string::npos && d > 0 && lower.find_first_not_of("0123456789.+-d") == std::string::npos)
         return "; write e in place of Fortran's d";
     return {};
+}
+
+// 1,2,4-9
+std::string ranges_text(const std::vector<std::size_t>& numbers) {
+    std::string text;
+    for (std::size_t i = 0; i < numbers.size();) {
+        std::size_t end = i + 1;
+        while (end < numbers.size() && numbers[end] == numbers[end - 1] + 1) end++;
+        if (end - i < 3) end = i + 1;
+        text += (i > 0 ? "," : "") + std::to_string(numbers[i]);
+        if (end - i > 1) text += "-" + std::to_string(numbers[end - 1]);
+        i = end;
+    }
+    return text;
 }
 
 // A table on its way from lines to numbers.
@@ -151,6 +176,11 @@ private:
     Outcome explain_field(const TableLine& line, std::size_t column) const;
     Outcome explain_width(const TableLine& line) const;
     bool is_word_column(std::size_t column) const;
+    // Whether the row has all its fields, and one that is taken has no value.
+    bool lacks_value(const std::vector<Field>& fields) const;
+    std::size_t count_lacking() const;
+    std::string remedy_for_missing() const;
+    void note_missing(const std::vector<std::uint64_t>& left_out);
     // Whether the first column counts: 0, 1, 2, ... or from another number on, or only ascends.
     bool counts(bool by_one) const;
     void add_plain_note(const std::string& sentence) { table_->note += (table_->note.empty() ? "" : "; ") + sentence; }
@@ -216,7 +246,7 @@ Outcome TableParser::find_header() {
     if (!header && first_is_words) header = true;
     if (!header) return {};
     header_ = lines_[0];
-    for (const Field& field : fields) names_.emplace_back(field.text);
+    for (const Field& field : fields) names_.push_back(name_in(field));
     add_plain_note("skipped header " + quoted(without_blanks(lines_[0].text)));
     lines_.erase(lines_.begin());
     return {};
@@ -416,17 +446,55 @@ Outcome TableParser::find_columns() {
 bool TableParser::is_word_column(std::size_t column) const {
     std::vector<Field> fields;
     double ignored;
+    bool words = false;
     for (const TableLine& line : lines_) {
         if (!cut(line, &fields) || fields.size() <= column) return false;
         const FieldKind kind = read_field(fields[column], dialect_.decimal_comma, &ignored);
-        if (kind != FieldKind::word && !(kind == FieldKind::number && fields[column].quoted)) return false;
+        words = words || kind == FieldKind::word;
+        const bool good =
+            kind == FieldKind::word || kind == FieldKind::empty || (kind == FieldKind::number && fields[column].quoted);
+        if (!good) return false;
     }
-    return true;
+    return words;
+}
+
+bool TableParser::lacks_value(const std::vector<Field>& fields) const {
+    return fields.size() == width_ + dropped_ &&
+           std::any_of(columns_.begin(), columns_.end(), [&](std::size_t k) { return is_missing(fields[k].text); });
+}
+
+std::size_t TableParser::count_lacking() const {
+    std::vector<Field> fields;
+    return static_cast<std::size_t>(std::count_if(lines_.begin(), lines_.end(), [&](const TableLine& line) {
+        return cut(line, &fields) && lacks_value(fields);
+    }));
+}
+
+std::string TableParser::remedy_for_missing() const {
+    const std::size_t count = count_lacking();
+    return std::string("; a row with a missing value has to be left out or filled in") +
+           (count == lines_.size() ? ""
+                                   : ": --drop-missing leaves such rows out, " + grouped_text(count) + " of " +
+                                         grouped_text(lines_.size()));
+}
+
+void TableParser::note_missing(const std::vector<std::uint64_t>& left_out) {
+    constexpr std::size_t most = 5;
+    if (!options_.drop_missing) return;
+    if (left_out.empty()) return add_note("no row lacks a value");
+    std::string places;
+    for (std::size_t i = 0; i < left_out.size() && i < most; i++)
+        places += (i > 0 ? ", " : "") + std::to_string(left_out[i]);
+    add_note("left out " + grouped_text(left_out.size()) + " of " + counted(lines_.size(), "row", "rows") +
+             ", which lack a value: line" + (left_out.size() > 1 ? "s " : " ") + places +
+             (left_out.size() > most ? ", ..." : ""));
 }
 
 Outcome TableParser::explain_width(const TableLine& line) const {
     std::vector<Field> fields;
     cut(line, &fields);
+    const bool may_be_left_out = lacks_value(fields) && count_lacking() < lines_.size();
+    const std::string missing = may_be_left_out ? remedy_for_missing() : "";
     for (std::size_t i = 0; i < fields.size(); i++) {
         if (!fields[i].text.empty() || dialect_.delimiter == ' ') continue;
         const std::string delimiter = dialect_.delimiter == '\t'
@@ -437,7 +505,8 @@ Outcome TableParser::explain_width(const TableLine& line) const {
                                                                          : without_blanks(line.text).back()) +
                                                 "'";
         return fault(line.number,
-                     i + 1 < fields.size() ? "nothing before a " + delimiter : "nothing after the last " + delimiter,
+                     (i + 1 < fields.size() ? "nothing before a " + delimiter : "nothing after the last " + delimiter) +
+                         missing,
                      i + 1);
     }
     const std::uint64_t first = lines_[0].number;
@@ -450,6 +519,12 @@ Outcome TableParser::explain_width(const TableLine& line) const {
         bool others = line.number == lines_[1].number;
         for (std::size_t i = 1; i < lines_.size() && others; i++) others = same(i);
         if (others) remedy = "; --skip " + std::to_string(first) + " leaves that line out";
+        bool grows = true;  // by one field a row
+        for (std::size_t i = 0; i < lines_.size() && grows; i++) {
+            std::vector<Field> of_line;
+            grows = cut(lines_[i], &of_line) && of_line.size() == i + 1;
+        }
+        if (grows) remedy = "; a triangle of distances is read by persist --distances";
     }
     return fault(line.number, columns_text(fields.size()) + " where line " + std::to_string(first) + " has " +
                                   std::to_string(width_ + dropped_) + remedy);
@@ -464,18 +539,21 @@ Outcome TableParser::explain_field(const TableLine& line, std::size_t column) co
     if (kind == FieldKind::empty && !field.quoted && options_.columns.empty() && dialect_.delimiter != '\t')
         return explain_width(line);
     if (kind == FieldKind::empty)
-        return fault(line.number,
-                     "nothing in column " + std::to_string(column + 1) +
-                         "; a row with a missing value has to be left out or filled in",
-                     column + 1);
+        return fault(line.number, "nothing in column " + std::to_string(column + 1) + remedy_for_missing(), column + 1);
     std::string remedy;
     if (lines_.size() > 1 && kind == FieldKind::word && is_word_column(column)) {
-        std::string others;
+        std::vector<std::size_t> others;
         for (const std::size_t k : columns_)
-            if (!is_word_column(k)) others += (others.empty() ? "" : ",") + std::to_string(k + 1);
-        if (!others.empty()) remedy = "; --columns " + others + " leaves such columns out";
+            if (!is_word_column(k)) others.push_back(k + 1);
+        if (!others.empty()) remedy = "; --columns " + ranges_text(others) + " leaves such columns out";
+        if (others.size() > 6 && others.size() == lines_.size())
+            remedy = "; distances, with names or without, are read by persist --distances";
     }
-    if (remedy.empty()) remedy = remedy_for(field.text);
+    if (remedy.empty()) remedy = is_missing(field.text) ? remedy_for_missing() : remedy_for(field.text);
+    const bool by_blanks = dialect_.delimiter == ' ' || dialect_.delimiter == 0;
+    if (kind == FieldKind::word && options_.delimiter == 0 && by_blanks && remedy.find("--") == std::string::npos &&
+        line.text.find_first_of(",;|\t") != std::string_view::npos)
+        remedy += "; blanks part columns here: --delimiter says what does, as in --delimiter ','";
     const bool above = &line == &lines_[0] || line.number == lines_[0].number;
     if (kind == FieldKind::not_finite && remedy.empty()) remedy = "; such a row has to be left out";
     if (remedy.empty() && above && lines_.size() > 1)
@@ -491,9 +569,14 @@ Outcome TableParser::parse_rows() {
     table_->has_weights = !options_.weights.empty();
     table_->values.reserve(lines_.size() * columns_.size());
     table_->lines.reserve(lines_.size());
+    std::vector<std::uint64_t> left_out;
     for (const TableLine& line : lines_) {
         if (!cut(line, &fields)) return fault(line.number, "a quotation that does not end");
         const bool ragged = fields.size() != width_ + dropped_;
+        if (options_.drop_missing && lacks_value(fields)) {
+            left_out.push_back(line.number);
+            continue;
+        }
         // What is no number explains more than a count of fields that it has changed.
         for (const std::size_t column : columns_) {
             if (column >= fields.size()) break;
@@ -506,6 +589,8 @@ Outcome TableParser::parse_rows() {
         if (ragged) return explain_width(line);
         table_->lines.push_back(line.number);
     }
+    if (table_->lines.empty()) return fault(lines_[0].number, "every row lacks a value");
+    note_missing(left_out);
     if (too_small_ > 0) add_note("read " + counted(too_small_, "number", "numbers") + " below 4.9e-324 as 0");
     return {};
 }
@@ -515,6 +600,11 @@ Outcome TableParser::parse(std::string_view content) {
     const std::string complaint = collect_lines(content, options_.skip, &remade_, &lines_, &line);
     if (!complaint.empty()) return fault(line, complaint);
     take_separator_line();
+    const auto breaks = std::count_if(lines_.begin(), lines_.end(), [](const TableLine& row) {
+        return std::memchr(row.text.data(), '\n', row.text.size()) != nullptr;
+    });
+    if (breaks > 0)
+        add_note(counted(static_cast<std::size_t>(breaks), "row has", "rows have") + " ends of lines in quotes");
     Outcome outcome = find_header();
     if (outcome.good()) outcome = drop_ends();
     if (!outcome.good()) return outcome;

@@ -18,6 +18,7 @@ struct TableOptions {
     std::string weights;               // a column of radii or weights, by number or name; of atoms vdw; empty: none
     bool are_radii = false;            // these numbers
     Lattice lattice;                   // by which points repeat
+    bool drop_missing = false;         // rows in which a value is missing are left out
     bool distances = false;            // of arrays: one axis is taken as one column, and infinity is a number
 };
 
@@ -33,12 +34,14 @@ struct Table {
     std::size_t rows() const { return width == 0 ? 0 : values.size() / width; }
 };
 
-// One row a line; # outside of quotes starts a comment, as % and // do at the start of a line. The delimiter is the one
-// that fits all lines: semicolons, tabs, bars, commas or blanks, and only where none fits alone are commas, semicolons
-// and blanks taken together. Numbers with decimal commas are read where nothing else can be meant. A header of words,
-// an index column that the header tells of, an empty last column and empty rows at the end are left out, and
-// table->note says so, as of numbers so small that they are 0 as doubles. What can be read in two ways is an error that
-// names the option which decides. Every fault is Exit::data with file, line and remedy.
+// One row a line, fields as RFC 4180 has them: in quotes they may hold delimiters and ends of lines. # outside of
+// quotes starts a comment, as % and // do at the start of a line. The delimiter is the one that fits all lines:
+// semicolons, tabs, bars, commas or blanks; blanks in cells between commas part nothing. Only numbers that no single
+// one parts are parted by commas, semicolons and blanks together, which the note says of commas. Numbers with decimal
+// commas are read where nothing else can be meant. A header of words, an index column that the header tells of, an
+// empty last column and empty rows at the end are left out, and table->note says so, as of numbers so small that they
+// are 0 as doubles. What can be read in two ways is an error that names the option which decides. Every fault is
+// Exit::data with file, line and remedy.
 Outcome parse_table(std::string_view content, const TableOptions& options, Table* table);
 
 // How the rows of a table are cut, for whoever reads on where its text ended.
@@ -55,7 +58,7 @@ Outcome parse_table(std::string_view content, const TableOptions& options, Table
 // Whether digits that are not all 0 stand for a number that is 0 as a double: 1e-400.
 bool is_below_doubles(std::string_view number);
 
-// What --columns holds, cut at commas: a complaint, or empty.
+// What --columns holds, cut at commas outside of quotes: a complaint, or empty.
 std::string parse_columns(const std::string& text, std::vector<std::string>* columns);
 // The columns that are taken, counted from 0: those of --columns, or those that *columns has, and behind them that of
 // weights. A complaint, or empty.

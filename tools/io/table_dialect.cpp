@@ -14,12 +14,14 @@ bool is_digit(char c) { return c >= '0' && c <= '9'; }
 // How a file looks that is cut in one way.
 struct Look {
     bool consistent = true;  // all lines have the same number of fields, and each is a number or a word
+    bool is_even = true;     // all lines have the same number of fields
     std::size_t width = 0;
     bool decimal_commas = false;   // some number has a comma between or beside digits
     bool points = false;           // some number has a point
     bool may_be_thousands = true;  // all those commas stand where thousands have them: 1,234
     bool broken_digits = false;    // some field is digits with a blank and exactly three more behind: 1 234
-    bool inner_blanks = false;     // some field is numbers with blanks between
+    bool inner_blanks = false;     // some field is no word and has a blank between
+    bool words = false;            // some field has a letter
     std::uint64_t broken_line = 0;
 };
 
@@ -78,6 +80,7 @@ void look_at_field(const Field& field, std::uint64_t line, bool decimal_comma, L
         look->may_be_thousands = look->may_be_thousands && looks_like_thousands(field.text);
         return;
     }
+    look->words = look->words || has_letter(field.text);
     if (has_letter(field.text)) return;
     const std::size_t blank = field.text.find_first_of(" \t");
     look->inner_blanks = look->inner_blanks || blank != std::string_view::npos;
@@ -96,13 +99,14 @@ Look look_at(const std::vector<TableLine>& lines, std::size_t first, char delimi
     std::vector<Field> fields;
     for (std::size_t i = first; i < lines.size(); i++) {
         if (!cut_line(lines[i].text, delimiter, &fields)) {
-            look.consistent = false;
+            look.consistent = look.is_even = false;
             continue;
         }
         if (look.width == 0) look.width = fields.size();
-        look.consistent = look.consistent && fields.size() == look.width;
+        look.is_even = look.is_even && fields.size() == look.width;
         for (const Field& field : fields) look_at_field(field, lines[i].number, decimal_comma, &look);
     }
+    look.consistent = look.consistent && look.is_even;
     look.may_be_thousands = look.may_be_thousands && look.decimal_commas;
     return look;
 }
@@ -158,7 +162,9 @@ void count_marks(std::string_view line, Marks* marks) {
     for (std::size_t i = 0; i < content.size(); i++) {
         const unsigned mark = mark_table.of[static_cast<unsigned char>(content[i])];
         if (mark == 0) continue;
-        if (mark == MarkTable::quote) quoted = !quoted;
+        // One within a field, as of inches, begins nothing.
+        const bool begins = i == 0 || mark_table.of[static_cast<unsigned char>(content[i - 1])] > MarkTable::quote;
+        if (mark == MarkTable::quote) quoted = !quoted && begins;
         if (quoted) continue;
         seen |= mark;
         if (mark != MarkTable::comma || i + 1 >= content.size()) continue;
@@ -223,7 +229,9 @@ std::string thousands(char delimiter) {
 // The dialect of lines[first..], by what stands in them and what fits all of them.
 class DialectFinder {
 public:
-    DialectFinder(const std::vector<TableLine>& lines, std::size_t first) : lines_(lines), first_(first) {
+    // names: fields of the header when commas part it, 0: no header
+    DialectFinder(const std::vector<TableLine>& lines, std::size_t first, std::size_t names)
+        : lines_(lines), first_(first), names_(names) {
         for (std::size_t i = first; i < lines.size(); i++) count_marks(lines[i].text, &marks_);
         line = lines[first].number;
     }
@@ -233,19 +241,20 @@ public:
         if (marks_.bar == count) return by('|');
         if (marks_.semicolon == count) return by(';');
         if (marks_.tab == count && !marks_.leading_tab && is_tab_separated(lines_, first_)) return by('\t');
-        if (marks_.comma == count && marks_.semicolon == 0) return by_commas();
+        const bool parts = marks_.semicolon == 0 || (look(',', false).is_even && !look(0, false).consistent);
+        if (marks_.comma == count && parts) return by_commas();
         return by_blanks();
     }
 
     Dialect dialect;
-    bool understood_commas = false;
+    std::string understood;
     std::uint64_t line;
 
 private:
     Look look(char delimiter, bool decimal_comma) const { return look_at(lines_, first_, delimiter, decimal_comma); }
     std::string take_decimal(char delimiter) {
         dialect = {delimiter, true};
-        understood_commas = true;
+        understood = "commas read as decimal";
         return {};
     }
     std::string by(char delimiter);
@@ -253,7 +262,7 @@ private:
     std::string by_blanks();
 
     const std::vector<TableLine>& lines_;
-    const std::size_t first_;
+    const std::size_t first_, names_;
     Marks marks_;
 };
 
@@ -298,7 +307,14 @@ std::string DialectFinder::by_commas() {
     if (marks_.comma_and_blank == count && marks_.bare_comma == count)
         return "commas with blanks behind and commas without: write points in place of decimal commas; --delimiter , "
                "takes every comma for a delimiter";
-    dialect = {strict.inner_blanks ? char{0} : ',', false};
+    // A comma in every line, and the same number of them: cells may hold blanks (RFC 4180). Numbers alone between all
+    // of these marks, in rows that no header counts, are what someone wrote by hand.
+    const Look mixed = strict.inner_blanks && names_ != strict.width ? look(0, false) : Look{};
+    const bool is_mixed = mixed.width > strict.width && mixed.consistent && !mixed.words;
+    if (is_mixed)
+        understood = "commas and blanks part columns, " + std::to_string(mixed.width) +
+                     " of them; --delimiter ',' takes commas alone";
+    dialect = {is_mixed ? char{0} : ',', false};
     return {};
 }
 
@@ -337,11 +353,13 @@ std::string find_dialect(const std::vector<TableLine>& lines, std::size_t first,
                          Dialect* dialect, std::string* sentence, std::uint64_t* line) {
     *dialect = {options.delimiter, options.delimiter != 0};
     if (options.delimiter != 0 || first == lines.size()) return {};
-    DialectFinder finder(lines, first);
+    std::vector<Field> names;
+    if (first > 0 && !cut_line(lines[first - 1].text, ',', &names)) names.clear();
+    DialectFinder finder(lines, first, names.size());
     const std::string complaint = finder.find();
     *dialect = finder.dialect;
     *line = finder.line;
-    if (finder.understood_commas) *sentence = "commas read as decimal";
+    *sentence = finder.understood;
     return complaint;
 }
 

@@ -1,5 +1,6 @@
 #include "tools/io/table_lines.hpp"
 
+#include <algorithm>
 #include <cstring>
 
 #include "tools/io/lines.hpp"
@@ -96,6 +97,32 @@ std::string_view without_blanks(std::string_view text) {
     return text;
 }
 
+namespace {
+
+// The length of the line at the start of `content`, whose first end is at `length`, with the ends of lines that stand
+// in its fields in quotes (RFC 4180). Where a quotation does not end as those of fields do, it holds none.
+std::size_t with_breaks(std::string_view content, std::size_t length) {
+    const auto parts = [&](std::size_t at) { return std::strchr(",;|\t", content[at]) != nullptr; };
+    bool begins = true;  // a field
+    for (std::size_t at = 0; at < length; at++) {
+        if (content[at] != '"' || !begins) {
+            begins = parts(at) || (begins && is_blank(content[at]));
+            continue;
+        }
+        begins = false;
+        for (at = content.find('"', at + 1); at != std::string_view::npos; at = content.find('"', at + 2))
+            if (at + 1 == content.size() || content[at + 1] != '"') break;
+        if (at < length) continue;
+        const std::size_t next = at < content.size() ? content.find_first_not_of(" \r", at + 1) : at;
+        const bool ends = next == std::string_view::npos ? at < content.size() : content[next] == '\n' || parts(next);
+        if (!ends) return length;
+        length = std::min(content.find('\n', at), content.size());
+    }
+    return length;
+}
+
+}  // namespace
+
 std::string collect_lines(std::string_view content, std::uint64_t skip, std::string* remade,
                           std::vector<TableLine>* lines, std::uint64_t* line) {
     const std::string_view mark = content.substr(0, 2);
@@ -112,20 +139,23 @@ std::string collect_lines(std::string_view content, std::uint64_t skip, std::str
     }
     if (!content.empty() && content.back() == '\x1A') content.remove_suffix(1);  // DOS's end of file
     for (std::uint64_t number = 1; !content.empty(); number++) {
-        const std::size_t end = content.find('\n');
+        const std::size_t first = std::min(content.find('\n'), content.size());
+        const bool has_quotes = std::memchr(content.data(), '"', first) != nullptr && number > skip;
+        const std::size_t end = has_quotes ? with_breaks(content, first) : first;
         std::string_view text = content.substr(0, end);
-        content.remove_prefix(end == std::string_view::npos ? content.size() : end + 1);
+        content.remove_prefix(std::min(end + 1, content.size()));
         *line = number;
-        if (number <= skip) continue;
+        if (end > first) number += static_cast<std::uint64_t>(std::count(text.begin(), text.end(), '\n'));
+        if (*line <= skip) continue;
         while (!text.empty() && text.back() == '\r') text.remove_suffix(1);
-        if (text.find('\r') != std::string_view::npos)
+        if (end == first && text.find('\r') != std::string_view::npos)
             return "a carriage return within the line; save the file with one kind of line ends";
         const std::string_view kept = without_comment(text);
         const bool commented = kept.size() != text.size();  // tabs in front of a comment are no columns
         text = kept;
         while (!text.empty() && (text.back() == ' ' || (commented && is_blank(text.back())))) text.remove_suffix(1);
         if (without_blanks(text).empty()) continue;
-        lines->push_back({text, number});
+        lines->push_back({text, *line});
     }
     return {};
 }
@@ -176,6 +206,12 @@ bool cut_line(std::string_view line, char delimiter, std::vector<Field>* fields)
         if (at == line.size()) return true;
         at++;
     }
+}
+
+std::string name_in(const Field& field) {
+    std::string name(field.text);
+    for (std::size_t at = 0; field.quoted && (at = name.find("\"\"", at)) != std::string::npos; at++) name.erase(at, 1);
+    return name;
 }
 
 FieldKind read_field(const Field& field, bool decimal_comma, double* value) {

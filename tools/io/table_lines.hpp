@@ -11,7 +11,7 @@ namespace netmesh::tool {
 
 struct TableLine {
     std::string_view text;  // without line end, comment and blanks behind; tabs in front are kept
-    std::uint64_t number;   // physical, from 1
+    std::uint64_t number;   // physical, from 1, of its beginning
 };
 
 // A field of a line, without quotes and blanks around. Of an empty one data() is where it would stand.
@@ -29,13 +29,17 @@ struct Dialect {
 bool is_blank(char c);
 std::string_view without_blanks(std::string_view text);
 
-// All lines that hold something, behind `skip` physical ones. A complaint about line *line, or empty. *remade holds the
-// text where its line ends had to be replaced; `content` and *remade must outlive the lines.
+// All lines that hold something, behind `skip` physical ones; ends of lines in a field in quotes are part of it. A
+// complaint about line *line, or empty. *remade holds the text where its line ends had to be replaced; `content` and
+// *remade must outlive the lines.
 std::string collect_lines(std::string_view content, std::uint64_t skip, std::string* remade,
                           std::vector<TableLine>* lines, std::uint64_t* line);
 
 // False where a quotation does not end.
 bool cut_line(std::string_view line, char delimiter, std::vector<Field>* fields);
+
+// A field as a name: of its doubled quotes one is left.
+std::string name_in(const Field& field);
 
 enum class FieldKind { number, not_finite, word, empty };
 // What a whole field is; its value when it is a number. A decimal comma only where the dialect has it.

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <functional>
 
 #include "tools/io/numbers.hpp"
 
@@ -13,7 +14,7 @@ constexpr double zero_width = 44;   // of the column for births at 0, left of th
 constexpr double arrow_width = 22;  // for heads of essential bars, right of the scale
 constexpr double group_gap = 14;
 constexpr double gap_stretch = 40;
-constexpr double group_least = 62;  // so that the labels of a degree fit
+constexpr double group_least = 76;  // so that the labels of a degree fit
 constexpr double label_row = 14;    // of a bar with birth and death beside it
 constexpr double row_most = 12, row_least = 3;
 constexpr double curve_height = 34;
@@ -104,7 +105,9 @@ void draw_labels(Svg& svg, const Panel& panel, double y, const BarGroup& group) 
     const double symbol = x + text_width(homology_label(group.degree), 18, true) + 14;
     svg.mark(degree_mark(group.degree), symbol, y + 8, 4.5, degree_colour(group.degree));
     std::vector<std::string> lines = {group.total == 0 ? "no bar" : counted_text(group.total, "bar")};
-    if (group.total > 0) lines.push_back(grouped_text(group.real) + " surely real");
+    if (group.total > 0 && !group.is_exact) lines.push_back(grouped_text(group.certified) + " certified");
+    if (group.apart > 0)
+        lines.push_back(grouped_text(group.apart) + (group.apart == 1 ? " stands apart" : " stand apart"));
     if (!group.rest.empty()) lines.push_back(grouped_text(group.rest.size()) + " as a curve");
     for (std::size_t i = 0; i < lines.size(); i++) {
         const double base = y + 31 + 14 * static_cast<double>(i);
@@ -159,12 +162,12 @@ BarStyle style_of(const std::vector<Bar>& bars, const netmesh_report& report, co
     style.has_flags = !bounds.bars.empty();
     style.steps = bounds.steps;
     if (report.diagram.filter == NETMESH_FILTER_FUNCTION) style.error = report.diagram.certified_error;
-    // Of equal bars all have to be real, as they are drawn alike.
+    // Of equal bars all have to be certified, as they are drawn alike.
     for (std::size_t first = 0, last; first < bounds.bars.size(); first = last) {
         bool all = true;
         for (last = first; last < bounds.bars.size() && bars[last] == bars[first]; last++)
             all = all && bounds.bars[last].certain != 0;
-        if (all) style.real.push_back(bars[first]);
+        if (all) style.certified.push_back(bars[first]);
     }
     return style;
 }
@@ -179,7 +182,7 @@ double BarStyle::doubtful(double birth) const {
 }
 
 bool BarStyle::certain(const Bar& bar) const {
-    if (has_flags) return std::binary_search(real.begin(), real.end(), bar, comes_before);
+    if (has_flags) return std::binary_search(certified.begin(), certified.end(), bar, comes_before);
     if (is_additive()) return bar.death > bar.birth + 2 * error;
     if (ratio == 1 && from == 0) return true;
     const double start = std::max(bar.birth, from);
@@ -222,6 +225,15 @@ std::size_t components_apart(const std::vector<Bar>& longest_first, const ValueS
     return apart;
 }
 
+// Of all bars of the group, which are in `shown` yet.
+void find_apart(BarGroup* group) {
+    std::vector<double> lengths;
+    for (const Bar& bar : group->shown) lengths.push_back(length_of(bar));
+    std::sort(lengths.begin(), lengths.end(), std::greater<double>());
+    group->apart = count_apart(lengths);
+    group->apart_length = group->apart > 0 ? lengths[group->apart - 1] : HUGE_VAL;
+}
+
 }  // namespace
 
 std::vector<BarGroup> group_bars(const std::vector<Bar>& bars, std::uint32_t max_degree, std::size_t rows_max,
@@ -235,6 +247,8 @@ std::vector<BarGroup> group_bars(const std::vector<Bar>& bars, std::uint32_t max
     for (BarGroup& group : groups) {
         std::vector<Bar>& shown = group.shown;
         group.total = shown.size();
+        group.is_exact = style.is_exact();
+        find_apart(&group);
         std::stable_sort(shown.begin(), shown.end(), [&](const Bar& a, const Bar& b) {
             const double pa = persistence(a, scale), pb = persistence(b, scale);
             return pa != pb ? pa > pb : a.death > b.death;
@@ -245,13 +259,13 @@ std::vector<BarGroup> group_bars(const std::vector<Bar>& bars, std::uint32_t max
         }
         group.rest.assign(shown.begin() + static_cast<std::ptrdiff_t>(kept), shown.end());
         shown.resize(kept);
-        group.real = static_cast<std::uint64_t>(
+        group.certified = static_cast<std::uint64_t>(
             std::count_if(group.rest.begin(), group.rest.end(), [&](const Bar& bar) { return style.certain(bar); }));
-        const auto end_of_real =
+        const auto end_of_certified =
             std::stable_partition(shown.begin(), shown.end(), [&](const Bar& bar) { return style.certain(bar); });
-        const std::size_t real = static_cast<std::size_t>(end_of_real - shown.begin());
-        group.real += real;
-        group.labelled = std::min(real, groups.size() <= 4 ? labels_most : labels_most / 2);
+        const std::size_t certified = static_cast<std::size_t>(end_of_certified - shown.begin());
+        group.certified += certified;
+        group.labelled = std::min(certified, groups.size() <= 4 ? labels_most : labels_most / 2);
     }
     return groups;
 }
@@ -260,7 +274,7 @@ double label_width(const std::vector<BarGroup>& groups) {
     double width = 0;
     for (const BarGroup& group : groups) {
         for (std::size_t i = 0; i < group.labelled; i++)
-            width = std::max(width, text_width(ends_text(group.shown[i]), 11));
+            width = std::max(width, text_width(ends_text(group.shown[i]), 11, true));
         if (!group.rest.empty())
             width = std::max(width, text_width("up to " + grouped_text(group.rest.size()) + " at once", 11));
     }
@@ -291,7 +305,7 @@ void draw_barcode(Svg& svg, const Panel& panel, const std::vector<BarGroup>& gro
             draw_bar(svg, x, bar, at + own_row / 2, std::min(own_row * 0.65, 6.5), style.certain(bar));
             if (i < group.labelled) {
                 const double right = panel.x + panel.width + 8;
-                svg.text(right, at + own_row / 2 + 4, ends_text(bar), 11, ink, Anchor::start);
+                svg.text(right, at + own_row / 2 + 4, ends_text(bar), 11, ink, Anchor::start, group.is_apart(bar));
             }
             at += own_row;
         }

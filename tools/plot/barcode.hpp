@@ -4,6 +4,7 @@
 #include <vector>
 
 #include "netmesh.h"
+#include "tools/plot/apart.hpp"
 #include "tools/plot/axis.hpp"
 #include "tools/plot/legend.hpp"
 #include "tools/plot/svg.hpp"
@@ -19,11 +20,12 @@ struct BarStyle {
     double ratio;                                // certified ratio c
     double from;                                 // radius from which it holds
     std::vector<netmesh_scale_step> steps = {};  // the certificate by scale, when it is known
-    bool has_flags = false;                      // then `real` tells which bars are
-    std::vector<Bar> real = {};                  // sorted
+    bool has_flags = false;                      // then `certified` tells which bars are
+    std::vector<Bar> certified = {};             // sorted
     double error = -1;                           // of values as they are, in place of a ratio: the additive bound
     bool is_additive() const { return error >= 0; }
-    // True when the exact diagram surely has a class for this bar.
+    bool is_exact() const { return ratio == 1 && from == 0 && !is_additive(); }
+    // True when the exact diagram is certified to have a class for this bar, however short.
     bool certain(const Bar& bar) const;
     // Death up to which a bar with this birth may be an artefact.
     double doubtful(double birth) const;
@@ -37,10 +39,15 @@ BarStyle style_of(const std::vector<Bar>& bars, const netmesh_report& report, co
 // Bars of one degree as the barcode shows them.
 struct BarGroup {
     std::uint32_t degree;
-    std::uint64_t total, real;   // all, and those that surely are real
-    std::vector<Bar> shown;      // real ones first, the longest first
-    std::size_t labelled = 0;    // this many of the first have birth and death beside them
-    std::vector<Bar> rest = {};  // shown as a curve: how many there are at a radius
+    std::uint64_t total, certified;  // all, and those that are certified to exist
+    bool is_exact;                   // which all of an exact diagram do
+    std::size_t apart;               // so many stand apart (apart.hpp): those at least
+    double apart_length;             // so long
+    std::vector<Bar> shown;          // certified ones first, the longest first
+    std::size_t labelled = 0;        // this many of the first have birth and death beside them
+    std::vector<Bar> rest = {};      // shown as a curve: how many there are at a radius
+
+    bool is_apart(const Bar& bar) const { return apart > 0 && length_of(bar) >= apart_length; }
 };
 
 // The groups for degrees 0..max_degree. Of more than `rows_max` bars the longest by the scale are taken, by death /

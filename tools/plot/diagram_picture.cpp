@@ -49,10 +49,20 @@ std::string subtitle(const netmesh_report& report) {
                              : " (\xCF\x84 = " + rounded_text(mesh.tau, 4) + ")");
 }
 
+// R^2 of a text, as pictures write it.
+std::string with_superscripts(std::string text) {
+    for (std::uint32_t dim = 2; dim <= 6; dim++) {
+        const std::string plain = "R^" + std::to_string(dim);
+        const std::size_t at = text.find(plain);
+        if (at != std::string::npos) text.replace(at, plain.size(), "R" + superscript(dim));
+    }
+    return text;
+}
+
 std::string certificate(const netmesh_report& report) {
     const double c = report.diagram.certified_ratio, from = report.diagram.certified_from;
     if (report.input.dim == 0) return "exact";
-    const std::string reference = reference_name(report);
+    const std::string reference = with_superscripts(reference_name(report));
     const std::string of = reference.rfind("closed offsets", 0) == 0 ? "offsets" : reference;
     if (c == 1 && from == 0) return "certified ratio c = 1: the exact diagram of the " + of;
     if (report.diagram.filter == NETMESH_FILTER_FUNCTION)
@@ -66,7 +76,7 @@ std::string certificate(const netmesh_report& report) {
 Legend legend_of(const netmesh_report& report, const std::vector<BarGroup>& groups, const BarStyle& style,
                  const ValueScale& scale) {
     Legend legend(page_width - 2 * margin);
-    bool folds = false, essential = false, labels = false;
+    bool folds = false, essential = false, labels = false, apart = false;
     for (const BarGroup& group : groups) {
         const std::uint32_t degree = group.degree;
         legend.add(
@@ -77,6 +87,7 @@ Legend legend_of(const netmesh_report& report, const std::vector<BarGroup>& grou
             homology_label(degree));
         folds = folds || !group.rest.empty();
         labels = labels || group.labelled > 0;
+        apart = apart || group.apart > 0;
         for (const Bar& bar : group.shown) essential = essential || !std::isfinite(bar.death);
     }
     const auto swatch = [](const char* fill, double opacity) {
@@ -91,9 +102,9 @@ Legend legend_of(const netmesh_report& report, const std::vector<BarGroup>& grou
             style.has_flags       ? ""
             : style.is_additive() ? ": death \xE2\x88\x92 birth \xE2\x89\xA4 2 e = " + rounded_text(2 * style.error, 3)
                                   : ": death / birth \xE2\x89\xA4 c\xC2\xB2 = " + rounded_text(c * c, 3);
-        legend.add(22, swatch(doubt_fill, 1), "too short to be surely real" + limit);
+        legend.add(22, swatch(doubt_fill, 1), "too short to be certified" + limit);
         legend.add(22, swatch(degree_colour(0), 0.45), "faint: may be an artefact");
-        legend.add(22, swatch(degree_colour(0), 1), "solid: surely real");
+        legend.add(22, swatch(degree_colour(0), 1), "solid: certified to exist, however short");
     }
     if (style.has_curve()) {
         legend.add(
@@ -114,7 +125,8 @@ Legend legend_of(const netmesh_report& report, const std::vector<BarGroup>& grou
     if (labels)
         legend.add(
             22, [](Svg& svg, double x, double y) { svg.text(x + 11, y + 4, "a to b", 9, ink, Anchor::middle); },
-            "birth and death of the longest bars that surely are real");
+            apart ? "birth and death; bold: bars that stand apart by their length"
+                  : "birth and death of the longest bars");
     if (scale.has_zero)
         legend.add(
             22, [](Svg& svg, double x, double y) { svg.text(x + 11, y + 4, "0", 12, ink, Anchor::middle); },
@@ -129,8 +141,9 @@ std::string description_of(const netmesh_report& report, const std::vector<BarGr
     for (const BarGroup& group : groups) {
         text +=
             " Degree " + std::to_string(group.degree) + ": " +
-            (group.total == 0 ? "no bar."
-                              : counted_text(group.total, "bar") + ", " + grouped_text(group.real) + " surely real.");
+            (group.total == 0 ? "no bar" : counted_text(group.total, "bar")) +
+            (group.total == 0 || group.is_exact ? "" : ", " + grouped_text(group.certified) + " certified to exist") +
+            (group.apart == 0 ? "." : ", of which " + grouped_text(group.apart) + " by its length apart.");
         if (group.shown.empty()) continue;
         const Bar& first = group.shown[0];
         text += " First shown: from " + rounded_text(first.birth, 4) +

@@ -14,12 +14,12 @@ namespace netmesh::tool {
 
 // A whole SVG document, as high as it needs to be; no text touches another. Radii on a logarithmic scale with births at
 // 0 in a column of their own, or on a linear one as values of any sign; essential classes as arrows. The barcode has
-// those bars first that surely are real, with birth and death, and the longest first; of a degree with many, and of
-// degree 0, what is left out is a curve of how many there are. The diagram is a square and shows all. Bars that surely
-// are real by their bounds, or by the certified ratio c (death > c^2 birth), are drawn solid, others faint; the diagram
-// shows by birth up to which death a bar may be an artefact. With bounds by scale the certified ratio c(r) stands above
-// the barcode. Of a function's diagram the band of what may be an artefact is death <= birth + 2 e for the additive
-// bound e, and with bounds e(v) stands above.
+// those bars first that are certified to exist, with birth and death, and the longest first; of a degree with many, and
+// of degree 0, what is left out is a curve of how many there are. The diagram is a square and shows all. Bars that are
+// certified to exist by their bounds, or by the certified ratio c (death > c^2 birth), are drawn solid, others faint;
+// the diagram shows by birth up to which death a bar may be an artefact. With bounds by scale the certified ratio c(r)
+// stands above the barcode. Of a function's diagram the band of what may be an artefact is death <= birth + 2 e for the
+// additive bound e, and with bounds e(v) stands above.
 std::string diagram_picture(const std::vector<Bar>& bars, const netmesh_report& report, const Bounds& bounds = {},
                             Axis axis = Axis::natural);
 
@@ -32,8 +32,9 @@ std::string vineyard_picture(const Vines& vines, const netmesh_report& report, A
 // behind a plane through the middle, seen along a fixed direction, in parallel.
 void write_mesh_picture(const MeshSource& mesh, bool voronoi, TextWriter& out);
 
-// A whole SVG document: the points, and of the longest bars of each degree that have one a cycle. D = 3 as seen along
-// a fixed direction, in parallel; D = 2 as it is.
+// A whole SVG document: the points, and a cycle, in a colour of its own, of each bar that was chosen, else of those
+// that stand apart by their length; it says how many were left out. Those of degree 1 are pulled tight. D = 3 as seen
+// along a fixed direction, in parallel; D = 2 as it is.
 void write_cycle_picture(const std::vector<CycleEntry>& cycles, const CyclePlaces& places, TextWriter& out);
 
 }  // namespace netmesh::tool

@@ -72,7 +72,7 @@ void write_options(Json& json, const RunReport& run, const netmesh_report& engin
 }
 
 // The certificate by scale (netmesh_scale_step), with the error in place of the ratio for a function; with the bars, in
-// their order: birth from, to, death from, to, and whether the bar is surely real.
+// their order: birth from, to, death from, to, and whether the bar is certified to exist.
 void write_bounds(Json& json, const RunReport& run) {
     json.key("scale_steps");
     json.open('[');

@@ -1,6 +1,7 @@
 #include <cmath>
 #include <cstdio>
 
+#include "platform/memory.hpp"
 #include "tools/io/numbers.hpp"
 #include "tools/report/report.hpp"
 
@@ -135,7 +136,7 @@ std::string decision_lines(const netmesh_decision_report& decision) {
         "undecided " + by_degree(decision.undecided, decision.max_degree, true) + " bars may live " + longer;
     if (decision.undecided_to > 0) text += ", up to radius " + rounded_text(decision.undecided_to, 5);
     return text + "\ndecided  all classes that live " + longer + " and die after radius " +
-           rounded_text(decision.decided_from, 5) + " have a bar that surely is real\n";
+           rounded_text(decision.decided_from, 5) + " have a bar that is certified to exist\n";
 }
 
 bool is_exact(const netmesh_diagram_report& diagram) {
@@ -159,7 +160,8 @@ std::string diagram_lines(const netmesh_report& engine) {
         text += std::string("exact    every birth and death is the exact one") +
                 (engine.input.moved > 0 ? " of the moved numbers" : "") + ", rounded to the nearest double\n";
     if (engine.bounds.present != 0)
-        text += "real     " + by_degree(engine.bounds.certain, engine.bounds.max_degree, true) + " bars surely real\n";
+        text += "exist    " + by_degree(engine.bounds.certain, engine.bounds.max_degree, true) +
+                " bars certified to exist, however short\n";
     if (engine.decision.present != 0) text += decision_lines(engine.decision);
     return text;
 }
@@ -211,7 +213,9 @@ std::string cost_lines(const RunReport& run) {
         const double seconds = run.clock->seconds(which);
         if (seconds > 0) text += std::string(", ") + stage_name(which) + " " + seconds_text(seconds);
     }
-    text += ", write " + seconds_text(run.write_seconds) + "\n";
+    text += ", write " + seconds_text(run.write_seconds);
+    const std::size_t process = platform::peak_process_bytes();  // with points, results and the program itself
+    text += process == 0 ? "\n" : "; the whole process took " + bytes_text(process) + "\n";
     char digits[48];
     std::snprintf(digits, sizeof digits, "result   fingerprint %016llx\n",
                   static_cast<unsigned long long>(engine.fingerprint));

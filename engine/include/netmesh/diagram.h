@@ -87,11 +87,11 @@ netmesh_status netmesh_get_pair(const netmesh_context* context, uint64_t index, 
 
 typedef struct netmesh_bar_bounds {
     uint32_t struct_bytes;
-    uint32_t certain; /* 1: surely real: all bars with 1 belong to different true bars within their bounds. Surely so
-                         when death > certain_after, often for other reasons */
+    uint32_t certain; /* 1: certified to exist, however short: all bars with 1 belong to different true bars within
+                         their bounds. Always so when death > certain_after, often for other reasons */
     double birth_low, birth_high, death_low, death_high; /* contain the true birth and death of a bar that is matched;
                                                             what is beyond the largest double counts as infinite */
-    double certain_after; /* a bar of this birth that dies later is surely real; not below birth_high */
+    double certain_after; /* a bar of this birth that dies later is certified to exist; not below birth_high */
 } netmesh_bar_bounds;
 /* Of the pair of that index, where bounds were wanted; else INVALID_ARGUMENT. O(1). */
 netmesh_status netmesh_get_bar_bounds(const netmesh_context* context, uint64_t index, netmesh_bar_bounds* bounds);
@@ -102,11 +102,11 @@ netmesh_status netmesh_get_bar_bounds(const netmesh_context* context, uint64_t i
  *                               factor `ratio`
  *   c(alpha)                    the certified ratio at alpha: max(high / alpha, alpha / low, 1) or `ratio`, whichever
  *                               is less. Before the first step it is 1
- *   a bar born at alpha         is surely real when it dies after max(reach, alpha)
+ *   a bar born at alpha         is certified to exist when it dies after max(reach, alpha)
  *   a bar without a true bar    has death / c(death) <= birth c(birth)
  *   a true bar without a bar    has birth >= alpha / c(alpha) and death <= alpha c(alpha) for some alpha
  * Of FUNCTION, whose values may have any sign, the same by differences: e(alpha) is max(high - alpha, alpha - low, 0)
- * or `error`, whichever is less. A bar longer than 2 e(birth) is not surely real for that alone. */
+ * or `error`, whichever is less. A bar longer than 2 e(birth) is not certified to exist for that alone. */
 typedef struct netmesh_scale_step {
     uint32_t struct_bytes;
     double from, low, high, reach; /* radii; those but `from` may be infinite */

@@ -127,12 +127,12 @@ typedef struct netmesh_diagram_report {
 typedef struct netmesh_bounds_report {
     uint32_t present;
     uint32_t max_degree;
-    uint64_t certain[NETMESH_DEGREE_MAX + 1]; /* per degree: bars that are surely real */
+    uint64_t certain[NETMESH_DEGREE_MAX + 1]; /* per degree: bars that are certified to exist */
     uint64_t steps;                           /* of the ratio as a function of scale */
     uint64_t reserved[2];
 } netmesh_bounds_report;
 
-/* Of a fit with longer_than, L. A bar is undecided when it is not surely real and its bounds do not exclude that
+/* Of a fit with longer_than, L. A bar is undecided when it is not certified to exist and its bounds do not exclude that
  * it stands for a true class that dies after L times its birth. */
 typedef struct netmesh_decision_report {
     uint32_t present;
@@ -141,8 +141,8 @@ typedef struct netmesh_decision_report {
     uint64_t undecided[NETMESH_DEGREE_MAX + 1]; /* bars per degree */
     double undecided_to;                        /* the largest death_high of an undecided bar; 0: all are decided */
     double decided_from; /* true classes that die after L times their birth and after this each have a bar of their own
-                            in the diagram, which surely is real; not below undecided_to, as classes that have no bar
-                            at all are excluded, too */
+                            in the diagram, which is certified to exist; not below undecided_to, as classes that have no
+                            bar at all are excluded, too */
     uint64_t reserved[2];
 } netmesh_decision_report;
 

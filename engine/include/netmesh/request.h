@@ -325,8 +325,8 @@ typedef struct netmesh_mesh_rules {
 /* A want is a constant object. A program holds the code of the wants that it names. */
 typedef struct netmesh_want netmesh_want;
 
-/* For each bar where the true one surely is, and whether the bar surely is real; and the certified ratio as a function
- * of scale. Read by netmesh_get_bar_bounds and netmesh_get_scale_step.
+/* For each bar where the true one surely is, and whether the bar is certified to exist; and the certified ratio by
+ * scale. Read by netmesh_get_bar_bounds and netmesh_get_scale_step.
  *   by        filters with bounds_by_scale: the bounds of every cell, and covers within and around sublevel sets. Of
  *             scales, where points are given: each bar by the cells of its own mesh, and by what the join moves at its
  *             scale; at most 1024 steps. Others: certified_ratio, certified_error and half a unit in the last place

@@ -4,7 +4,7 @@
     >>> points = np.random.default_rng(1).normal(size=(100, 2))
     >>> points /= np.linalg.norm(points, axis=1, keepdims=True)
     >>> diagram = netmesh.persist(points)
-    >>> birth, death = max(diagram.intervals(1), key=lambda bar: bar[1] - bar[0])
+    >>> birth, death = diagram.longest(1)[0]
     >>> bool(birth < 0.3 and death > 0.9)
     True
 
@@ -19,8 +19,9 @@ from ._files import load
 from ._library import VERSION as __version__
 from ._mesh import Mesh, delaunay, mesh
 from ._persist import homology, persist, rips
+from ._table import Table, read_table
 from ._vineyard import Vineyard, vineyard
 
-__all__ = ["Bounds", "Diagram", "Mesh", "Representatives", "Transport", "Vineyard", "bottleneck", "check", "delaunay",
-           "errors", "homology", "load", "mesh", "persist", "persist_all", "rips", "vineyard", "wasserstein",
-           "__version__"]
+__all__ = ["Bounds", "Diagram", "Mesh", "Representatives", "Table", "Transport", "Vineyard", "bottleneck", "check",
+           "delaunay", "errors", "homology", "load", "mesh", "persist", "persist_all", "read_table", "rips", "vineyard",
+           "wasserstein", "__version__"]

@@ -1,10 +1,10 @@
 """Persistence diagrams."""
 import os
-from typing import Iterator, List, NamedTuple, Optional, Tuple, Union
+from typing import Iterator, List, NamedTuple, Optional, Sequence, Tuple, Union
 
 import numpy as np
 
-from ._arrays import address
+from ._arrays import address, whole
 from ._library import FILTER_NAMES, FILTERS, lib
 from ._session import figures
 from .errors import InvalidArgument
@@ -15,7 +15,7 @@ class Bounds(NamedTuple):
 
     birth: np.ndarray          #: float64 [m, 2], the true birth is between the two; radii
     death: np.ndarray          #: float64 [m, 2], the true death is between the two
-    certain: np.ndarray        #: bool [m], surely a bar of the true diagram
+    certain: np.ndarray        #: bool [m], certified to exist in the true diagram, however short
     certain_after: np.ndarray  #: float64 [m], a bar of this birth that dies later is certain
     #: float64 [s, 6]: the certificate by scale, from, low, high, reach, ratio, error (netmesh_scale_step)
     steps: np.ndarray
@@ -70,6 +70,15 @@ class Diagram:
             raise InvalidArgument("degree: %r is not from 0 to %d" % (degree, self.max_degree), "degree")
         return self._intervals[self._starts[degree]:self._starts[degree + 1]]
 
+    def longest(self, degree: int = 1, count: int = 1) -> np.ndarray:
+        """The longest bars of one degree, the longest first: float64 [at most count, 2]. What never dies is longer than
+        all others; of bars as long as each other the first in the diagram comes first."""
+        bars = self.intervals(degree)
+        count = whole(count, "count", 1)
+        with np.errstate(over="ignore"):
+            order = np.argsort(bars[:, 0] - bars[:, 1], kind="stable")
+        return bars[order[:count]]
+
     def rows(self, degree: int) -> slice:
         """Where the bars of one degree stand in :attr:`bounds` and :attr:`representatives`."""
         self.intervals(degree)
@@ -83,8 +92,13 @@ class Diagram:
     def _degrees(self):
         return np.repeat(np.arange(self.max_degree + 1), np.diff(self._starts))
 
-    def betti(self, radius: float) -> Tuple[int, ...]:
-        """How many bars of each degree are alive at a radius: birth <= radius < death."""
+    def betti(self, radius: Union[float, Sequence[float]]) -> Union[Tuple[int, ...], np.ndarray]:
+        """How many bars of each degree are alive at a radius: birth <= radius < death. Of an array of radii an int
+        array, with an axis more for degrees."""
+        if np.ndim(radius) > 0:
+            radii = np.asarray(radius, dtype=np.float64)
+            counts = [_alive(self.intervals(k), radii) for k in range(self.max_degree + 1)]
+            return np.stack(counts, axis=-1)
         alive = (self._intervals[:, 0] <= radius) & (radius < self._intervals[:, 1])
         return tuple(int(alive[self.rows(k)].sum()) for k in range(self.max_degree + 1))
 
@@ -162,10 +176,22 @@ class Diagram:
         from . import _plot
         return _plot.draw(self, axes, kind)
 
+    def _repr_svg_(self) -> str:
+        """Its barcode, where a notebook shows it."""
+        from . import _svg
+        return _svg.barcode(self)
+
     def save(self, path: Union[str, os.PathLike]) -> None:
-        """Writes the diagram, by the ending: .pers as ``netmesh check`` reads it, .csv, or .npy (float64 [m, 3])."""
+        """Writes the diagram, by the ending: .pers as ``netmesh check`` reads it, .csv, .npy (float64 [m, 3]), or .svg,
+        a picture of its barcode."""
         from . import _files
         _files.save(self, path)
+
+
+def _alive(bars, radii):
+    """At each radius the number of bars: those born by then less those dead by then."""
+    return (np.searchsorted(np.sort(bars[:, 0]), radii, side="right") -
+            np.searchsorted(np.sort(bars[:, 1]), radii, side="right"))
 
 
 def read(session):

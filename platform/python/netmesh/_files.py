@@ -7,6 +7,7 @@ from typing import Union
 import numpy as np
 
 from . import _declarations as c
+from . import _svg
 from ._diagram import Diagram
 from ._library import FILTERS, OPTIONS, VERSION, lib
 from ._options import settled
@@ -127,7 +128,7 @@ def _pers(diagram):
         if bounds is not None:
             line += " # birth %s %s death %s %s" % (*map(number_text, bounds.birth[i]),
                                                     *map(number_text, bounds.death[i]))
-            line += " real" if bounds.certain[i] else ""
+            line += " exists" if bounds.certain[i] else ""
         text.append(line)
     return "\n".join(text + [""])
 
@@ -142,8 +143,10 @@ def save(diagram, path):
     elif ending == ".csv":
         rows = ["%d,%s,%s" % (k, number_text(b), number_text(d)) for k, b, d in diagram]
         text = "\n".join(["degree,birth,death"] + rows + [""])
+    elif ending == ".svg":
+        text = _svg.barcode(diagram)
     else:
-        raise InvalidArgument("path: ends in none of .pers, .csv, .npy", "path")
+        raise InvalidArgument("path: ends in none of .pers, .csv, .npy, .svg", "path")
     with open(path, "w", encoding="ascii", newline="\n") as file:
         file.write(text)
 

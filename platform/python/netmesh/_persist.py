@@ -53,9 +53,11 @@ def persist(points, filter: str = "auto", max_degree: Optional[int] = None, *, k
     max_degree: the highest degree of homology; by default D - 1, with a cell D, for complexes on points 1.
     ratio: the certified ratio to refine to, of "complete", "tight" and "scales"; 1.4143 or more.
     focus: (ratio, from, to): a better ratio at radii between two bounds; "auto": where bars are undecided, until each
-        is surely real or surely not ``longer_than`` (1.5) times its birth, or ``memory`` is full.
+        is certified to exist or surely not ``longer_than`` (1.5) times its birth, or ``memory`` is full.
     eps, theta: of "tight" and "scales".
     values: "certified" or "thesis", the filter's own.
+    whole_cells: refine for whole Voronoi cells, not for cells clipped to a ball around the points: more vertices for
+        the same ratio, as "complete" was up to version 0.2.0.
     tau, method, finish: a quality mesh in place of one refined by the certificate: see :func:`netmesh.mesh`.
     function, lipschitz, cut: a function of x, float64 [D], with abs(f(x) - f(y)) <= lipschitz * norm(x - y), and at
         least ``cut`` outside of a ball around the points; sublevel sets up to the cut. ``error``: how far births and
@@ -96,6 +98,11 @@ def persist(points, filter: str = "auto", max_degree: Optional[int] = None, *, k
                  values=values, tau=tau, method=method, finish=finish, whole_cells=whole_cells, error=error,
                  keep_zero_pairs=keep_zero_pairs, bounds=bounds, cycles=representatives, seed=seed, fit=fit,
                  squares=squares, **known("persist", others))
+    if k is not None and filter == "auto":
+        raise InvalidArgument('k: of the distance to the k-th nearest point: filter="knn" or "kdistance"', "k")
+    if k is None and filter in ("knn", "kdistance"):
+        warnings.warn('k: 1, with which "%s" is the distance to the points, outliers and all; k=4 does not see single '
+                      "ones" % filter, stacklevel=2)
     balls = weights_of(radii, weights)
     points, cell, pbc = atoms_of(points, cell, pbc)
     if pieces is None and (executor is not None or scratch is not None):
@@ -187,6 +194,9 @@ def rips(points=None, threshold: float = math.inf, max_degree: int = 1, *, dista
                  cycles=representatives)
     if points is not None:
         read = points_of(points)
+        if _looks_like_distances(read[0]):
+            raise InvalidArgument("points: a square with 0 on its diagonal and equal halves looks like distances: "
+                                  'rips(distances=...); persist(points, "rips") takes it for points', "points")
         if read[2] == 1:  # the library's points have two coordinates at least
             points = np.column_stack((read[0], np.zeros(read[1])))
         return diagram_of_points(points, given, memory, progress)
@@ -197,6 +207,12 @@ def rips(points=None, threshold: float = math.inf, max_degree: int = 1, *, dista
     session.kept += [made, (_put_sparse if hasattr(distances, "tocoo") else _put_matrix)(made, distances)]
     request.distances = ctypes.addressof(made)
     return _made(session, request)
+
+
+def _looks_like_distances(array):
+    count = array.shape[0]
+    return (count >= 3 and array.shape[1] == count and not np.diagonal(array).any() and
+            np.array_equal(array, array.T) and bool((array >= 0).all()))
 
 
 def _put_matrix(made, distances):

@@ -12,7 +12,7 @@ except ImportError:
     def validate_data(estimator, X, **options):
         return estimator._validate_data(X, **options)
 
-_KINDS = ("landscape", "betti", "statistics")
+_KINDS = ("landscape", "betti", "image", "statistics")
 _STATISTICS = ("bars", "longest", "total", "entropy", "mean birth", "mean death")
 
 
@@ -25,14 +25,18 @@ class PersistenceFeatures(TransformerMixin, BaseEstimator):
 
     Parameters
     ----------
-    features : "landscape", "betti" or "statistics"
+    features : "landscape", "betti", "image" or "statistics"
         Persistence landscapes, or numbers of bars that are alive, at ``resolution`` radii from 0 to the largest that
-        ``fit`` has seen; or six statistics of the finite bars: number, longest, total length, entropy of lengths,
-        mean birth, mean death. Radii are in units of X.
+        ``fit`` has seen; or a persistence image, ``resolution`` births by ``resolution`` lengths of these: each bar is
+        a normal distribution with a standard deviation of one step, weighted by its length; or six statistics of
+        the finite bars: number, longest, total length, entropy of lengths, mean birth, mean death. Radii are in units
+        of X.
     max_degree : int
         The highest degree of homology; each degree has features of its own.
     filter : str
         As of :func:`netmesh.persist`; "rips" is for any D.
+    k : int or None
+        Of the filters "knn" and "kdistance", which do not see single outliers: how many neighbours.
     layers : int
         How many layers of a landscape, the first for the longest bars.
     resolution : int
@@ -49,7 +53,7 @@ class PersistenceFeatures(TransformerMixin, BaseEstimator):
     """
 
     def __init__(self, features="landscape", max_degree=1, filter="auto", layers=2, resolution=20, dimension=2,
-                 delay=1):
+                 delay=1, k=None):
         self.features = features
         self.max_degree = max_degree
         self.filter = filter
@@ -57,6 +61,7 @@ class PersistenceFeatures(TransformerMixin, BaseEstimator):
         self.resolution = resolution
         self.dimension = dimension
         self.delay = delay
+        self.k = k
 
     def fit(self, X, y=None):
         """Finds the largest radius of the samples' diagrams. Returns self."""
@@ -85,6 +90,10 @@ class PersistenceFeatures(TransformerMixin, BaseEstimator):
         for degree in range(self.max_degree + 1):
             if self.features == "statistics":
                 names += ["h%d %s" % (degree, name) for name in _STATISTICS]
+                continue
+            if self.features == "image":
+                names += ["h%d image at birth %.6g, length %.6g" % (degree, birth, length)
+                          for length in self.radii_ for birth in self.radii_]
                 continue
             layers = range(self.layers) if self.features == "landscape" else (None,)
             for layer in layers:
@@ -118,7 +127,7 @@ class PersistenceFeatures(TransformerMixin, BaseEstimator):
     def _diagram(self, points):
         if self.filter == "rips":
             return rips(points, max_degree=self.max_degree)
-        return persist(points, self.filter, max_degree=self.max_degree)
+        return persist(points, self.filter, max_degree=self.max_degree, k=self.k)
 
     def _bars(self, diagram, degree):
         if degree > diagram.max_degree:
@@ -137,11 +146,21 @@ class PersistenceFeatures(TransformerMixin, BaseEstimator):
         births, deaths = bars[:, :1], bars[:, 1:]
         if self.features == "betti":
             return ((births <= self.radii_) & (self.radii_ < deaths)).sum(axis=0).astype(np.float64)
+        if self.features == "image":
+            return _image(bars, self.radii_)
         tents = np.minimum(self.radii_ - births, deaths - self.radii_).clip(min=0)
         layers = np.zeros((self.layers, len(self.radii_)))
         shown = min(self.layers, len(tents))
         layers[:shown] = -np.sort(-tents, axis=0)[:shown]
         return layers.ravel()
+
+
+def _image(bars, radii):
+    step = radii[1] - radii[0] if len(radii) > 1 and radii[1] > 0 else 1.0
+    lengths = bars[:, 1] - bars[:, 0]
+    by_birth = np.exp(-((radii[:, None] - bars[:, 0]) / step) ** 2 / 2)
+    by_length = np.exp(-((radii[:, None] - lengths) / step) ** 2 / 2) * lengths
+    return (by_length @ by_birth.T).ravel()
 
 
 def _statistics(bars):

@@ -66,7 +66,7 @@ export interface FunctionOptions {
 }
 export interface MeshPersistOptions extends DiagramOptions, FunctionOptions {
     filter?: MeshFilter;
-    /** Neighbours, of knn and kdistance. */
+    /** Neighbours, of knn and kdistance; without it 1, the distance to the points, outliers and all. */
     k?: number;
     values?: 'certified' | 'thesis';
     /** Where each true birth and death surely is. */
@@ -77,7 +77,7 @@ export interface PersistOptions extends PointOptions, MeshRules, Omit<MeshPersis
     /** The certified ratio to refine to, 1.4143 or more. */
     ratio?: number;
     /** A better ratio at radii between two bounds: [ratio, from, to], with `fit` [from, to]; "auto": where bars are
-     * undecided, until each is surely real or surely not `longerThan` times its birth, or `memory` is full. */
+     * undecided, until each is certified to exist or surely not `longerThan` times its birth, or `memory` is full. */
     focus?: [number, number, number] | [number, number] | 'auto';
     /** 1.5; goes with focus: "auto". */
     longerThan?: number;
@@ -122,7 +122,7 @@ export interface Bar { degree: number; birth: number; death: number }
 export interface BarBounds {
     /** [m, 5]: least and largest birth, least and largest death, the death from which a bar is certain. */
     numbers: Float64Array;
-    /** [m]: 1 for a bar that is surely one of the true diagram. */
+    /** [m]: 1 for a bar that is certified to exist in the true diagram, however short. */
     certain: Uint8Array;
 }
 
@@ -148,6 +148,8 @@ export class Diagram implements Iterable<Bar> {
     readonly maxDegree: number;
     /** [m, 2]: birth, death, birth, death ... of one degree. */
     intervals(degree: number): Float64Array;
+    /** The longest bars of a degree (1), the longest first: [at most count, 2]; what never dies is the longest. */
+    longest(degree?: number, count?: number): Float64Array;
     /** The first bar of a degree, and the first one behind it. */
     rows(degree: number): [number, number];
     [Symbol.iterator](): Iterator<Bar>;
@@ -261,6 +263,32 @@ export interface NetmeshWorker {
     /** Stops what is on its way, which is rejected as "cancelled". */
     terminate(): void;
 }
+
+/** A table of numbers in text, read as the program `netmesh` reads it: with a header or without, in the dialects of
+ * spreadsheets. */
+export interface Table {
+    /** [count, dim], of the columns that are taken. */
+    points: Float64Array;
+    dim: number;
+    count: number;
+    names: string[];
+    /** Of each row the line of the text, from 1. */
+    lines: number[];
+    /** What was left out or understood. */
+    notes: string[];
+}
+export interface TableOptions {
+    /** Names of the header, numbers from 1, ranges "2-4"; all. */
+    columns?: (string | number)[];
+    /** What stands between columns, " " for blanks; told by the text. */
+    delimiter?: string;
+    /** Lines left out at the top. */
+    skip?: number;
+    /** Rows that lack a value are left out; else they are an error. */
+    dropMissing?: boolean;
+}
+/** Throws an Error that names the line and says what to do. */
+export function parseTable(text: string, options?: TableOptions): Table;
 
 export type Source = string | URL | Response | Promise<Response> | BufferSource | WebAssembly.Module;
 /** Loads the library into this thread; `source` where netmesh.wasm is not beside the module. */

@@ -1,6 +1,8 @@
 // netmesh for JavaScript: typed arrays in, typed arrays out. Each call runs in an instance of its own, whose memory
 // goes with it; a mesh keeps its instance. No dependency.
 
+export { parseTable } from './table.mjs';
+
 const STAGES = ['none', 'sort', 'delaunay', 'refine', 'certify', 'filter', 'gradient', 'reduce', 'check', 'analyse'];
 const STATUSES = ['ok', 'invalid-argument', 'out-of-memory', 'cancelled', 'not-finite', 'out-of-range', 'flat',
     'too-close', 'no-result', 'check-failed', 'floating-point', 'internal', 'not-a-complex', 'not-built'];
@@ -235,6 +237,17 @@ function pointsOf(points, dim) {
     return { array, count: points.length, dim: width };
 }
 
+// A square of at least three rows, 0 on its diagonal, with equal halves, none below 0.
+function looksLikeDistances({ array, count, dim }) {
+    if (count < 3 || dim !== count) return false;
+    for (let i = 0; i < count; ++i)
+        for (let j = 0; j <= i; ++j) {
+            const there = array[i * count + j];
+            if (i === j ? there !== 0 : there !== array[j * count + i] || !(there >= 0)) return false;
+        }
+    return true;
+}
+
 // What is given of balls about points; undefined: nothing.
 function ballsOf({ radii, weights }, count) {
     if (!isGiven(radii) && !isGiven(weights)) return undefined;
@@ -272,6 +285,14 @@ export class Diagram {
     intervals(degree) {
         whole(degree, 'degree', 0, this.maxDegree);
         return this.#intervals.subarray(2 * this.#starts[degree], 2 * this.#starts[degree + 1]);
+    }
+    /** The longest bars of a degree, the longest first: Float64Array [at most count, 2]. What never dies is longest. */
+    longest(degree = 1, count = 1) {
+        const bars = this.intervals(degree), length = i => bars[2 * i + 1] - bars[2 * i];
+        const order = Array.from({ length: bars.length / 2 }, (_, i) => i);
+        order.sort((i, j) => length(j) === length(i) ? i - j : length(j) - length(i));
+        const chosen = order.slice(0, whole(count, 'count', 1, 2 ** 32));
+        return Float64Array.from(chosen.flatMap(i => [bars[2 * i], bars[2 * i + 1]]));
     }
     /** Numbers of the first bar of a degree and of the first one behind it, in bounds and representatives. */
     rows(degree) {
@@ -544,6 +565,8 @@ export class Netmesh {
 
     persist(points, options = {}) {
         const given = known('persist', options, this.#library.table);
+        if ('k' in given && (given.filter ?? 'auto') === 'auto')
+            refuse('k', "of the distance to the k-th nearest point: filter: 'knn' or 'kdistance'");
         return this.#persist(pointsOf(points, given.dim), { ...given, ...focusOf(given) });
     }
     #persist(read, given) {
@@ -618,7 +641,13 @@ export class Netmesh {
     rips(points, options = {}) {
         const given = { ...known('rips', options, this.#library.table), filter: 'rips' }, { distances } = given;
         if ((points == null) === (distances === undefined)) refuse('points', 'give points or distances');
-        if (distances === undefined) return this.#persist(planar(pointsOf(points, given.dim)), given);
+        if (distances === undefined) {
+            const read = pointsOf(points, given.dim);
+            if (looksLikeDistances(read))
+                refuse('points', 'a square with 0 on its diagonal and equal halves looks like distances: '
+                    + "rips(null, { distances }); persist(points, { filter: 'rips' }) takes it for points");
+            return this.#persist(planar(read), given);
+        }
         const array = numbersOf(Array.isArray(distances) ? distances.flat() : distances, 'distances');
         const count = Math.round(Math.sqrt(array.length));
         if (count * count !== array.length) refuse('distances', `${array.length} numbers are no [n, n]`);

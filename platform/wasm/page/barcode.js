@@ -1,13 +1,28 @@
-// The barcode as SVG: by degree, bars that surely are real first, the longest first; before each the band in which a bar
-// of that birth may be an artefact. Degree 0 shows what stands apart, the rest is counted.
+// The barcode as SVG: by degree, bars that are certified to exist first, the longest first, in bold those that stand apart
+// by their length; before each the band in which a bar of that birth may be an artefact. Degree 0 shows what stands apart, the rest is counted.
 const barcode_rows = 12, short_share = 0.03;  // rows of a degree; of the longest bar, what is left out when there are many
 
 const escape_text = text => text.replaceAll('&', '&amp;').replaceAll('<', '&lt;').replaceAll('>', '&gt;');
 const short_number = x => x === Infinity ? '\u221e'
     : x !== 0 && (x < 1e-3 || x >= 1e6) ? x.toExponential(2) : Number(x.toPrecision(4)).toString();
+const counted = count => count.toLocaleString('en');
 const sub = degree => String.fromCharCode(0x2080 + degree);
 
-// [{ degree, total, real, shown: [index of a pair] }]
+// How many of the lengths, which descend, stand apart: those that are infinite, and the others above the largest gap, where
+// a length is at least 1.5 times the next one; below the last of at most 8 is a gap, too, as of 2.5.
+function count_apart(all) {
+    const lengths = all.filter(length => length > 0);
+    let apart = lengths.findIndex(Number.isFinite), largest = 1.5;
+    if (apart < 0) return lengths.length;
+    for (let i = apart, end = Math.min(apart + 12, lengths.length - 1); i < end; ++i) {
+        if (!(lengths[i] >= largest * lengths[i + 1])) continue;
+        largest = lengths[i] / lengths[i + 1];
+        apart = i + 1;
+    }
+    return lengths.length <= 8 && largest < 2.5 ? lengths.length : apart;
+}
+
+// [{ degree, total, exist, apart, shown: [index of a pair] }]; apart: how long a bar is at least that stands apart
 function barcode_groups(pairs) {
     const degrees = [...new Set(pairs.map(p => p.degree))].sort((a, b) => a - b);
     const length = i => pairs[i].death - pairs[i].birth;
@@ -15,7 +30,9 @@ function barcode_groups(pairs) {
         const all = pairs.map((p, i) => i).filter(i => pairs[i].degree === degree);
         const order = (i, j) => length(j) === length(i) ? 0 : length(j) - length(i);
         all.sort(order);
-        const real = all.filter(i => pairs[i].real);
+        const lengths = all.map(length), count = count_apart(lengths);
+        const apart = count > 0 ? lengths[count - 1] : Infinity;
+        const exist = all.filter(i => pairs[i].exists);
         let shown = all.slice(0, barcode_rows);
         const longest = all.map(length).find(Number.isFinite) ?? 0;
         if (shown.length < all.length) shown = shown.filter(i => length(i) > short_share * longest);
@@ -27,8 +44,8 @@ function barcode_groups(pairs) {
             }
             shown = all.slice(0, apart);
         }
-        shown = [...shown.filter(i => pairs[i].real), ...shown.filter(i => !pairs[i].real)];
-        return { degree, total: all.length, real: real.length, shown };
+        shown = [...shown.filter(i => pairs[i].exists), ...shown.filter(i => !pairs[i].exists)];
+        return { degree, total: all.length, exist: exist.length, count, apart, shown };
     });
 }
 
@@ -39,7 +56,7 @@ function barcode_end(pairs) {
 }
 
 function barcode_svg({ pairs, ratio, has_bounds }, title) {
-    const width = 560, left = 96, right = 130, row = 13, bar = 8;
+    const width = 600, left = 128, right = 138, row = 13, bar = 8;
     const end = barcode_end(pairs), groups = barcode_groups(pairs);
     const x = value => left + Math.max(0, Math.min(value, end)) / end * (width - left - right);
     const parts = [];
@@ -49,25 +66,27 @@ function barcode_svg({ pairs, ratio, has_bounds }, title) {
         `height="${height}" fill="${fill}"${more}/>`;
     const text = (at, base, words, size, more = '') =>
         `<text x="${at}" y="${base}" font-size="${size}"${more}>${escape_text(words)}</text>`;
-    for (const { degree, total, real, shown } of groups) {
+    for (const { degree, total, exist, count, apart, shown } of groups) {
         const top = y, colour = degree_colours[degree % 6];
         parts.push(text(8, y + 13, 'H' + sub(degree), 17, ` font-weight="bold" fill="${colour}"`),
-            text(8, y + 28, `${total} bar${total === 1 ? '' : 's'}`, 10, ' fill="#5b626a"'),
-            text(8, y + 41, `${real} surely real`, 10, ' fill="#5b626a"'));
-        if (shown.length < total) parts.push(text(8, y + 54, `${total - shown.length} not shown`, 10, ' fill="#5b626a"'));
+            text(8, y + 28, `${counted(total)} bar${total === 1 ? '' : 's'}`, 10, ' fill="#5b626a"'));
+        const lines = [ratio === 1 ? '' : `${counted(exist)} certified`,
+            count === 0 ? '' : `${count} stand${count === 1 ? 's' : ''} apart`,
+            shown.length === total ? '' : `${counted(total - shown.length)} not shown`].filter(line => line !== '');
+        lines.forEach((line, i) => parts.push(text(8, y + 41 + 13 * i, line, 10, ' fill="#5b626a"')));
         shown.forEach((i, at) => {
             const p = pairs[i], line = y + at * row;
             const doubt = p.after > p.birth
                 ? rect(x(p.birth), x(p.after), line, row, '#fbf0d0', ' class="doubt"') : '';
             const arrow = p.death === Infinity ? `<path d="M${x(end)} ${line + 1}l10 5.5l-10 5.5z" fill="${colour}"/>` : '';
-            const note = p.real ? text(width - right + 14, line + 10, `${short_number(p.birth)} to ${short_number(p.death)}`,
-                10, ' fill="#22262b"') : '';
+            const note = p.exists ? text(width - right + 14, line + 10, `${short_number(p.birth)} to ${short_number(p.death)}`,
+                10, ' fill="#22262b"' + (p.death - p.birth >= apart ? ' font-weight="bold"' : '')) : '';
             parts.push(`<g class="bar" data-pair="${i}">${doubt}` + rect(x(p.birth), x(p.death), line + 2.5, bar, colour,
-                p.real ? '' : ' fill-opacity=".45"') + arrow + note +
+                p.exists ? '' : ' fill-opacity=".45"') + arrow + note +
                 `<title>H${degree}: ${p.birth} to ${p.death === Infinity ? 'infinity' : p.death}` +
-                `${p.real ? ', surely real' : ''}</title></g>`);
+                `${p.exists ? ', certified to exist' : ''}</title></g>`);
         });
-        y = Math.max(y + shown.length * row, top + 60) + 12;
+        y = Math.max(y + shown.length * row, top + 34 + 13 * lines.length) + 12;
     }
     const ticks = [0, .25, .5, .75, 1].map(share => share * end / 1.08);
     parts.unshift(...ticks.map(t => `<path d="M${x(t).toFixed(2)} 8V${y}" stroke="#e3e6e9"/>`));
@@ -77,10 +96,11 @@ function barcode_svg({ pairs, ratio, has_bounds }, title) {
             ' text-anchor="middle" fill="#22262b"'));
     const limit = has_bounds ? ' by its bounds' : `: death / birth \u2264 ${short_number(ratio * ratio)}`;
     const legend = ratio === 1 ? '' : rect(left, left + 18, y + 42, 11, '#fbf0d0') +
-        text(left + 24, y + 52, `band: too short to be surely real${limit}`, 10,
+        text(left + 24, y + 52, `band: too short to be certified${limit}`, 10,
             ' fill="#22262b"');
     const height = y + (legend === '' ? 42 : 62);
-    const words = groups.map(g => `degree ${g.degree}: ${g.total} bars, ${g.real} surely real`).join('; ');
+    const words = groups.map(g => `degree ${g.degree}: ${g.total} bars` +
+        (ratio === 1 ? '' : `, ${g.exist} certified to exist`)).join('; ');
     return { end, left, right, width, svg: `<svg xmlns="http://www.w3.org/2000/svg" width="${width}" height="${height}" ` +
         `viewBox="0 0 ${width} ${height}" role="img" font-family="Helvetica, Arial, 'Liberation Sans', 'DejaVu Sans', ` +
         `sans-serif"><title>${escape_text(title)}</title><desc>${escape_text(words)}</desc>` +

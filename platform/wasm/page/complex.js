@@ -1,5 +1,15 @@
 // The edges and triangles of a result with the radius at which each enters, for the picture: of alpha complexes by the
 // triangulation, of filters on a mesh by the values of vertices, of Rips complexes by lengths.
+// Edges and triangles of more cells, or of more distances, take longer than their picture is worth.
+const cells_most = 150000, rips_points_most = 3000;
+function can_draw(result, { count }) {
+    if (result.filter === 9 || result.filter === 10 || result.figures.cells === 0) return count <= rips_points_most;
+    return result.figures.cells <= cells_most;
+}
+// What is drawn then: the points, in their order.
+function points_alone({ points, count }) {
+    return { places: points, edges: [], triangles: [], vertex_values: null, inputs: count };
+}
 function complex_of(result, points) {
     const { dim, cells, has_values, values, figures } = result;
     if (result.filter === 9 || result.filter === 10 || cells.length === 0) return rips_edges(points, dim);

@@ -64,8 +64,9 @@ function compute() {
     advise('', []);
     let cloud, wanted;
     try {
-        cloud = parse_points($('text').value);
-        $('read').textContent = `${cloud.count} points in ${cloud.dim} dimensions` +
+        $('read').textContent = '';  // what was read before is gone
+        cloud = parse_points($('text').value, { columns: $('columns').value, drop_missing: $('missing').checked });
+        $('read').textContent = `${cloud.count.toLocaleString('en')} points in ${cloud.dim} dimensions` +
             cloud.notes.map(note => `; ${note}`).join('');
         wanted = asked_for();
     } catch (error) {
@@ -76,7 +77,7 @@ function compute() {
     $('run').disabled = true;
     $('cancel').disabled = false;
     $('progress').hidden = false;
-    $('progress').removeAttribute('value');
+    $('progress').value = 0;
     say('starting');
     worker.onmessage = ({ data }) => {
         if (data.progress !== undefined) { show_progress(data.progress); return; }
@@ -87,11 +88,12 @@ function compute() {
     worker.postMessage({ module, points: cloud.points, dim: cloud.dim, asked: wanted.asked, limit: wanted.limit });
 }
 
-function show_progress({ stage, done, total, vertices, bytes }) {
-    if (total > 0) $('progress').value = Math.min(1, done / total);
-    else $('progress').removeAttribute('value');
+// The bar goes one way: through the stages of a run, and where a run needs more memory and is made again, through what
+// is left of it.
+function show_progress({ share, stage, vertices, bytes, again }) {
+    $('progress').value = Math.max($('progress').value, share);
     const count = vertices > 0 ? `, ${vertices.toLocaleString('en')} vertices` : '';
-    say(`${stage}${count}, in a block of ${size_text(bytes)}`);
+    say(`${stage}${count}, in a block of ${size_text(bytes)}${again ? ', as a smaller one did not do' : ''}`);
 }
 
 function take_result(result, cloud, wanted) {
@@ -104,8 +106,12 @@ function take_result(result, cloud, wanted) {
         wanted.note = `auto: ${result.why}`;
         wanted.asked.filter = result.filter;
     }
-    last = { result, cloud, wanted, complex: complex_of(result, cloud.points),
+    const is_drawn = can_draw(result, cloud);
+    last = { result, cloud, wanted, complex: is_drawn ? complex_of(result, cloud.points) : points_alone(cloud),
+        is_drawn,
         described: `filter ${filter_name(wanted.asked.filter)}, ${cloud.count} points in ${cloud.dim} dimensions` };
+    const merged = cloud.count - result.figures.inputs;
+    if (merged > 0) $('read').textContent += `; ${merged.toLocaleString('en')} duplicate${merged === 1 ? '' : 's'} merged`;
     chosen = null;
     const seconds = (result.milliseconds / 1000).toFixed(2);
     say(`${last.described}: done in ${seconds} s${wanted.note === '' ? '' : '; ' + wanted.note}`);
@@ -118,8 +124,9 @@ function take_result(result, cloud, wanted) {
     $('barcode-note').textContent = `${certificate}. Click a bar to see its cycle.`;
     $('link-note').textContent = '';
     show_figures(result, certificate);
-    const longest = Math.max(0, ...result.pairs.filter(p => p.degree > 0).map(p => p.birth + .35 * Math.min(p.death - p.birth,
-        last.barcode.end)));
+    let longest = 0;  // of as many bars as there are: no call takes them all as arguments
+    for (const p of result.pairs)
+        if (p.degree > 0) longest = Math.max(longest, p.birth + .35 * Math.min(p.death - p.birth, last.barcode.end));
     $('radius').value = Math.round(1000 * Math.min(1, (longest || last.barcode.end / 4) / last.barcode.end));
     show_radius();
 }
@@ -145,7 +152,7 @@ function advise_memory({ bytes, planned }, cloud, { asked, limit }) {
         const { points, dim } = cloud, rows = [];
         for (let i = 0; i < cloud.count; i += 2) rows.push([...points.subarray(i * dim, (i + 1) * dim)].join(', '));
         $('text').value = rows.join('\n');
-        $('sample').value = '';
+        $('sample').value = $('columns').value = '';
     }));
     items.push('or the program netmesh, which takes as much memory as the machine has');
     advise(`${size_text(bytes)} were not enough; about ${size_text(planned)} are planned for such points. What helps:`, items);
@@ -173,14 +180,18 @@ function show_radius() {
     line.setAttribute('d', line.getAttribute('d').replace(/^M[\d.]+/, 'M' + x.toFixed(2)));
     const cycle = chosen === null || result.pairs[chosen].cycle === null ? null
         : { degree: result.pairs[chosen].degree, vertices: result.pairs[chosen].cycle };
-    view.show({ dim: cloud.dim, complex, radius, mode: $('show').value, cycle });
+    view.show({ dim: cloud.dim, complex, radius, mode: last.is_drawn ? $('show').value : 'points', cycle });
     const degrees = [...new Set(result.pairs.map(p => p.degree))].sort();
-    $('betti').textContent = 'holes at this radius: ' + degrees.map(degree => `H${sub(degree)} ` +
-        result.pairs.filter(p => p.degree === degree && p.birth <= radius && radius < p.death).length).join(', ');
+    const alive = new Map(degrees.map(degree => [degree, 0]));
+    for (const p of result.pairs)
+        if (p.birth <= radius && radius < p.death) alive.set(p.degree, alive.get(p.degree) + 1);
+    $('betti').textContent = 'holes at this radius: ' + degrees.map(degree => `H${sub(degree)} ${alive.get(degree)}`)
+        .join(', ');
     const turned = cloud.dim > 2 ? `; drag to turn it${cloud.dim > 3 ? ', of more than three coordinates the first three' : ''}`
         : '';
-    $('view-note').textContent = `${complex.inputs} points` + ($('show').value === 'balls' ? ''
-        : `, ${view.counts.edges} edges, ${view.counts.triangles} triangles at this radius`) + turned;
+    $('view-note').textContent = `${complex.inputs} points` + (!last.is_drawn
+        ? `: too large to draw more of it (${result.figures.cells.toLocaleString('en')} cells); the barcode is complete`
+        : $('show').value === 'balls' ? '' : `, ${view.counts.edges} edges, ${view.counts.triangles} triangles at this radius`) + turned;
 }
 
 $('barcode').addEventListener('click', event => {
@@ -209,7 +220,7 @@ $('save-pers').addEventListener('click', () => save('netmesh.pers', 'text/plain'
 $('save-svg').addEventListener('click', () => save('netmesh.svg', 'image/svg+xml', last.barcode.svg));
 
 // A link has the options and either the sample's name or the points themselves, squeezed.
-const option_ids = ['filter', 'k', 'ratio', 'degree', 'memory', 'show', 'radius'];
+const option_ids = ['columns', 'filter', 'k', 'ratio', 'degree', 'memory', 'show', 'radius'];
 const link_most = 60000;
 async function piped(bytes, stream) {
     return new Uint8Array(await new Response(new Blob([bytes]).stream().pipeThrough(stream)).arrayBuffer());
@@ -217,6 +228,7 @@ async function piped(bytes, stream) {
 async function link() {
     const state = Object.fromEntries(option_ids.map(id => [id, $(id).value]));
     state.bounds = $('bounds').checked;
+    state.missing = $('missing').checked;
     if ($('sample').value !== '') state.sample = $('sample').value; else state.text = $('text').value;
     const bytes = await piped(new TextEncoder().encode(JSON.stringify(state)), new CompressionStream('deflate-raw'));
     const packed = btoa(Array.from(bytes, b => String.fromCharCode(b)).join('')).replaceAll('+', '-').replaceAll('/', '_')
@@ -235,6 +247,7 @@ async function follow(packed) {
     const state = JSON.parse(new TextDecoder().decode(await piped(bytes, new DecompressionStream('deflate-raw'))));
     for (const id of option_ids) if (typeof state[id] === 'string') $(id).value = state[id];
     $('bounds').checked = state.bounds === true;
+    $('missing').checked = state.missing === true;
     $('sample').value = state.sample in samples ? state.sample : '';
     $('text').value = $('sample').value !== '' ? sample_text(state.sample) : String(state.text ?? '');
     show_options();
@@ -245,6 +258,7 @@ $('link').addEventListener('click', link);
 async function take_file(file) {
     $('sample').value = '';
     const bytes = new Uint8Array(await file.arrayBuffer());
+    $('read').textContent = $('columns').value = '';
     if (bytes.subarray(0, 4096).includes(0)) { say(`${file.name}: this page reads text, one point a line`, true); return; }
     $('text').value = new TextDecoder().decode(bytes);
     compute();
@@ -253,9 +267,12 @@ for (const name of Object.keys(samples)) $('sample').append(new Option(name, nam
 $('sample').addEventListener('change', () => {
     if ($('sample').value === '') return;
     $('text').value = sample_text($('sample').value);
+    $('columns').value = '';
     compute();
 });
 $('text').addEventListener('input', () => { $('sample').value = ''; });
+$('columns').addEventListener('change', compute);
+$('missing').addEventListener('change', compute);
 $('text').addEventListener('paste', () => setTimeout(compute, 0));
 $('file').addEventListener('change', event => { if (event.target.files.length > 0) take_file(event.target.files[0]); });
 document.addEventListener('dragover', event => { event.preventDefault(); document.body.classList.add('over'); });

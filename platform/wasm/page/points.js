@@ -1,39 +1,10 @@
-// Points out of text: one a line, numbers between commas, semicolons, blanks or tabs, in quotes or not. A first line of
-// names, empty lines and lines that start with # are skipped. Commas are decimal where another separator parts the
-// numbers and no number has a point. Throws with the line that is wrong.
-function parse_points(text) {
-    const lines = text.split(/\r?\n/).map((line, i) => ({ line: line.trim(), number: i + 1 }))
-        .filter(({ line }) => line !== '' && !line.startsWith('#'));
-    if (lines.length === 0) throw new Error('there are no points');
-    const semicolons = lines.filter(({ line }) => line.includes(';')).length > lines.length / 2;
-    const decimal_comma = lines.every(({ line }) => !/\d\.\d/.test(line)) &&
-        lines.some(({ line }) => /\d,\d/.test(line)) &&
-        (semicolons || lines.filter(({ line }) => /\d,\d+\s+-?\d+,\d/.test(line)).length > lines.length / 2);
-    const split = line => {
-        const parts = decimal_comma ? line.replaceAll(',', '.').split(semicolons ? ';' : /\s+/)
-            : line.split(semicolons ? ';' : /\s*,\s*|\s+/);
-        while (parts.length > 1 && parts.at(-1).trim() === '') parts.pop();
-        return parts.map(part => part.trim().replace(/^"(.*)"$/, '$1'));
-    };
-    const notes = [], rows = [];
-    if (decimal_comma) notes.push('commas are decimal');
-    lines.forEach(({ line, number }, i) => {
-        const row = split(line).map(part => part === '' ? NaN : Number(part));
-        if (row.some(x => !Number.isFinite(x))) {
-            if (i > 0) throw new Error(`line ${number} is not a row of numbers: ${line.slice(0, 40)}`);
-            notes.push(`line ${number} skipped as names`);
-            return;
-        }
-        if (rows.length > 0 && row.length !== rows[0].length)
-            throw new Error(`line ${number} has ${row.length} numbers, the first point has ${rows[0].length}`);
-        rows.push(row);
-    });
-    if (rows.length === 0) throw new Error('there are no points');
-    const dim = rows[0].length;
-    if (dim < 2 || dim > 6) throw new Error(`points have ${dim} coordinates; 2 to 6 are possible`);
-    if (rows.length > 2 && rows.every((row, i) => row[0] === rows[0][0] + i))
-        notes.push('the first column counts up: is it an index?');
-    return { dim, count: rows.length, points: Float64Array.from(rows.flat()), notes };
+// Points out of text, as the program reads them (npm/table.mjs). Throws with the line that is wrong.
+function parse_points(text, { columns = '', drop_missing = false } = {}) {
+    const chosen = columns.trim() === '' ? undefined
+        : columns.match(/"(?:[^"]|"")*"|[^,]+/g).map(item => item.trim().replace(/^"(.*)"$/, '$1').replaceAll('""', '"'));
+    const { points, dim, count, notes } = parseTable(text, { columns: chosen, dropMissing: drop_missing });
+    if (dim < 2 || dim > 6) throw new Error(`${dim} column${dim === 1 ? '' : 's'}; points have 2 to 6 coordinates: choose columns`);
+    return { dim, count, points, notes };
 }
 
 // Samples by fixed formulas.

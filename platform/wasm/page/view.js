@@ -72,8 +72,8 @@ class View {
         const g = canvas.getContext('2d'), flat = this.flatten();
         g.clearRect(0, 0, canvas.width, canvas.height);
         g.lineJoin = 'round';
-        if (mode !== 'complex') this.draw_balls(g, flat, radius);
-        if (mode !== 'balls') this.draw_complex(g, flat, radius);
+        if (mode === 'balls' || mode === 'both') this.draw_balls(g, flat, radius);
+        if (mode === 'complex' || mode === 'both') this.draw_complex(g, flat, radius);
         this.draw_points(g, flat);
         if (cycle !== null) this.draw_cycle(g, flat, cycle);
         this.drawn = { dim, radius };
@@ -141,6 +141,10 @@ class View {
     draw_points(g, flat) {
         const { inputs } = this.shown.complex, size = inputs > 2000 ? 2 : inputs > 500 ? 3 : 4.5;
         g.fillStyle = '#1f2d4a';
+        if (inputs > 20000) {  // as dots: a million circles take seconds
+            for (let i = 0; i < inputs; ++i) g.fillRect(flat[3 * i], flat[3 * i + 1], 1, 1);
+            return;
+        }
         for (let i = 0; i < inputs; ++i) {
             g.beginPath();
             g.arc(flat[3 * i], flat[3 * i + 1], size, 0, 7);

@@ -3,6 +3,8 @@
 const OUT_OF_MEMORY = 2, PAGE = 65536;
 const stages = ['', 'sorting', 'triangulating', 'refining', 'certifying', 'filtering', 'pairing', 'reducing', 'checking',
     'measuring'];
+// Where each of them ends in a run, about.
+const stage_ends = [0, .03, .25, .5, .6, .7, .8, .95, .97, 1];
 
 // A JavaScript function as one of WebAssembly's, (i32, i32) -> i32, that can stand in a table: a module of 36 bytes that
 // hands on what it imports.
@@ -33,7 +35,9 @@ function watch(exports, say) {
         last = now;
         const view = new DataView(exports.memory.buffer, at >>> 0, 40);
         const number = offset => Number(view.getBigUint64(offset, true));
-        say({ stage: stages[view.getUint32(4, true)] ?? '', done: number(8), total: number(16), vertices: number(24) });
+        const stage = view.getUint32(4, true), total = number(16), done = total > 0 ? Math.min(1, number(8) / total) : 0;
+        const from = stage_ends[Math.max(0, stage - 1)] ?? 0, to = stage_ends[stage] ?? from;
+        say({ stage: stages[stage] ?? '', share: from + (to - from) * done, vertices: number(24) });
         return 0;
     });
     const table = exports.__indirect_function_table, index = table.grow(1);
@@ -59,15 +63,15 @@ function results(exports, dim, asked) {
     const pairs = [];
     for (let i = 0; (at = exports.pair(i) >>> 0) !== 0; ++i) {
         pairs.push({ degree: data.getUint32(at + 4, true), birth: data.getFloat64(at + 8, true),
-            death: data.getFloat64(at + 16, true), real: null, after: 0, cycle: null });
+            death: data.getFloat64(at + 16, true), exists: null, after: 0, cycle: null });
     }
     const ratio = exports.certified_ratio(), from = exports.certified_from();
     pairs.forEach((pair, i) => {
         const bounds = exports.bar_bounds(i) >>> 0;
-        // Death from which on a bar of that birth surely is real.
+        // Death from which on a bar of that birth is certified to exist.
         pair.after = bounds !== 0 ? data.getFloat64(bounds + 40, true)
             : ratio === 1 && from === 0 ? pair.birth : pair.birth === 0 ? from : ratio * ratio * Math.max(pair.birth, from);
-        pair.real = bounds !== 0 ? data.getUint32(bounds + 4, true) === 1
+        pair.exists = bounds !== 0 ? data.getUint32(bounds + 4, true) === 1
             : pair.death > pair.after || ratio === 1 && from === 0;
     });
     if (asked.cycles) longest_cycles(exports, pairs, data);
@@ -102,14 +106,18 @@ function work({ module, points, dim, asked, limit }) {
     const count = points.length / dim;
     const arguments_of = [asked.filter, asked.k, asked.degree, asked.ratio];
     const planned = program(module, 0, 0).exports.plan(count, dim, ...arguments_of);
-    let bytes = Math.min(limit, Math.max(4 << 20, Math.ceil(1.1 * planned)));
+    let bytes = Math.min(limit, Math.max(4 << 20, Math.ceil(1.1 * planned))), reached = 0, again = false;
     for (let chosen = null;;) {
         const made = program(module, points.length, bytes);
         if (made === null && chosen !== null) return chosen;
         if (made === null) return { fault: 'the browser has no more memory', kind: 'memory', bytes, planned };
         const { exports, numbers, block } = made;
         new Float64Array(exports.memory.buffer, numbers, points.length).set(points);
-        watch(exports, progress => postMessage({ progress: { ...progress, bytes } }));
+        const start = reached;
+        watch(exports, progress => {
+            reached = Math.max(reached, start + (1 - start) * .9 * progress.share);
+            postMessage({ progress: { ...progress, share: reached, bytes, again } });
+        });
         const begin = performance.now();
         const status = exports.run(numbers, count, dim, block, bytes, ...arguments_of, asked.bounds, asked.cycles);
         if (status === 0) {
@@ -122,7 +130,7 @@ function work({ module, points, dim, asked, limit }) {
         }
         if (bytes >= limit) return { fault: 'the block is too small', kind: 'memory', bytes, planned };
         bytes = Math.min(limit, 2 * bytes);
-        postMessage({ progress: { stage: 'more memory', done: 0, total: 0, vertices: 0, bytes } });
+        again = true;
     }
 }
 

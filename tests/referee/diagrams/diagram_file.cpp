@@ -41,7 +41,7 @@ bool read_bar(std::istream& words, Bar* bar) {
         !read_named(words, "death", &bar->death_low) || !read_number(words, &bar->death_high))
         return false;
     if (!(words >> mark)) return true;
-    bar->real = mark == "real";
+    bar->real = mark == "exists";
     return bar->real && !(words >> mark);
 }
 
@@ -116,7 +116,7 @@ void write_diagram(const std::string& path, const DiagramFile& diagram) {
         file << bar.degree << ' ' << exact_text(bar.birth) << ' ' << exact_text(bar.death);
         if (bar.bounded)
             file << " # birth " << exact_text(bar.birth_low) << ' ' << exact_text(bar.birth_high) << " death "
-                 << exact_text(bar.death_low) << ' ' << exact_text(bar.death_high) << (bar.real ? " real" : "");
+                 << exact_text(bar.death_low) << ' ' << exact_text(bar.death_high) << (bar.real ? " exists" : "");
         file << '\n';
     }
 }

@@ -203,7 +203,7 @@ void judge_scales(const DiagramFile& diagram, const Truth& truth, int top, Verdi
             claim.must = !curve.may_be_left_over(*bar) || curve.must_be_real(*bar);
             claims.push_back(claim);
             if (bar->bounded && curve.must_be_real(*bar) && !bar->real)
-                verdict->add("scale", text_of(*bar) + " dies after `reach` and is not said to be real");
+                verdict->add("scale", text_of(*bar) + " dies after `reach` and is not said to exist");
         }
         std::vector<TrueClaim> bars = true_bars(truth, degree);
         for (TrueClaim& bar : bars) {

@@ -6,8 +6,8 @@
 //   scale     `# scale A low L high H reach S ratio C`, from A on up to the next: a birth or death at a stands for a
 //             true one in [min(L, a), max(H, a)] and within the factor C. With c(a) = min(max(H / a, a / L, 1), C)
 //             bars with death / c(death) <= birth c(birth) may be left over, and true bars with birth >= a / c(a),
-//             death <= a c(a) for some a. A bar that dies after max(S, its birth) is surely real.
-//   bounds    `# birth A B death C D real`: the bars that are real belong to different true bars within their bounds;
+//             death <= a c(a) for some a. A bar that dies after max(S, its birth) is certified to exist.
+//   bounds    `# birth A B death C D exists`: the bars that exist belong to different true bars within their bounds;
 //             so do all that the scales do not allow to be left over.
 //   exact     the true bars, births and deaths rounded to the nearest double, ties to even, as far as they then differ.
 //   near      filters on the points themselves: exact where the ratio is 1, else the ratio but for 2^-51.

@@ -175,7 +175,7 @@ const std::vector<DiagramPlant>& diagram_plants() {
              return each_step(made, [](Step* step) { step->ratio = std::sqrt(std::sqrt(step->ratio)); });
          },
          false},
-        {"tight", "scales after which all is said to be real",
+        {"tight", "scales after which all is said to exist",
          [](Made* made, const Ground&, Random&) { return each_step(made, [](Step* step) { step->reach = 0; }); },
          false},
         {"complete", "bounds of deaths that end too early",
@@ -194,7 +194,7 @@ const std::vector<DiagramPlant>& diagram_plants() {
              return true;
          },
          false},
-        {"tight", "bars said to be real that are not",
+        {"tight", "bars said to exist that are not",
          [](Made* made, const Ground&, Random&) {
              for (Bar& bar : made->diagram.bars) bar.real = true;
              return true;
@@ -271,7 +271,7 @@ const std::vector<DiagramPlant>& diagram_plants() {
         {"scales", "ratios by scale of 1, of scales",
          [](Made* made, const Ground&, Random&) { return each_step(made, [](Step* step) { step->ratio = 1; }); },
          false},
-        {"scales", "bars of scales that are all said to be real",
+        {"scales", "bars of scales that are all said to exist",
          [](Made* made, const Ground&, Random&) {
              return each_bar(made, [](Bar* bar) {
                  bar->real = true;

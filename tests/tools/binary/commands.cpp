@@ -349,7 +349,7 @@ TEST_CASE("persist: bounds of single bars") {
         const std::string bars = folder.read("d.pers");
         CHECK(bars.find(" # birth ") != std::string::npos);
         CHECK(bars.find(" inf # birth ") != std::string::npos);
-        CHECK(bars.find(" real\n") != std::string::npos);
+        CHECK(bars.find(" exists\n") != std::string::npos);
         const std::string check = std::string("check d.pers --points p.csv --filter ") + filter;
         const Result good = folder.run(check);
         CHECK(good.exit == 0);
@@ -535,7 +535,7 @@ TEST_CASE("persist: --focus auto finds where bars are undecided, and the file sa
     CHECK(chosen.exit == 0);
     const auto real = [](const std::string& file) {
         std::size_t count = 0, at = 0;
-        while ((at = file.find(" real\n", at)) != std::string::npos) ++at, ++count;
+        while ((at = file.find(" exists\n", at)) != std::string::npos) ++at, ++count;
         return count;
     };
     CHECK(real(folder.read("c.pers")) == 61);  // one loop of two, and the components

@@ -3,6 +3,9 @@
 
 #include <doctest/doctest.h>
 
+#include <cstdlib>
+#include <sstream>
+
 using Names = std::vector<std::string>;
 
 namespace {
@@ -166,7 +169,7 @@ TEST_CASE("--top and --min-persistence choose bars, cycles with them, and leave 
     CHECK(folder.run("persist p.txt --min-persistence -1").exit == 2);
     result = folder.run("persist p.txt --bounds --top 1 -o b.csv");
     CHECK(result.exit == 0);
-    CHECK(folder.read("b.csv").rfind("degree,birth,death,birth_low,birth_high,death_low,death_high,real\n", 0) == 0);
+    CHECK(folder.read("b.csv").rfind("degree,birth,death,birth_low,birth_high,death_low,death_high,exists\n", 0) == 0);
     CHECK(lines_in(folder.read("b.csv")) == 3);
     folder.write("k.txt", "0 0\n1 0\n2 0\n0 1 1\n1 2 3\n");
     CHECK(bars_of(folder.run("homology k.txt --top 2 --quiet").out) == "0 0 3\n0 0 inf\n");
@@ -239,4 +242,71 @@ TEST_CASE("several inputs write several outputs") {
     CHECK(result.err == "none.csv: no such file or folder\n");
     CHECK(folder.has("a.off"));
     CHECK(folder.has("b.off"));
+}
+
+TEST_CASE("tables with words in their cells, missing values, and distances where points are due") {
+    const Folder folder;
+    folder.write("lab.csv", "time,site,x [mm],y [mm]\n2024-03-01 10:00:00,\"Lab A, bench\",0,0\n"
+                            "2024-03-01 10:01:00,\"Lab A, bench\",1,\n2024-03-01 10:02:00,\"Lab\nB\",2,0\n"
+                            "2024-03-01 10:03:00,\"Lab B\",0,2\n");
+    Result result = folder.run("delaunay lab.csv -o m.node --columns 'x [mm],y [mm]'");
+    CHECK(result.exit == 3);
+    CHECK(result.says("--drop-missing leaves such rows out, 1 of 4"));
+    result = folder.run("delaunay lab.csv -o m.node --columns 'x [mm],y [mm]' --drop-missing");
+    CHECK(result.exit == 0);
+    CHECK(result.says("left out 1 of 4 rows, which lack a value: line 3"));
+    CHECK(folder.read("m.node") == "3 2 0 1\n0 0 0 0\n1 2 0 0\n2 0 2 0\n");
+    std::string square;
+    for (int i = 0; i < 9; i++)
+        for (int j = 0; j < 9; j++) square += std::to_string(i < j ? j - i : i - j) + (j < 8 ? "," : "\n");
+    folder.write("d.csv", square);
+    CHECK(folder.run("persist d.csv").says("is read by persist --distances"));
+    CHECK(folder.run("persist d.csv --filter rips -q -o d.pers").exit == 0);  // points in nine dimensions, and said
+    CHECK(folder.run("persist d.csv --filter rips -o d.pers").says("persist --distances takes it for distances"));
+    CHECK(folder.run("persist d.csv --distances -o d.pers").exit == 0);
+}
+
+TEST_CASE("what is said of k, of points on a line, and of the whole process") {
+    const Folder folder;
+    folder.write("line.csv", "0,0\n1,1\n3,3\n");
+    CHECK(folder.run("persist line.csv").says("on a line --filter rips is exact"));
+    REQUIRE(folder.run("sample circle -n 30 -o p.csv").exit == 0);
+    const Result result = folder.run("persist p.csv --k 3");
+    CHECK(result.exit == 2);
+    CHECK(result.says("--filter knn or kdistance"));
+    CHECK(folder.run("persist p.csv --filter knn").says("--k 4 does not see single ones"));
+    CHECK_FALSE(folder.run("persist p.csv --filter knn --k 4").says("outliers"));
+    CHECK(folder.run("persist p.csv --memory 1M").says("; the whole process took "));
+}
+
+TEST_CASE("pictures of cycles show the bars that stand apart, or those that are chosen, and say what is left out") {
+    const Folder folder;
+    REQUIRE(folder.run("sample circle -n 40 -o a.csv").exit == 0);
+    std::string two = folder.read("a.csv");
+    std::istringstream rows(two);
+    for (std::string row; std::getline(rows, row);) {  // the same, half as large, beside it
+        const std::size_t comma = row.find_first_of(", \t");
+        const double x = std::strtod(row.c_str(), nullptr), y = std::strtod(row.c_str() + comma + 1, nullptr);
+        if (comma == std::string::npos || row[0] == 'x') continue;
+        two += std::to_string(3 + x / 2) + row[comma] + std::to_string(y / 2) + "\n";
+    }
+    folder.write("two.csv", two);
+    const auto count = [&](const std::string& word) {
+        const std::string picture = folder.read("c.svg");
+        std::size_t found = 0;
+        for (std::size_t at = 0; (at = picture.find(word, at)) != std::string::npos; at++) found++;
+        return found;
+    };
+    const std::string legend = "\xE2\x82\x81, from ";
+    REQUIRE(folder.run("persist two.csv -q -o d.pers --representatives c.svg").exit == 0);
+    CHECK(count(legend) == 2);
+    REQUIRE(folder.run("persist two.csv -q -o d.pers --representatives c.svg --top 1").exit == 0);
+    CHECK(count(legend) == 1);
+    CHECK(count("not drawn") == 0);  // nothing that was chosen
+    REQUIRE(folder.run("sample ball --dim 2 -n 200 -o ball.csv").exit == 0);
+    REQUIRE(folder.run("persist ball.csv -q -o d.pers --representatives c.svg").exit == 0);
+    CHECK(count("not drawn: ") == 2);  // in the legend, and for who cannot see it
+    REQUIRE(folder.run("persist ball.csv -q -o d.pers --representatives c.svg --top 9").exit == 0);
+    CHECK(count(legend) == 6);
+    CHECK(count("not drawn: 3 shorter bars") == 2);
 }

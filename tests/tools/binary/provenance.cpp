@@ -294,11 +294,11 @@ TEST_CASE("provenance: tampering is found, with line and reason") {
                           return old.substr(0, hash) + scaled(old.substr(hash), 3, 1.01);
                       }),
             loop, "bounds differ");
-        bad("real",
+        bad("exists",
             with_line(text, first,
                       [](const std::string& old) {
-                          return old.find(" real") == std::string::npos ? old + " real"
-                                                                        : old.substr(0, old.find(" real"));
+                          return old.find(" exists") == std::string::npos ? old + " exists"
+                                                                          : old.substr(0, old.find(" exists"));
                       }),
             first, "bounds differ");
         bad("ratio by scale",
@@ -574,11 +574,11 @@ TEST_CASE("provenance: bounds and cycles of scales are judged by the exact diagr
         const std::size_t edge = cycles.find('\n', first);
         if (cycles[first] != 'b') refused(cycles.substr(0, first) + "0 1" + cycles.substr(edge));
         folder.write("c.txt", cycles);
-        // Bounds and what is real.
+        // Bounds and what is certified.
         std::string forged = text;
-        const std::size_t real = forged.find(" real\n");
-        REQUIRE(real != std::string::npos);
-        forged.erase(real, 5);
+        const std::size_t exists = forged.find(" exists\n");
+        REQUIRE(exists != std::string::npos);
+        forged.erase(exists, 7);
         folder.write("d.pers", forged);
         check = folder.run("check d.pers --points p.txt");
         CHECK(check.exit == 7);

@@ -58,6 +58,8 @@ std::string replaced(std::string text, const std::string& from, const std::strin
 
 const std::string plain = "1.5,-2.25\n3.125,4\n-0.5,6.75\n";
 const std::string decimal_commas = "1,5;-2,25\n3,125;4\n-0,5;6,75\n";
+const std::string lab = "time,site,x,y\n2024-03-01 10:00:00,\"Lab A, bench\",1.5,-2.25\n2024-03-01 10:01:00,\"Lab A, "
+                        "bench\",3.125,4\n2024-03-01 10:02:00,\"Lab B, bench\",-0.5,6.75\n";
 
 std::string triangle(const std::string& a, const std::string& b, const std::string& c) {
     return "facet normal 0 0 1\n outer loop\n  vertex " + a + "\n  vertex " + b + "\n  vertex " + c +
@@ -278,6 +280,26 @@ std::vector<OddFile> tables() {
         with(good("sign_left_out.csv", "x,id,y\n1.5,#1,-2.25\n3.125, #2,4\n-0.5,#3,6.75\n"), "x,y"),
         with(good("sign_in_tabs.tsv", "x\tid\ty\n1.5\t#1\t-2.25\n3.125\t#2\t4\n-0.5\t#3\t6.75\n"), "x,y"),
         bad("sign_in_words.csv", "x,y,id,z\n0,0,Site #3,0\n1,0,Site #4,0\n", 2, "\"Site\" is not a number"),
+        // cells with blanks, delimiters and ends of lines, as RFC 4180 has them
+        bad("cells.csv", lab, 2, "\"2024-03-01 10:00:00\" is not a number; --columns 3,4 leaves such columns out"),
+        with(good("cells_by_name.csv", lab), "x,y"),
+        with(good("cells_by_number.csv", lab), "3-4"),
+        with(good("cells_semicolon.csv", replaced(lab, "Lab A", "Lab; A")), "x,y"),
+        with(good("cells_of_two_words.csv", "place,x,y\nLab A,1.5,-2.25\nLab B,3.125,4\n,-0.5,6.75\n"), "x,y"),
+        bad("cells_empty.csv", "place,x,y\nLab A,1.5,-2.25\nLab B,3.125,4\n,-0.5,6.75\n", 2, "--columns 2,3 leaves"),
+        with(good("numbers_with_blanks.csv", "day,x,y\n2024 1,1.5,-2.25\n2024 2,3.125,4\n2024 3,-0.5,6.75\n"), "x,y"),
+        good("numbers_in_cells.csv", "1.5,-2.25 7\n3.125,4 8\n-0.5,6.75 9\n",
+             "commas and blanks part columns, 3 of them; --delimiter ',' takes commas alone", space),
+        with(good("units_by_name.csv", "x [mm],y [mm]\n" + plain), "x [mm],y [mm]"),
+        with(good("commas_in_names.csv", "\"x, raw\",\"y \"\"top\"\"\"\n" + plain), "\"x, raw\",\"y \"\"top\"\"\""),
+        with(good("lines_in_cells.csv",
+                  "a,x,y\r\n\"Lab\r\nA, \"\"north\"\"\",1.5,-2.25\r\nb,3.125,4\r\n\"c\n\",-0.5,6.75\r\n",
+                  "2 rows have ends of lines in quotes"),
+             "x,y"),
+        with(bad("line_behind_cells.csv", "a,x,y\n\"Lab\nA\",1.5,-2.25\nb,?,4\n", 4, "left out or filled in"), "x,y"),
+        with(good("inches.csv", "a,x,y\n5\",1.5,-2.25\n6\",3.125,4\n7\",-0.5,6.75\n"), "x,y"),
+        with(bad("one_quote.csv", "a,x,y\nb,1.5,-2.25\n\"c,3.125,4\nd,-0.5,6.75\n", 3, "quotation that does not end"),
+             "x,y"),
         good("comment_behind_comma.csv", "1.5,-2.25 # the first, at 9:00\n3.125,4\n-0.5,6.75\n"),
         // rows of other lengths
         bad("ragged.csv", "1.5,-2.25\n3.125,4,8\n-0.5,6.75\n", 2, "3 columns where line 1 has 2"),

@@ -1,6 +1,7 @@
 // Heads of diagrams that this program does not read: of earlier and of later versions.
 #include <doctest/doctest.h>
 
+#include "tools/io/diagram_file.hpp"
 #include "tools/io/lines.hpp"
 #include "tools/io/provenance.hpp"
 
@@ -50,4 +51,17 @@ TEST_CASE("heads: a version is three numbers, and none that is still to come") {
         CHECK(outcome.line == 2);
         CHECK(outcome.message.find("made by a later version than this program") != std::string::npos);
     }
+}
+
+TEST_CASE("bounds of bars: the word of version 0.2.0 is read as that of now") {
+    const std::string now =
+        "# scale 0 low 0 high 1 reach 2 ratio 2\n1 0.5 2 # birth 0.4 0.6 death 1 3 exists\n1 0.5 0.6 # "
+        "birth 0.4 0.6 death 0.5 0.7\n";
+    std::string old = now;
+    old.replace(old.find("exists"), 6, "real");
+    const std::vector<BoundLine> first = bound_lines(now), second = bound_lines(old);
+    REQUIRE(first.size() == 3);
+    REQUIRE(second.size() == 3);
+    for (std::size_t i = 0; i < 3; i++) CHECK(first[i].text == second[i].text);
+    CHECK(first[1].text == "1 0.5 2 # birth 0.4 0.6 death 1 3 exists");
 }

@@ -92,7 +92,8 @@ TEST_CASE("what is not a number, with its physical line") {
 
 TEST_CASE("NaN and infinities, spelled or by overflow, are data even where a header could stand") {
     CHECK(fault("nan 1\n2 3\n") ==
-          "p.txt:1: \"nan\" is not a finite double; a row with a missing value has to be left out or filled in");
+          "p.txt:1: \"nan\" is not a finite double; a row with a missing value has to be left out or filled in: "
+          "--drop-missing leaves such rows out, 1 of 2");
     CHECK(fault("1 2\n3 -INF\n") == "p.txt:2: \"-INF\" is not a finite double; such a row has to be left out");
     CHECK(fault("inf inf\n1 2\n") == "p.txt:1: \"inf\" is not a finite double; such a row has to be left out");
     CHECK(fault("Infinity x\n1 2\n") == "p.txt:1: \"Infinity\" is not a finite double; such a row has to be left out");
@@ -130,4 +131,52 @@ TEST_CASE("endings") {
     CHECK(ending_of("a/b.c/d.NPY") == ".npy");
     CHECK(ending_of("a.b/c") == "");
     CHECK(ending_of("x") == "");
+}
+
+TEST_CASE("rows that lack a value are counted, and left out where that is asked for") {
+    const std::string text = "name,x,y\na,1,2\nb,NA,3\nc,4,\n,5,6\nd,nan,-\ne,7,8\n";
+    TableOptions options;
+    options.columns = {"x", "y"};
+    PointCloud cloud;
+    cloud.name = "p.txt";
+    CHECK(parse_text_points(text, options, &cloud).message ==
+          "p.txt:3: \"NA\" is not a number; a row with a missing value has to be left out or filled in: --drop-missing "
+          "leaves such rows out, 3 of 6");
+    options.drop_missing = true;
+    REQUIRE(parse_text_points(text, options, &cloud).message == "");
+    CHECK(cloud.coordinates == Numbers{1, 2, 5, 6, 7, 8});
+    CHECK(cloud.lines == Lines{2, 5, 7});
+    CHECK(cloud.note == "skipped header \"name,x,y\"; left out 3 of 6 rows, which lack a value: lines 3, 4, 6");
+    CHECK(parse_text_points("1,2\n3,\n4,x\n", options, &cloud).exit == Exit::data);  // a word is none
+    options.columns.clear();
+    CHECK(parse_text_points("1,2\n3\n4,5\n", options, &cloud).exit == Exit::data);  // nor is half a row
+    CHECK(parse_text_points("1,NA\n3,?\n", options, &cloud).message == "p.txt:1: every row lacks a value");
+    CHECK(fault("1,2\n3,\n4,5\n") ==
+          "p.txt:2: nothing after the last ','; a row with a missing value has to be left out or filled in: "
+          "--drop-missing leaves such rows out, 1 of 3");
+    CHECK(good("1 2\n3 4\n").note == "");
+    REQUIRE(parse_text_points("1 2\n3 4\n", options, &cloud).good());
+    CHECK(cloud.note == "no row lacks a value");
+}
+
+TEST_CASE("a matrix of distances in place of points is named") {
+    std::string square, named = "name", triangle;
+    for (int i = 0; i < 8; i++) {
+        named += ",p" + std::to_string(i);
+        for (int j = 0; j < 8; j++) square += (j > 0 ? "," : "") + std::to_string(i < j ? j - i : i - j);
+        square += "\n";
+        for (int j = 0; j <= i; j++) triangle += (j > 0 ? " " : "") + std::to_string(1 + j);
+        triangle += "\n";
+    }
+    CHECK(fault(square).find("8 columns; points have 2 to 6 coordinates; a matrix of distances") != std::string::npos);
+    std::string rows;
+    for (std::size_t i = 0, at = 0; i < 8; i++) {
+        const std::size_t end = square.find('\n', at) + 1;
+        rows += "p" + std::to_string(i) + "," + square.substr(at, end - at);
+        at = end;
+    }
+    CHECK(fault(named + "\n" + rows).find("persist --distances") != std::string::npos);
+    CHECK(fault(triangle).find("a triangle of distances is read by persist --distances") != std::string::npos);
+    CHECK(good("0 1 2\n1 0 3\n2 3 0\n").note.find("persist --distances takes it for distances") != std::string::npos);
+    CHECK(fault("a,1,b,2,3,4,c,5\nd,1,e,2,3,4,f,5\n").find("--columns 2,4-6,8 leaves") != std::string::npos);
 }
