@@ -1,5 +1,5 @@
-// A block of memory for tests of inner folders, and an arena of exactly so many bytes over it. It is filled, so that what
-// nobody has written shows; a large one at both its ends alone, from where an arena takes.
+// A block of memory for tests of inner folders, and an arena of exactly so many bytes over it. It is filled, so that
+// what nobody has written shows; a large one at both its ends alone, from where an arena takes.
 #pragma once
 #include <algorithm>
 #include <cstddef>
