@@ -38,7 +38,10 @@ template <int D> int power_stage(const double* const* points, const Weights& wei
     half[n & 1] *= widest;
     if (!admitted) return 0;
     double determinant;
-    minors_of_order<n>(a, &determinant);
+    if constexpr (D > 4)  // small code; from there on the loops are long
+        minors_by_loops(n, n, a[0], &determinant);
+    else
+        minors_of_order<n>(a, &determinant);
     constexpr double factor = magnitude_factor(D, true) * error_factor(D, true, 1);
     const double error = square_root(half[0]) * square_root(half[1]) * factor;
     return (determinant > error) - (determinant < -error);
