@@ -7,6 +7,7 @@
 #include "numerics/sort.hpp"
 #include "periods/final_stars.hpp"
 #include "periods/orbits.hpp"
+#include "periods/wanted_copies.hpp"
 #include "vocabulary/dimension.hpp"
 
 namespace netmesh {
@@ -14,6 +15,8 @@ namespace {
 
 // Of points spread evenly, mostly enough: the largest empty balls are this many times as wide as points are apart.
 template <int D> constexpr double first_margin = D == 2 ? 3.5 : 2.9;
+// Copies that are this near are triangulated without being asked for; in the plane all are, as they are few.
+template <int D> constexpr double near_margin = 1;
 // So few copies are taken at once, and nothing is asked.
 constexpr double copies_at_once = 2000;
 
@@ -87,7 +90,8 @@ private:
     Status triangulate_copies() {
         const std::size_t low = arena_.low_mark(), high = arena_.high_mark();
         const int count = points_.lattice.count;
-        double wanted = copies_in_all() <= copies_at_once ? infinity : first_margin<D> * spacing();
+        const double apart = spacing();
+        double wanted = copies_in_all() <= copies_at_once ? infinity : first_margin<D> * apart;
         for (;;) {
             double margin[Lattice::most];
             bool are_all = true;
@@ -96,7 +100,7 @@ private:
                 are_all &= margin[j] == points_.far[j];
             }
             StarReach reach = {true, 0};
-            const Status status = triangulate_within(margin, are_all ? nullptr : &reach);
+            const Status status = triangulate_within(margin, apart, are_all ? nullptr : &reach);
             const bool is_cut_off = status == Status::flat && !are_all;
             if (status != Status::ok && !is_cut_off) return status;
             if (status == Status::ok && reach.are_final) return Status::ok;
@@ -107,30 +111,42 @@ private:
         }
     }
     // reach: what the stars of the points say; null: nothing is asked.
-    Status triangulate_within(const double* margin, StarReach* reach) {
+    Status triangulate_within(const double* margin, double apart, StarReach* reach) {
         Status status = make_copies<D>(points_, margin, work_, &copies_);
         if (status != Status::ok) return status;
         StoreState state = {};
         Store<D> store(arena_, state);
-        InputReport input;
-        HiddenPoints hidden;
-        const WeightRows weights = {{copies_.x + D, sizeof(double) * numbers, false}, are_radii(), copies_.index};
-        status = triangulate_weighted<D>(store, {copies_.x, sizeof(double) * numbers, false}, copies_.count, weights,
-                                         request_.seed, work_.monitor, &input, &hidden);
-        if (status == Status::ok && input.duplicates != 0) return Status::internal;
+        Weights weights;
+        weights.are_radii = are_radii();
+        weights.index = copies_.index;
+        weights.top = -infinity;
+        arena_.each(points_.count, 2, [&](std::uint64_t i) {
+            const double number = points_.x[i * numbers + D];
+            weights.top = number > weights.top ? number : weights.top;
+        });
+        if (D > 2 && points_.lattice.count == D && reach != nullptr) {
+            const double near = near_margin<D> * apart;
+            status = triangulate_wanted<D>(store, points_, copies_, near, apart, weights, has_weights(), request_.seed,
+                                           work_);
+        } else {
+            status = triangulate_all(store);
+        }
         if (status != Status::ok) return status;
+        out_.report.copies = state.vertex_count - points_.count;
         if (reach != nullptr) {
-            Weights used;
-            used.are_radii = are_radii();
-            used.top = -infinity;
-            arena_.each(points_.count, 2, [&](std::uint64_t i) {
-                const double number = points_.x[i * numbers + D];
-                used.top = number > used.top ? number : used.top;
-            });
-            *reach = reach_of_stars<D>(store, points_, margin, has_weights() ? &used : nullptr);
+            *reach = reach_of_stars<D>(store, points_, margin, has_weights() ? &weights : nullptr);
             if (!reach->are_final) return Status::ok;
         }
         return keep_cells(store) ? Status::ok : Status::out_of_memory;
+    }
+    Status triangulate_all(Store<D>& store) {
+        InputReport input;
+        HiddenPoints hidden;
+        const WeightRows rows = {{copies_.x + D, sizeof(double) * numbers, false}, are_radii(), copies_.index};
+        const Status status =
+            triangulate_weighted<D>(store, {copies_.x, sizeof(double) * numbers, false}, copies_.count, rows,
+                                    request_.seed, work_.monitor, &input, &hidden);
+        return status == Status::ok && input.duplicates != 0 ? Status::internal : status;
     }
     // Of the triangulation nothing stays but the cells at points, by rows of the copies.
     bool keep_cells(Store<D>& store) {
@@ -158,9 +174,9 @@ private:
             __builtin_memcpy(rows + std::size_t{kept++} * row_bytes, vertex, row_bytes);
         });
         arena_.each(store.state.vertex_count, 2, [&](std::uint64_t v) {
-            seen += store.vertex(static_cast<std::uint32_t>(v)).origin < points_.count;
+            const Vertex<D>& vertex = store.vertex(static_cast<std::uint32_t>(v));
+            seen += vertex.origin < points_.count && vertex.cell != none;
         });
-        out_.report.copies = copies_.count - points_.count;
         out_.distinct = seen;
         store.truncate_vertices(0);
         arena_.release_low(begin);
@@ -268,7 +284,7 @@ Status alpha_of_periodic_points(const AlphaOfPeriodicPoints& request, const Work
 
 #define NETMESH_INSTANTIATE(D)                                                                                         \
     template Status alpha_of_periodic_points<D>(const AlphaOfPeriodicPoints&, const Work&, PeriodicAlphaDiagram*);
-NETMESH_EACH_DIMENSION(NETMESH_INSTANTIATE)
+NETMESH_EACH_INSTANCE(NETMESH_INSTANTIATE)
 #undef NETMESH_INSTANTIATE
 
 }  // namespace netmesh
