@@ -9,9 +9,12 @@ namespace netmesh {
 template <int D> class BallReach {
 public:
     // weights: null where points have none.
-    BallReach(const PeriodicPoints& points, const Weights* weights, const Arena& arena)
-        : points_(points), weights_(weights) {
-        if (points_.lattice.count < D) measure_sides(arena);
+    BallReach(const PeriodicPoints& points, const double* margin, const Weights* weights, const Arena& arena)
+        : points_(points), margin_(margin), weights_(weights) {
+        if (points_.lattice.count < D)
+            measure_sides(arena);
+        else
+            place_box();
     }
 
     // The ball of a cell anew, with an error that is as small as doubles allow.
@@ -26,11 +29,12 @@ public:
         const double error = static_cast<double>(cell.error) + 0x1p-40;
         return error < 0.125 ? cell.radius2 * (1 + 4 * error) * (1 + 4 * error) : infinity;
     }
-    // The margin that the cell wants where `margin` is not enough, or 0. Of a ball that goes beyond the points on a
+    // The margin that the cell wants where there is not enough, or 0. Of a ball that goes beyond the points on a
     // side its part within them counts: a cap or a slice, at a distance d, of half the width sqrt(r^2 - d^2).
-    double missing_of(const Cell<D>& cell, const double* margin) const {
+    double missing_of(const Cell<D>& cell) const {
         const double radius2 = reach2_of(cell);
         if (!(radius2 < infinity)) return infinity;
+        if (is_in_box(cell, radius2)) return 0;
         double apart2 = 0;
         for (int s = 0; s < sides_; ++s) {
             const double y = dot<D>(side_[s], cell.centre), slack = 0x1p-40 * absolute(y);
@@ -44,12 +48,44 @@ public:
             const double y = dot<D>(points_.lattice.e[j], cell.centre);
             const double below = points_.low[j] - (y - width), above = y + width - points_.high[j];
             const double wanted = (below > above ? below : above) + 0x1p-30 * (width + absolute(y));
-            if (wanted > margin[j] && wanted > most) most = wanted;
+            if (wanted > margin_[j] && wanted > most) most = wanted;
         }
         return most;
     }
 
 private:
+    // Most balls are in a box along the axes that is within the margin, and the least of all is asked to see it.
+    bool is_in_box(const Cell<D>& cell, double radius2) const {
+        bool is_in = true;
+        for (int k = 0; k < D; ++k) {
+            const double above = cell.centre[k] - box_low_[k], below = box_high_[k] - cell.centre[k];
+            const double least = above < below ? above : below;
+            is_in &= least > 0 && least * least > radius2;
+        }
+        return is_in;
+    }
+    // Directions are orthonormal, as there are D. Around the middle of the points, with sides as long as they allow: the
+    // whole box of points where they are along the axes.
+    void place_box() {
+        double half[D], size[D] = {}, middle[D] = {}, part = 1;
+        for (int j = 0; j < D; ++j) {
+            half[j] = 0.5 * (points_.high[j] - points_.low[j]) + margin_[j];
+            for (int k = 0; k < D; ++k) {
+                size[k] += absolute(points_.lattice.e[j][k]) * half[j];
+                middle[k] += points_.lattice.e[j][k] * 0.5 * (points_.high[j] + points_.low[j]);
+            }
+        }
+        for (int j = 0; j < D; ++j) {
+            double along = 0;
+            for (int k = 0; k < D; ++k) along += absolute(points_.lattice.e[j][k]) * size[k];
+            if (half[j] < part * along) part = half[j] / along;
+        }
+        for (int k = 0; k < D; ++k) {
+            const double less = part * size[k] - 0x1p-30 * (size[k] + absolute(middle[k]));
+            box_low_[k] = middle[k] - less;
+            box_high_[k] = middle[k] + less;
+        }
+    }
     // The box of all points in the directions of the axes that are left when those of the lattice are taken out of
     // them: more than D - count directions, which are not orthogonal, but a distance in one of them is no more than
     // that in space.
@@ -77,7 +113,9 @@ private:
     }
 
     const PeriodicPoints& points_;
+    const double* const margin_;
     const Weights* const weights_;
+    double box_low_[D] = {}, box_high_[D] = {};  // empty where there is none
     double side_[D][D], low_[D], high_[D];
     int sides_ = 0;
 };

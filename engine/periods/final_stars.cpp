@@ -9,7 +9,7 @@ namespace {
 template <int D> class StarsAtPoints {
 public:
     StarsAtPoints(Store<D>& store, const PeriodicPoints& points, const double* margin, const Weights* weights)
-        : store_(store), points_(points), margin_(margin), reach_(points, weights, store.arena) {}
+        : store_(store), points_(points), reach_(points, margin, weights, store.arena) {}
 
     StarReach run() {
         store_.arena.each(store_.state.cell_slots, 30 * D, [this](std::uint64_t c) {
@@ -28,10 +28,10 @@ private:
     }
     void look_at(Cell<D>& cell) {
         if (D == 2) reach_.sharpen(store_, cell);
-        double more = reach_.missing_of(cell, margin_);
+        double more = reach_.missing_of(cell);
         if (more > 0 && D > 2) {
             reach_.sharpen(store_, cell);
-            more = reach_.missing_of(cell, margin_);
+            more = reach_.missing_of(cell);
         }
         wanted_ = more > wanted_ ? more : wanted_;
         for (int i = 0; i <= D && !is_open_; ++i)
@@ -51,7 +51,6 @@ private:
 
     Store<D>& store_;
     const PeriodicPoints& points_;
-    const double* const margin_;
     const BallReach<D> reach_;
     double wanted_ = 0;
     bool is_open_ = false;

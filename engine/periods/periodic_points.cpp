@@ -534,7 +534,7 @@ template <int D> Status make_copies(const PeriodicPoints& points, const double* 
 #define NETMESH_INSTANTIATE(D)                                                                                         \
     template Status take_periodic_points<D>(const PeriodicInput&, const Work&, PeriodicPoints*, PeriodicReport*);      \
     template Status make_copies<D>(const PeriodicPoints&, const double*, const Work&, Copies*);
-NETMESH_EACH_INSTANCE(NETMESH_INSTANTIATE)
+NETMESH_EACH_DIMENSION(NETMESH_INSTANTIATE)
 #undef NETMESH_INSTANTIATE
 
 }  // namespace netmesh

@@ -22,9 +22,8 @@ public:
                  double spacing, const Weights& weights, bool has_weights, const Work& work)
         : store_(store), kernel_(store, ball_error_most, VertexCells::ignored, TieOrder::of_rows), points_(points),
           copies_(copies), spacing_(spacing), weights_(weights), work_(work), arena_(work.arena),
-          reach_(points, has_weights ? &weights_ : nullptr, work.arena) {
+          reach_(points, fill_near(near), has_weights ? &weights_ : nullptr, work.arena) {
         kernel_.weigh(weights);
-        for (double& margin : near_) margin = near;
     }
 
     Status run(std::uint64_t seed) {
@@ -45,6 +44,10 @@ private:
     static constexpr int numbers = D + 1;
     enum State : std::uint8_t { outside, waiting, inserted };  // of a copy
 
+    const double* fill_near(double near) {
+        for (double& margin : near_) margin = near;
+        return near_;
+    }
     const double* number_of(std::uint32_t copy) const { return copies_.x + std::size_t{copy} * numbers; }
     bool is_near(std::uint32_t copy) const {
         for (int j = 0; j < D; ++j) {
@@ -209,7 +212,7 @@ private:
         }
         if (at > D) return;
         if (!(cell.error < 0.125f)) reach_.sharpen(store_, cell);
-        if (!(BallReach<D>::reach2_of(cell) < infinity) || !(reach_.missing_of(cell, near_) > 0)) return;
+        if (!(BallReach<D>::reach2_of(cell) < infinity) || !(reach_.missing_of(cell) > 0)) return;
         const double* const x = store_.point(cell.vertex[at]);
         // Of a large ball mostly one near the vertex.
         const double width = square_root(BallReach<D>::reach2_of(cell)) * (1 + 0x1p-40);
