@@ -104,7 +104,9 @@ Status FacesAlong<D>::count_faces(const std::uint32_t* order, const FaceCounting
     of[D] = cells;
     of[D - 1] = facets;
     if (D == 2 && counting.is_ball && facets + 1 != vertices + cells) return Status::internal;
-    if constexpr (D == 3) of[1] = counting.is_ball ? vertices + facets - cells - 1 : count_edges(order, counting.whole_stars, last_cone_[0]);
+    if constexpr (D == 3)
+        of[1] =
+            counting.is_ball ? vertices + facets - cells - 1 : count_edges(order, counting.whole_stars, last_cone_[0]);
     if constexpr (D == 4) {
         of[1] = count_edges(order, counting.whole_stars, last_cone_[0]);
         of[2] = 1 + of[1] + facets - vertices - cells;

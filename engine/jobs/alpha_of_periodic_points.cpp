@@ -114,8 +114,8 @@ private:
             wanted = is_known && reach.wanted > 1.05 * wanted ? reach.wanted * (1 + 0x1p-10) : 2 * wanted;
         }
     }
-    // apart: how far points are apart, where copies are inserted as they are asked for; 0: all are inserted. reach: what
-    // the stars of the points say; null: nothing is asked.
+    // apart: how far points are apart, where copies are inserted as they are asked for; 0: all are inserted. reach:
+    // what the stars of the points say; null: nothing is asked.
     Status triangulate_within(const double* margin, double apart, StarReach* reach) {
         Status status = make_copies<D>(points_, margin, work_, &copies_);
         if (status != Status::ok) return status;

@@ -64,8 +64,8 @@ private:
         }
         return is_in;
     }
-    // Directions are orthonormal, as there are D. Around the middle of the points, with sides as long as they allow: the
-    // whole box of points where they are along the axes.
+    // Directions are orthonormal, as there are D. Around the middle of the points, with sides as long as they allow:
+    // the whole box of points where they are along the axes.
     void place_box() {
         double half[D], size[D] = {}, middle[D] = {}, part = 1;
         for (int j = 0; j < D; ++j) {

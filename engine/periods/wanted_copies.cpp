@@ -18,8 +18,8 @@ constexpr double ball_error_most = 0x1p-7;
 
 template <int D> class WantedCopies {
 public:
-    WantedCopies(Store<D>& store, const PeriodicPoints& points, const Copies& copies, double near,
-                 double spacing, const Weights& weights, bool has_weights, const Work& work)
+    WantedCopies(Store<D>& store, const PeriodicPoints& points, const Copies& copies, double near, double spacing,
+                 const Weights& weights, bool has_weights, const Work& work)
         : store_(store), kernel_(store, ball_error_most, VertexCells::ignored, TieOrder::of_rows), points_(points),
           copies_(copies), spacing_(spacing), weights_(weights), work_(work), arena_(work.arena),
           reach_(points, fill_near(near), has_weights ? &weights_ : nullptr, work.arena) {
@@ -218,7 +218,8 @@ private:
         const double width = square_root(BallReach<D>::reach2_of(cell)) * (1 + 0x1p-40);
         if (width < 2 * spacing_ || !look_around(cell, x, width, 2 * spacing_)) look_around(cell, x, width, infinity);
     }
-    // Of copies in the ball, of that half width, no farther than `far` from x by coordinate. Is there one that surely is in conflict?
+    // Of copies in the ball, of that half width, no farther than `far` from x by coordinate. Is there one that surely
+    // is in conflict?
     [[gnu::noinline]] bool look_around(const Cell<D>& cell, const double* x, double width, double far) {
         std::uint32_t first[D], last[D], place[D];
         for (int k = 0; k < D; ++k) {
@@ -244,8 +245,8 @@ private:
         if (best != none) let_wait(best);
         return best != none;
     }
-    void look_through(const Cell<D>& cell, const double* x, std::uint32_t begin, std::uint32_t end,
-                      std::uint32_t* best, double* best2) {
+    void look_through(const Cell<D>& cell, const double* x, std::uint32_t begin, std::uint32_t end, std::uint32_t* best,
+                      double* best2) {
         arena_.pass((end - begin) / 8 + 1);
         for (std::uint32_t i = begin; i < end; ++i) {
             const std::uint32_t copy = other_[i];
@@ -288,10 +289,10 @@ private:
     const Work& work_;
     Arena& arena_;
     const BallReach<D> reach_;
-    std::uint8_t* state_ = nullptr;      // [copies]
-    std::uint32_t* begin_ = nullptr;     // [cubes + 1], in other_
-    std::uint32_t* other_ = nullptr;     // copies that are not near
-    std::uint32_t* stack_ = nullptr;     // copies that wait
+    std::uint8_t* state_ = nullptr;   // [copies]
+    std::uint32_t* begin_ = nullptr;  // [cubes + 1], in other_
+    std::uint32_t* other_ = nullptr;  // copies that are not near
+    std::uint32_t* stack_ = nullptr;  // copies that wait
     std::uint32_t others_ = 0, waiting_ = 0;
     double least_[D], side_ = 0;
     std::uint32_t cubes_[D];

@@ -245,7 +245,8 @@ class Walk:
             (_, base, _), (_, i, c) = (self.trace.node[y] for y in operands)
             require(base == self.base and i < base and c == self.column, self.trace, "a difference of other weights")
             # Of radii the product of both is a difference of weights: the two sizes hold for it alone.
-            column, size = (WEIGHTS["radii"][0], self.size**2) if operation == "-" else (WEIGHTS["radii"][1], Fraction(1))
+            columns = WEIGHTS["radii"]
+            column, size = (columns[0], self.size**2) if operation == "-" else (columns[1], Fraction(1))
             of_lift = operation == "-" and self.trace.stage != "arms"
             return Number(POLYNOMIALS.key("difference", i, column), of_lift << i, int(of_lift), size, Fraction(0))
         a = self.of(operands[0])
