@@ -70,11 +70,13 @@ template <int D>
 Status enumerate_faces(const TriangulationView<D>& complex, int dimension_max, const Work& work, Faces<D>* out);
 
 // What is known of the numbers of faces before they are made. hull_facets: how many facets have one cell. is_ball: not
-// where cells are some of a triangulation; up to D = 3.
+// where cells are some of a triangulation; up to D = 3. whole_stars: of vertices below, all cells are there.
 struct FaceCounting {
-    FaceCounting(std::uint64_t facets, bool ball = true) : hull_facets(facets), is_ball(ball) {}  // NOLINT: of balls
+    FaceCounting(std::uint64_t facets, bool ball = true, std::uint32_t whole = 0)  // NOLINT: of balls
+        : hull_facets(facets), is_ball(ball), whole_stars(whole) {}
     std::uint64_t hull_facets;
     bool is_ball;
+    std::uint32_t whole_stars;
 };
 
 // All faces, numbered so that those of vertices that are near in `order` mostly have near numbers and less jumps about

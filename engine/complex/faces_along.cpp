@@ -28,7 +28,7 @@ public:
 
 private:
     void number_vertices(std::uint32_t* order, std::uint32_t* place);
-    std::uint64_t count_edges(const std::uint32_t* order, std::uint32_t* seen_from) const;
+    std::uint64_t count_edges(const std::uint32_t* order, std::uint32_t whole_stars, std::uint32_t* seen_from) const;
     Status count_faces(const std::uint32_t* order, const FaceCounting& counting, std::uint32_t* count) const;
     template <int K> std::uint32_t cone(std::uint32_t face);
     void visit(FacetId incidence);
@@ -66,11 +66,19 @@ template <int D> void FacesAlong<D>::number_vertices(std::uint32_t* order, std::
     });
 }
 
-template <int D> std::uint64_t FacesAlong<D>::count_edges(const std::uint32_t* order, std::uint32_t* seen_from) const {
+// In space the cells at a vertex that has all of them are seen from it as the triangles of a sphere, so there are twice
+// as many as edges but two.
+template <int D>
+std::uint64_t FacesAlong<D>::count_edges(const std::uint32_t* order, std::uint32_t whole_stars,
+                                         std::uint32_t* seen_from) const {
     std::uint64_t ends = 0;
     arena_.each(complex_.vertex_count, 1, [seen_from](std::uint64_t v) { seen_from[v] = none; });
     arena_.each(vertices_, 100 * D * D, [&](std::uint64_t i) {
         constexpr std::uint32_t ahead = 16;
+        if (D == 3 && order[i] < whole_stars) {
+            ends += (begin_[i + 1] - begin_[i]) / 2 + 2;
+            return;
+        }
         seen_from[order[i]] = static_cast<std::uint32_t>(i);
         for (std::uint32_t t = begin_[i]; t < begin_[i + 1]; ++t) {
             const std::uint32_t later = t + ahead < begin_[vertices_] ? t + ahead : t;
@@ -96,9 +104,11 @@ Status FacesAlong<D>::count_faces(const std::uint32_t* order, const FaceCounting
     of[D] = cells;
     of[D - 1] = facets;
     if (D == 2 && counting.is_ball && facets + 1 != vertices + cells) return Status::internal;
-    if constexpr (D == 3) of[1] = counting.is_ball ? vertices + facets - cells - 1 : count_edges(order, last_cone_[0]);
+    if constexpr (D == 3)
+        of[1] =
+            counting.is_ball ? vertices + facets - cells - 1 : count_edges(order, counting.whole_stars, last_cone_[0]);
     if constexpr (D == 4) {
-        of[1] = count_edges(order, last_cone_[0]);
+        of[1] = count_edges(order, counting.whole_stars, last_cone_[0]);
         of[2] = 1 + of[1] + facets - vertices - cells;
     }
     for (int k = 0; k <= D; ++k) {

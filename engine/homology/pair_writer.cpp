@@ -16,7 +16,18 @@ void reverse(Pair* pairs, std::uint64_t count, const Arena& arena) {
     }
 }
 
-// Pairs of one degree. Union-find writes them in order or backwards.
+// Puts pairs[at] among those before it, which are in order.
+void insert_backwards(Pair* pairs, std::uint64_t at, const Arena& arena) {
+    constexpr CanonicalOrder before;
+    const Pair moved = pairs[at];
+    for (; at > 0 && before(moved, pairs[at - 1]); --at) {
+        arena.step(at, 6);
+        pairs[at] = pairs[at - 1];
+    }
+    pairs[at] = moved;
+}
+
+// Pairs of one degree. Union-find writes them in order or backwards; of a quotient a few classes that last come behind.
 void sort_degree(Pair* pairs, std::uint64_t count, const Arena& arena) {
     constexpr CanonicalOrder before;
     std::uint64_t up = 0, down = 0;
@@ -27,7 +38,12 @@ void sort_degree(Pair* pairs, std::uint64_t count, const Arena& arena) {
     }
     if (down == 0) return;
     if (up == 0) return reverse(pairs, count, arena);
-    sort(pairs, count, before, arena);
+    constexpr std::uint64_t behind_max = 16;
+    std::uint64_t falling = 1;
+    while (falling < count && !before(pairs[falling - 1], pairs[falling])) arena.step(falling++, 4);
+    if (count - falling > behind_max) return sort(pairs, count, before, arena);
+    reverse(pairs, falling, arena);
+    for (; falling < count; ++falling) insert_backwards(pairs, falling, arena);
 }
 
 // Pairs of one degree are mostly written one after the other. Puts the degrees in order, then sorts each. False: they

@@ -7,6 +7,7 @@
 #include "numerics/sort.hpp"
 #include "periods/final_stars.hpp"
 #include "periods/orbits.hpp"
+#include "periods/wanted_copies.hpp"
 #include "vocabulary/dimension.hpp"
 
 namespace netmesh {
@@ -14,8 +15,10 @@ namespace {
 
 // Of points spread evenly, mostly enough: the largest empty balls are this many times as wide as points are apart.
 template <int D> constexpr double first_margin = D == 2 ? 3.5 : 2.9;
+// Copies that are this near are triangulated without being asked for; in the plane all are, as they are few.
+template <int D> constexpr double near_margin = D == 3 ? 1.2 : 1;
 // So few copies are taken at once, and nothing is asked.
-constexpr double copies_at_once = 2000;
+constexpr double copies_at_once = 300;
 
 template <int D> class PeriodicAlpha {
 public:
@@ -87,7 +90,10 @@ private:
     Status triangulate_copies() {
         const std::size_t low = arena_.low_mark(), high = arena_.high_mark();
         const int count = points_.lattice.count;
-        double wanted = copies_in_all() <= copies_at_once ? infinity : first_margin<D> * spacing();
+        const double apart = spacing();
+        const bool are_few = copies_in_all() <= copies_at_once;
+        double wanted = are_few ? infinity : first_margin<D> * apart;
+        bool asks = !are_few && D > 2 && count == D;
         for (;;) {
             double margin[Lattice::most];
             bool are_all = true;
@@ -96,41 +102,56 @@ private:
                 are_all &= margin[j] == points_.far[j];
             }
             StarReach reach = {true, 0};
-            const Status status = triangulate_within(margin, are_all ? nullptr : &reach);
-            const bool is_cut_off = status == Status::flat && !are_all;
+            const Status status = triangulate_within(margin, asks ? apart : 0, are_all && !asks ? nullptr : &reach);
+            const bool is_cut_off = status == Status::flat && (asks || !are_all);
             if (status != Status::ok && !is_cut_off) return status;
             if (status == Status::ok && reach.are_final) return Status::ok;
             arena_.release_low(low);
             arena_.release_high(high);
             const bool is_known = status == Status::ok && reach.wanted < infinity;
+            // Where all copies that matter have been asked for, all of them are inserted.
+            if (are_all) asks = false;
             wanted = is_known && reach.wanted > 1.05 * wanted ? reach.wanted * (1 + 0x1p-10) : 2 * wanted;
         }
     }
-    // reach: what the stars of the points say; null: nothing is asked.
-    Status triangulate_within(const double* margin, StarReach* reach) {
+    // apart: how far points are apart, where copies are inserted as they are asked for; 0: all are inserted. reach:
+    // what the stars of the points say; null: nothing is asked.
+    Status triangulate_within(const double* margin, double apart, StarReach* reach) {
         Status status = make_copies<D>(points_, margin, work_, &copies_);
         if (status != Status::ok) return status;
         StoreState state = {};
         Store<D> store(arena_, state);
-        InputReport input;
-        HiddenPoints hidden;
-        const WeightRows weights = {{copies_.x + D, sizeof(double) * numbers, false}, are_radii(), copies_.index};
-        status = triangulate_weighted<D>(store, {copies_.x, sizeof(double) * numbers, false}, copies_.count, weights,
-                                         request_.seed, work_.monitor, &input, &hidden);
-        if (status == Status::ok && input.duplicates != 0) return Status::internal;
+        Weights weights;
+        weights.are_radii = are_radii();
+        weights.index = copies_.index;
+        weights.top = -infinity;
+        arena_.each(points_.count, 2, [&](std::uint64_t i) {
+            const double number = points_.x[i * numbers + D];
+            weights.top = number > weights.top ? number : weights.top;
+        });
+        status = apart > 0 ? triangulate_wanted<D>(store, points_, copies_, near_margin<D> * apart, apart, weights,
+                                                   has_weights(), request_.seed, work_)
+                           : triangulate_all(store);
         if (status != Status::ok) return status;
+        out_.report.copies = state.vertex_count - points_.count;
         if (reach != nullptr) {
-            Weights used;
-            used.are_radii = are_radii();
-            used.top = -infinity;
-            arena_.each(points_.count, 2, [&](std::uint64_t i) {
-                const double number = points_.x[i * numbers + D];
-                used.top = number > used.top ? number : used.top;
-            });
-            *reach = reach_of_stars<D>(store, points_, margin, has_weights() ? &used : nullptr);
+            *reach = reach_of_stars<D>(store, points_, margin, has_weights() ? &weights : nullptr);
+            // Beyond all copies that matter balls may reach.
+            bool are_all = reach->wanted < infinity;
+            for (int j = 0; j < points_.lattice.count; ++j) are_all &= margin[j] == points_.far[j];
+            reach->are_final |= are_all;
             if (!reach->are_final) return Status::ok;
         }
         return keep_cells(store) ? Status::ok : Status::out_of_memory;
+    }
+    Status triangulate_all(Store<D>& store) {
+        InputReport input;
+        HiddenPoints hidden;
+        const WeightRows rows = {{copies_.x + D, sizeof(double) * numbers, false}, are_radii(), copies_.index};
+        const Status status =
+            triangulate_weighted<D>(store, {copies_.x, sizeof(double) * numbers, false}, copies_.count, rows,
+                                    request_.seed, work_.monitor, &input, &hidden);
+        return status == Status::ok && input.duplicates != 0 ? Status::internal : status;
     }
     // Of the triangulation nothing stays but the cells at points, by rows of the copies.
     bool keep_cells(Store<D>& store) {
@@ -158,9 +179,9 @@ private:
             __builtin_memcpy(rows + std::size_t{kept++} * row_bytes, vertex, row_bytes);
         });
         arena_.each(store.state.vertex_count, 2, [&](std::uint64_t v) {
-            seen += store.vertex(static_cast<std::uint32_t>(v)).origin < points_.count;
+            const Vertex<D>& vertex = store.vertex(static_cast<std::uint32_t>(v));
+            seen += vertex.origin < points_.count && vertex.cell != none;
         });
-        out_.report.copies = copies_.count - points_.count;
         out_.distinct = seen;
         store.truncate_vertices(0);
         arena_.release_low(begin);
@@ -201,8 +222,8 @@ private:
             std::uint32_t* const order = arena_.template take_high<std::uint32_t>(copies_.count);
             if (order == nullptr) return Status::out_of_memory;
             arena_.each(copies_.count, 1, [order](std::uint64_t v) { order[v] = static_cast<std::uint32_t>(v); });
-            const Status status =
-                enumerate_faces_along<D>(cells_, FaceCounting(outer_facets_, false), order, true, work_, faces);
+            const FaceCounting counting(outer_facets_, false, points_.lattice.count == D ? points_.count : 0);
+            const Status status = enumerate_faces_along<D>(cells_, counting, order, true, work_, faces);
             if (status != Status::ok) return status;
             return points->template put_in_order<numbers>(order, faces->count[0], arena_) ? Status::ok
                                                                                           : Status::out_of_memory;

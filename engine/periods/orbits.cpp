@@ -2,43 +2,42 @@
 
 #include "numerics/bits.hpp"
 #include "numerics/random.hpp"
-#include "numerics/sort.hpp"
 
 namespace netmesh {
 namespace {
 
 constexpr int vertices_most = dimension_most() + 1;
 
-// A simplex up to translations: its points with translations, less that of a vertex with the least point, ascending;
-// where points are alike, the least such list.
-struct NormalForm {
-    struct Item {
-        std::uint32_t point;
-        std::int64_t shift;
-    };
-    Item item[vertices_most];
+// A simplex as points with translations, and a hash of it that no translation and no order of its vertices changes.
+struct Translated {
+    std::uint32_t point[vertices_most];
+    std::int64_t shift[vertices_most];
     int count;
 
+    // Of shifts what each is beside their mean, times their number.
     std::uint64_t hash() const {
-        std::uint64_t h = static_cast<std::uint64_t>(count);
+        std::uint64_t sum = 0, h = 0;
+        for (int i = 0; i < count; ++i) sum += static_cast<std::uint64_t>(shift[i]);
         for (int i = 0; i < count; ++i) {
-            h = mix64(h ^ item[i].point);
-            h = mix64(h ^ static_cast<std::uint64_t>(item[i].shift));
+            const std::uint64_t beside = static_cast<std::uint64_t>(shift[i]) * static_cast<unsigned>(count) - sum;
+            h += mix64(beside * 0x9E3779B97F4A7C15u + point[i]);
         }
         return h;
     }
-    struct IsLess {
-        bool operator()(const Item& a, const Item& b) const {
-            return a.point != b.point ? a.point < b.point : a.shift < b.shift;
+    // Whether a translation takes the other one to this: one of its vertices to the first of this one's, and each to
+    // one. None is taken to two, as vertices are different.
+    bool is_translate_of(const Translated& other) const {
+        for (int first = 0; first < count; ++first) {
+            if (other.point[first] != point[0]) continue;
+            const std::int64_t by = shift[0] - other.shift[first];
+            bool is_one = true;
+            for (int i = 1; i < count && is_one; ++i) {
+                is_one = false;
+                for (int j = 0; j < count; ++j) is_one |= other.point[j] == point[i] && other.shift[j] + by == shift[i];
+            }
+            if (is_one) return true;
         }
-    };
-    // Below 0, 0 or above.
-    int compare(const NormalForm& other) const {
-        for (int i = 0; i < count; ++i) {
-            if (IsLess{}(item[i], other.item[i])) return -1;
-            if (IsLess{}(other.item[i], item[i])) return 1;
-        }
-        return 0;
+        return false;
     }
 };
 
@@ -105,23 +104,13 @@ private:
         }
         return Status::ok;
     }
-    [[gnu::noinline]] void normalise(int k, const std::uint32_t* vertex, NormalForm* best) const {
-        NormalForm form;
-        std::uint32_t least = none;
+    [[gnu::noinline]] void read(int k, std::uint32_t f, Translated* out) const {
+        std::uint32_t vertex[vertices_most];
+        faces_.vertices(k, f, vertex);
+        out->count = k + 1;
         for (int i = 0; i <= k; ++i) {
-            const std::uint32_t point = copies_.point_of(vertex[i], points_.count);
-            least = point < least ? point : least;
-        }
-        best->count = 0;
-        for (int anchor = 0; anchor <= k; ++anchor) {
-            if (copies_.point_of(vertex[anchor], points_.count) != least) continue;
-            const std::int64_t from = copies_.shift_of(vertex[anchor], points_.count);
-            form.count = k + 1;
-            for (int i = 0; i <= k; ++i)
-                form.item[i] = {copies_.point_of(vertex[i], points_.count),
-                                copies_.shift_of(vertex[i], points_.count) - from};
-            insertion_sort(form.item, static_cast<std::uint64_t>(k) + 1, NormalForm::IsLess{});
-            if (best->count == 0 || form.compare(*best) < 0) *best = form;
+            out->point[i] = copies_.point_of(vertex[i], points_.count);
+            out->shift[i] = copies_.shift_of(vertex[i], points_.count);
         }
     }
 
@@ -130,16 +119,15 @@ private:
         std::uint32_t* slot;
         std::uint64_t mask;
     };
-    // The face of the table that is a translate of this one, or the slot where it would be.
-    std::uint32_t* look_up(const Table& table, int k, const NormalForm& form) const {
-        for (std::uint64_t at = form.hash();; ++at) {
+    // The face of the table that is a translate of face f, or the slot where it would be.
+    std::uint32_t* look_up(const Table& table, int k, std::uint32_t f) const {
+        Translated face, other;
+        read(k, f, &face);
+        for (std::uint64_t at = face.hash();; ++at) {
             std::uint32_t* const slot = table.slot + (at & table.mask);
             if (*slot == none) return slot;
-            std::uint32_t vertex[vertices_most];
-            NormalForm other;
-            faces_.vertices(k, *slot, vertex);
-            normalise(k, vertex, &other);
-            if (form.compare(other) == 0) return slot;
+            read(k, *slot, &other);
+            if (face.is_translate_of(other)) return slot;
         }
     }
 
@@ -163,11 +151,7 @@ private:
         arena_.each(count, 5, [&](std::uint64_t f) {
             if (!is_listed(k, f)) return;
             arena_.pass(width);
-            std::uint32_t vertex[vertices_most];
-            NormalForm form;
-            faces_.vertices(k, static_cast<std::uint32_t>(f), vertex);
-            normalise(k, vertex, &form);
-            std::uint32_t* const slot = look_up(table, k, form);
+            std::uint32_t* const slot = look_up(table, k, static_cast<std::uint32_t>(f));
             if (*slot == none) *slot = static_cast<std::uint32_t>(f);
             first[f] = *slot;
         });
@@ -179,14 +163,10 @@ private:
         bool is_whole = true;
         arena_.each(faces_.count[k + 1], 10 * (static_cast<std::uint32_t>(k) + 1), [&](std::uint64_t c) {
             if (!is_across(k + 1, c)) return;
-            std::uint32_t vertex[vertices_most];
             const std::uint32_t* const facet = faces_.facets_of(k + 1, static_cast<std::uint32_t>(c));
             for (int i = 0; i <= k + 1; ++i) {
                 if (first[facet[i]] != none) continue;
-                faces_.vertices(k, facet[i], vertex);
-                NormalForm form;
-                normalise(k, vertex, &form);
-                first[facet[i]] = *look_up(table, k, form);
+                first[facet[i]] = *look_up(table, k, facet[i]);
                 is_whole &= first[facet[i]] != none;
             }
         });

@@ -465,6 +465,22 @@ template <int D> Status make_copies(const PeriodicPoints& points, const double* 
     constexpr int numbers = D + 1;
     const Lattice& lattice = points.lattice;
     Arena& arena = work.arena;
+    // Points that have a copy near enough: of a translation the last part that is not 0 takes them at least a layer
+    // along, and the others not at all.
+    const HighScope scope(arena);
+    std::uint32_t* const outer = arena.take_high<std::uint32_t>(points.count);
+    if (outer == nullptr) return Status::out_of_memory;
+    std::uint32_t outers = 0;
+    arena.each(points.count, 4 * D, [&](std::uint64_t i) {
+        outer[outers] = static_cast<std::uint32_t>(i);
+        bool is_outer = false;
+        for (int j = 0; j < lattice.count; ++j) {
+            const double y = dot<D>(lattice.e[j], points.x + i * numbers), more = margin[j] * (1 + 0x1p-19);
+            const double layer = lattice.h[j] * (1 - 0x1p-20);
+            is_outer |= y + layer <= points.high[j] + more || y - layer >= points.low[j] - more;
+        }
+        outers += is_outer;
+    });
     // Calls act(i, place, times) for each copy, of point i.
     const auto each_copy = [&](auto&& act) {
         return each_translation<D>(points, margin, [&](const int* times, const double* v) {
@@ -474,13 +490,14 @@ template <int D> Status make_copies(const PeriodicPoints& points, const double* 
                 low[j] = points.low[j] - more - along;
                 high[j] = points.high[j] + more - along;
             }
-            arena.each(points.count, 12 * static_cast<std::uint32_t>(lattice.count), [&](std::uint64_t i) {
-                const double* const x = points.x + i * numbers;
+            arena.each(outers, 12 * static_cast<std::uint32_t>(lattice.count), [&](std::uint64_t at) {
+                const std::uint32_t i = outer[at];
+                const double* const x = points.x + std::size_t{i} * numbers;
                 for (int j = 0; j < lattice.count; ++j) {
                     const double y = dot<D>(lattice.e[j], x);
                     if (!(y >= low[j] && y <= high[j])) return;
                 }
-                act(static_cast<std::uint32_t>(i), v, times);
+                act(i, v, times);
             });
             return !arena.has_stopped();
         });

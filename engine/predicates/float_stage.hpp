@@ -31,8 +31,9 @@ constexpr double permanent_constants[7] = {1, 1, 1, 1.15471, 1.5, 2.14664, 3.333
 constexpr double magnitude_factor(int dim, bool lifted) {
     return (lifted ? permanent_constants[dim] * (dim + 1) : permanent_constants[dim]) * 1.001;
 }
-constexpr double error_factor(int dim, bool lifted) {
-    int roundings = 1;
+// more: roundings of a product beyond those above.
+constexpr double error_factor(int dim, bool lifted, int more = 0) {
+    int roundings = 1 + more;
     for (int k = 2; k <= dim; ++k) roundings += k + 1;
     if (lifted) roundings += 2 * dim + 3;
     return roundings * 1.1102230246251565e-16 * 1.001;

@@ -20,6 +20,7 @@
 #include "predicates/weighted.hpp"
 
 #include "predicates/exact_stage.hpp"
+#include "predicates/power_stage.hpp"
 #include "predicates/undecided.hpp"
 #include "vocabulary/dimension.hpp"
 
@@ -143,6 +144,13 @@ std::uint64_t entry_of(const LastColumn& last, const ResidueMatrix& a, int row, 
     return sign_of_residues(residues, primes);
 }
 
+// In the plane the question has been put to doubles before (delaunay/plane.hpp).
+#ifdef __OPTIMIZE_SIZE__
+template <int D> constexpr bool has_power_stage = false;
+#else
+template <int D> constexpr bool has_power_stage = D > 2;
+#endif
+
 // break_tie of predicates.cpp.
 template <int D> Sign break_power_tie(const double** points, const VertexId* ids, VertexId q_id) {
     std::uint32_t bound = 0;
@@ -213,6 +221,15 @@ Sign in_power_perturbed(const double* const* cell, const VertexId* ids, const do
     if (are_equal) {
         const Sign sign = in_ball<D>(cell, q, counts);
         if (sign != Sign::zero) return sign;
+    }
+    if constexpr (has_power_stage<D>) {
+        Weights weights;
+        weights.are_radii = are_radii;
+        const int sign = are_equal ? 0 : power_stage<D>(points, weights);
+        if (sign != 0) {
+            ++counts.calls[stage_float];
+            return static_cast<Sign>((D & 1) != 0 ? -sign : sign);
+        }
     }
     const int sign =
         are_equal ? 0 : power_sign(D, points, are_radii, {LastColumn::lifts, nullptr, VertexId(none), 0, 0});

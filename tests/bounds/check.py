@@ -17,8 +17,8 @@ import time
 from fractions import Fraction
 
 sys.dont_write_bytecode = True
-from walk import (HERE, LARGEST, POLYNOMIALS, TINY, U, Refused, Walk, about, absolute_monomials,  # noqa: E402
-                  check_determinant, difference, more, require, traces, within, written)
+from walk import (HERE, LARGEST, POLYNOMIALS, TINY, U, WEIGHTS, Refused, Walk, about,  # noqa: E402
+                  absolute_monomials, check_determinant, difference, more, require, traces, within, written)
 
 ROOT = os.path.dirname(os.path.dirname(HERE))
 SKIP = 77
@@ -295,9 +295,10 @@ def squares_of(trace, walk, numbers):
     return found
 
 
-def form_margin(gappa, trace, computed, factors, squares, lost=Fraction(0)):
+def form_margin(gappa, trace, computed, factors, squares, lost=Fraction(0), of_lifts=None):
     """The permanent inequality: error over the product of lengths, squares being those lengths but for `low`, against
-    what the determinant is off, both without the product. lost: what a scale takes from lifts."""
+    what the determinant is off, both without the product. lost: what a scale takes from lifts. of_lifts: `low` of what
+    stands for lifts, where that is no length."""
     e = check_determinant(trace, computed)
     constant = Fraction(1)
     for x, half_powers in factors.items():
@@ -310,10 +311,24 @@ def form_margin(gappa, trace, computed, factors, squares, lost=Fraction(0)):
     for k in range(2, trace.dim + 1):
         permanent *= k
     permanent = "%d/sqrt(%d)%s" % (permanent, trace.dim**trace.dim, "*%d" % trace.rows if trace.lifted else "")
-    low = power("(%s - %s)" % (least_of(count), written(more(off))), trace.rows + trace.lifted)
+    low = power("(%s - %s)" % (least_of(count), written(more(off))), trace.rows + (trace.lifted and of_lifts is None))
+    low += "" if of_lifts is None else "*" + of_lifts
     prove_margin(gappa, "%s, margin" % trace, "%s*(1 - %s)*%s - (%s*(%s - 1) + %s)" % (
         written(constant), written(ERROR_ROUNDED), low, permanent, most_of(e), written(computed.off)))
     return e
+
+
+def admitted(trace, rows):
+    """The least and the largest of the squares of lengths that are admitted, and a walk for such lengths."""
+    least = [{b for c, a, b, outcome in trace.guard if (c, a, outcome) == (">=", x, True)} for x in rows]
+    most = [{b for c, a, b, outcome in trace.guard if (c, a, outcome) == ("<=", x, True)} for x in rows]
+    require(all(least) and all(most), trace, "admits any length")
+    least, most = min(max(x) for x in least), max(min(x) for x in most)
+    # Exact lengths: of a sum below the least admitted one as computed, and above the largest.
+    low, high = (Fraction(2)**(power_of(trace, x) // 2) for x in (least, most))
+    require((low / NEAR)**2 * (1 + U)**(2 * trace.dim) + 2 * trace.dim * TINY < least and
+            (high * NEAR)**2 * (1 - U)**(2 * trace.dim) - 2 * trace.dim * TINY > most, trace, "admits other lengths")
+    return least, most, Walk(trace, (low / NEAR, high * NEAR), 1 + U)
 
 
 def stage_margins(gappa, trace):
@@ -329,16 +344,7 @@ def stage_margins(gappa, trace):
         require(trace.sign == 1 and trace.out["determinant"] == determinant_, trace, "has another determinant")
     factors = factors_of(trace, error)
     rows = [x for x in factors if not isinstance(x, Fraction)]
-    least = [{b for c, a, b, outcome in trace.guard if (c, a, outcome) == (">=", x, True)} for x in rows]
-    most = [{b for c, a, b, outcome in trace.guard if (c, a, outcome) == ("<=", x, True)} for x in rows]
-    require(all(least) and all(most), trace, "admits any length")
-    least, most = min(max(x) for x in least), max(min(x) for x in most)
-    # Exact lengths: of a sum below the least admitted one as computed, and above the largest.
-    low, high = (Fraction(2)**(power_of(trace, x) // 2) for x in (least, most))
-    near = 1 + Fraction(1, 2**20)
-    require((low / near)**2 * (1 + U)**(2 * trace.dim) + 2 * trace.dim * TINY < least and
-            (high * near)**2 * (1 - U)**(2 * trace.dim) - 2 * trace.dim * TINY > most, trace, "admits other lengths")
-    walk = Walk(trace, (low / near, high * near), 1 + U)
+    least, most, walk = admitted(trace, rows)
     squares = squares_of(trace, walk, rows)
     expected = {x: 1 for x in rows}
     if trace.lifted:
@@ -350,6 +356,55 @@ def stage_margins(gappa, trace):
     require({x: factors[x] for x in rows} == expected, trace, "has other lengths in its error")
     prove_error_rounded(gappa, trace, error, {x: (least, most) for x in rows})
     return form_margin(gappa, trace, walk.of(determinant_), factors, squares)
+
+
+def weighted_margins(gappa, trace):
+    """power_stage. A lift is |d|^2 + w; in its place in the error is the largest ratio (|d|^2 + |w|) / |d|, in which
+    lifts are measured. It is not below any length, and what is known of |d|^2 as of a lift is known of a square, too:
+    what underflows is as small, and lengths are not below the least admitted one."""
+    comparisons = [g for g in trace.guard if not any(isinstance(x, Fraction) for x in g[1:3])][-2:]
+    require([g[0] for g in comparisons] == [">", "<"], trace, "is decided by other comparisons")
+    (_, value, error, positive), (_, again, negated, negative) = comparisons
+    require(value == again and trace.parts(negated, "neg")[0] == error, trace, "is decided by other comparisons")
+    require(trace.sign == positive - negative != 0, trace, "gives another sign")
+    factors = factors_of(trace, error)
+    ratios = [x for x in range(1, len(trace.node)) if trace.node[x][0] == "/"]
+    rows = [x for x in factors if not isinstance(x, Fraction) and x not in ratios]
+    widest = [x for x in factors if x in ratios]
+    require(len(widest) == 1 and len(ratios) == trace.rows, trace, "has not the widest ratio")
+    require({x: factors[x] for x in rows + widest} == {x: 1 for x in rows + widest}, trace, "has other lengths")
+    pairs = trace.at_least()
+    require(all(x == widest[0] or (widest[0], x) in pairs for x in ratios), trace, "has not the widest ratio")
+    least, most, walk = admitted(trace, rows)
+    require(all(("<=", x, most, True) in trace.guard for x in ratios), trace, "admits any weight")
+    # Of squares of what is admitted nothing underflows.
+    require(least**2 > Fraction(2)**-1000, trace, "admits lengths of any size")
+    squares = squares_of(trace, walk, rows)
+    counts, lost = [], []
+    for row, (square, roundings, off) in squares.items():
+        ratio = [x for x in ratios if trace.node[x][2] == square]
+        require(len(ratio) == 1, trace, "lacks a ratio")
+        total, again = trace.parts(trace.node[ratio[0]][1], "*")
+        require(total == again, trace, "has another ratio")
+        wanted = {2 * difference(row, c) for c in range(trace.dim)}
+        wanted.add(sum(difference(row, c) for c in WEIGHTS[trace.stage]))
+        number = walk.of(total)
+        terms = absolute_monomials(POLYNOMIALS.of(number.key))
+        require({m: c for m, (c, _) in terms.items()} == {m: 1 for m in wanted} and number.lifts == 1, trace,
+                "has another ratio")
+        counts.append((max(k for _, k in terms.values()), roundings))
+        lost.append((number.off, off))
+    # The root of the computed ratio over the exact one: two roundings of the ratio are one of its root.
+    of_total, of_square = (max(x) for x in zip(*counts))
+    off_total, off_square = (more(max(x)) for x in zip(*lost))
+    of_lifts = "((%s - %s)*%s/(%s + %s))" % (least_of(of_total), written(off_total), least_of(1), most_of(of_square),
+                                             written(off_square))
+    low = ((1 - U)**of_total - off_total) * (1 - U) / ((1 + U)**of_square + off_square)
+    require(low * NEAR > 1, trace, "admits other ratios")
+    ranges = {x: (least, most) for x in rows}
+    ranges[widest[0]] = (least * (1 - Fraction(1, 2**50)), most)
+    prove_error_rounded(gappa, trace, error, ranges)
+    return form_margin(gappa, trace, walk.of(value), factors, squares, of_lifts=of_lifts)
 
 
 def power_of(trace, x):
@@ -401,8 +456,9 @@ def scaled_margins(gappa, trace):
 
 
 def refused(trace):
-    """Lengths out of range give a magnitude of 0."""
-    require(trace.out == {"determinant": 0, "magnitude": 0}, trace, "admits lengths that are out of range")
+    """Lengths out of range give a magnitude of 0, or no sign."""
+    require(trace.sign == 0 or trace.out == {"determinant": 0, "magnitude": 0}, trace,
+            "admits lengths that are out of range")
 
 
 def arms_margins(gappa, trace):
@@ -410,7 +466,7 @@ def arms_margins(gappa, trace):
     the bound |x y'| + |y x'| <= (|a|^2 + |a'|^2) / 2 takes the place of cross products, |a|^2 + |w| that of lifts."""
     walk = Walk(trace, (Fraction(1), Fraction(1)), Fraction(2)**121)
     computed, error = (walk.of(trace.out[name]) for name in ("value", "error"))
-    weight = {2: None, 3: (5, ), 4: (5, 6)}[trace.dim]
+    weight = {2: None, 3: WEIGHTS["weights"], 4: WEIGHTS["radii"]}[trace.dim]
     lift = [{2 * difference(i, c): 1 for c in (0, 1)} for i in range(3)]
     for i in range(3) if weight else ():
         lift[i][sum(difference(i, c) for c in weight)] = 1
@@ -495,7 +551,7 @@ def check_repeated(engine):
 
 
 CHECKS = {"plane": plane_margins, "arms": arms_margins, "stage": stage_margins, "decide": stage_margins,
-          "scaled": scaled_margins}
+          "scaled": scaled_margins, "weights": weighted_margins, "radii": weighted_margins}
 
 
 def check(gappa, cxx, engine, dims, flags):
@@ -551,6 +607,13 @@ PLANTS = [
     (2, "float_stage.hpp", "lift > highest ? lift : highest", "lift"),
     (2, "float_stage.hpp", "? -fall : -2000", "? -fall : -1000"),
     (2, "float_stage.hpp", "power_of_two(k - k / 2)", "power_of_two(k / 2)"),
+    (2, "power_stage.hpp", "error_factor(D, true, 1)", "error_factor(D, true)"),
+    (2, "power_stage.hpp", "s + __builtin_fabs(less)", "s + less"),
+    (2, "power_stage.hpp", "sum * sum / s", "sum"),
+    (2, "power_stage.hpp", "ratio2 > widest ? ratio2 : widest", "ratio2"),
+    (2, "power_stage.hpp", "admitted &= ratio2 <= Bounds::length_squared_max;", ""),
+    (2, "power_stage.hpp", "a[i][D] = s + less", "a[i][D] = s - less"),
+    (2, "power_stage.hpp", "half[n & 1] *= widest;", ""),
     (2, "cascade.hpp", "result.magnitude * factor", "result.magnitude * (factor / 2)"),
     (3, "cascade.hpp", "(D & 1) != 0", "false"),
     (2, "undecided.cpp", "second.magnitude * error_factor", "0.5 * second.magnitude * error_factor"),

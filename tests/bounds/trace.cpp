@@ -87,7 +87,7 @@ int exponent_of(Traced a) { return exponent_of(a.value); }
 #define double Traced
 #define __builtin_fabs traced_absolute
 #include "predicates/cascade.hpp"
-#include "predicates/weights.hpp"
+#include "predicates/power_stage.hpp"
 namespace netmesh {
 #include "arms.hpp"  // a part of delaunay/plane.hpp, written by check.py
 }
@@ -100,7 +100,7 @@ Decision decide_undecided(int, bool, const Traced* const*, const FloatResult&) {
 
 // Points about the last one of which row `longest` is the longest, on one side or the other.
 struct Sample {
-    Traced coordinate[frame_rows_max + 1][dimension_most()];
+    Traced coordinate[frame_rows_max + 1][dimension_most() + 1];
     const Traced* point[frame_rows_max + 1];
 
     Sample(const char* name, int dim, bool lifted, int longest, bool mirrored, double spread, double rest = 1) {
@@ -117,6 +117,13 @@ struct Sample {
                 std::printf("input %d %d\n", i, c);
             }
             point[i] = coordinate[i];
+        }
+    }
+    // Behind the coordinates a number, as weights have it; that of row `longest` is larger by `more`.
+    void weigh(int dim, int longest, double more) {
+        for (int i = 0; i <= dim + 1; ++i) {
+            coordinate[i][dim] = {0.1 + 0.01 * i + (i == longest ? more : 0), ++Traced::lines};
+            std::printf("input %d %d\n", i, dim);
         }
     }
 };
@@ -213,9 +220,29 @@ template <int D, bool lifted> void trace_stages() {
 #endif
 }
 
+template <int D> void trace_weights(bool are_radii) {
+    Weights weights;
+    weights.are_radii = are_radii;
+    const char* const name = are_radii ? "radii" : "weights";
+    const auto trace = [&](const char* stage, int longest, bool mirrored, double spread, double more) {
+        Sample sample(stage, D, true, longest, mirrored, spread);
+        sample.weigh(D, longest, more);
+        std::printf("sign %d\n", power_stage<D>(sample.point, weights));
+    };
+    for (int longest = 0; longest <= D; ++longest)
+        for (bool mirrored : {false, true})
+            for (double more : {0.0, 4.0}) trace(name, longest, mirrored, 3, more);
+    for (int row = 0; row <= D; ++row) {
+        for (double spread : {0x1p-500, 0x1p500}) trace("refused", row, false, spread, 0);
+        trace("refused", row, false, 3, 0x1p500);
+    }
+}
+
 template <int D> void trace_dimension() {
     trace_stages<D, false>();
     trace_stages<D, true>();
+    trace_weights<D>(false);
+    trace_weights<D>(true);
 }
 
 }  // namespace netmesh

@@ -131,12 +131,15 @@ def traces(cxx, engine, scratch, dims, flags):
 # plus what products below the least normal double lose. Polynomials are {monomial: (coefficient, roundings)}: the
 # monomial's product of factors has at most so many. Three bits of a monomial for each difference: its power.
 
+COLUMNS = 8         # of coordinates up to six, and two for a difference of weights, which of radii is a product
+
 def difference(row, column):
-    return 1 << 3 * (7 * row + column)
+    return 1 << 3 * (COLUMNS * row + column)
 
 
-ABSOLUTE = 3 * 49   # where the powers of differences begin of which the absolute value is taken
-ODD = sum(difference(row, c) for row in range(7) for c in range(7))
+ABSOLUTE = 3 * 7 * COLUMNS  # where the powers of differences begin of which the absolute value is taken
+ODD = sum(difference(row, c) for row in range(7) for c in range(COLUMNS))
+WEIGHTS = {"weights": (6, ), "radii": (6, 7)}
 
 
 def absolute_monomials(polynomial):
@@ -210,6 +213,8 @@ class Walk:
     def __init__(self, trace, lengths, size):
         self.trace, self.lengths, self.size, self.number = trace, lengths, size, {}
         self.base = 3 if trace.stage == "arms" else trace.rows
+        # Where the number of a point stands that is no coordinate.
+        self.column = 2 if trace.stage == "arms" else trace.dim if trace.stage in WEIGHTS else None
 
     def of(self, x):
         if x not in self.number:
@@ -223,7 +228,7 @@ class Walk:
         return all(not isinstance(y, Fraction) and self.trace.node[y][0] == "input" for y in numbers)
 
     def is_of_weights(self, numbers):
-        return self.trace.stage == "arms" and self.are_inputs(numbers) and self.trace.node[numbers[0]][2] == 2
+        return self.column is not None and self.are_inputs(numbers) and self.trace.node[numbers[0]][2] == self.column
 
     def lost(self, degree):
         return more(TINY / self.lengths[0]**degree)
@@ -238,10 +243,12 @@ class Walk:
             return Number(POLYNOMIALS.key("difference", i, c), 1 << i, 0, self.size, Fraction(0))
         if operation in "+-" and self.is_of_weights(operands):
             (_, base, _), (_, i, c) = (self.trace.node[y] for y in operands)
-            require(base == self.base and i < base and c == 2, self.trace, "a difference of other weights")
+            require(base == self.base and i < base and c == self.column, self.trace, "a difference of other weights")
             # Of radii the product of both is a difference of weights: the two sizes hold for it alone.
-            column, size = (5, self.size**2) if operation == "-" else (6, Fraction(1))
-            return Number(POLYNOMIALS.key("difference", i, column), 0, 0, size, Fraction(0))
+            columns = WEIGHTS["radii"]
+            column, size = (columns[0], self.size**2) if operation == "-" else (columns[1], Fraction(1))
+            of_lift = operation == "-" and self.trace.stage != "arms"
+            return Number(POLYNOMIALS.key("difference", i, column), of_lift << i, int(of_lift), size, Fraction(0))
         a = self.of(operands[0])
         if operation == "abs":
             return Number(POLYNOMIALS.key("abs", a.key), a.rows, a.lifts, a.size, a.off)
@@ -280,8 +287,8 @@ class Walk:
         require(a.factor == Fraction(2)**power, self.trace, "row", row, "is scaled by another power of two")
 
 
-def determinant(dim, lifted):
-    """{monomial: coefficient} of the determinant that frame.hpp says."""
+def determinant(dim, lifted, weight):
+    """{monomial: coefficient} of the determinant that frame.hpp says; weight: what a lift has beside squares."""
     rows = dim + lifted
     found = {}
     for order in itertools.permutations(range(rows)):
@@ -291,6 +298,8 @@ def determinant(dim, lifted):
         monomial = sum(difference(order[c], c) for c in range(dim))
         for c in range(dim) if lifted else [None]:
             found[monomial + (2 * difference(order[dim], c) if lifted else 0)] = sign
+        if weight:
+            found[monomial + sum(difference(order[dim], c) for c in weight)] = sign
     return found
 
 
@@ -299,9 +308,10 @@ DETERMINANTS = {}
 
 def check_determinant(trace, number):
     """That it is the determinant, and the most roundings of a product in it."""
-    which = (trace.dim, trace.lifted, number.key)
+    weight = WEIGHTS.get(trace.stage)
+    which = (trace.dim, trace.lifted, weight, number.key)
     if which not in DETERMINANTS:
-        wanted, found = determinant(trace.dim, trace.lifted), POLYNOMIALS.of(number.key)
+        wanted, found = determinant(trace.dim, trace.lifted, weight), POLYNOMIALS.of(number.key)
         require({m: c for m, (c, _) in found.items()} == wanted, trace, "is another polynomial than the determinant")
         DETERMINANTS[which] = max(k for _, k in found.values())
     if trace.stage != "plane":

@@ -2,7 +2,7 @@
 // the plane and 1 to 4 in space, 1 to D periods, with weights and without, in special position and in general; lattices
 // with diagrams by hand; flat copies, duplicates; what has to leave a diagram as it is: another basis of the lattice,
 // translation, another order of rows, other copies, weights 0, another unit; twice the cell; numbers whose copies are
-// no doubles.
+// no doubles. Of more points, whose copies are inserted as they are asked for, the same changes, without rationals.
 //
 //   periods [--clouds N] [--seed S]    N clouds, or a slice
 //   periods --plant                    errors planted in what came, which have to be seen
@@ -39,7 +39,7 @@ private:
 struct Answer {
     netmesh_status status;
     Bars bars;
-    std::size_t duplicates = 0, periods = 0;
+    std::size_t duplicates = 0, periods = 0, copies = 0;
     double moved = 0;
 };
 
@@ -76,6 +76,7 @@ Answer ask(const Block& block, const Cloud& cloud, const Wish& wish = Wish()) {
     netmesh_get_report(context, &report);
     answer.duplicates = static_cast<std::size_t>(report.input.duplicates);
     answer.periods = report.input.periods;
+    answer.copies = static_cast<std::size_t>(report.input.copies);
     answer.moved = report.input.moved;
     return answer;
 }
@@ -300,6 +301,40 @@ bool is_torus(const Cloud& cloud, const Bars& bars) {
     return true;
 }
 
+// Points, most of whose copies nobody asks for: which these are another basis, place or order must not tell.
+std::size_t judge_many(const Block& block, std::uint64_t seed, std::size_t clouds) {
+    std::size_t faults = 0, judged = 0, points = 0, copies = 0;
+    for (std::size_t i = 0; i < clouds && faults < 5; ++i) {
+        Random random(seed * 0x9E3779B97F4A7C15u + i);
+        const Cloud cloud = i % 4 == 3 ? make_cloud(random, 4, 12) : make_cloud(random, 3, i % 8 == 0 ? 400 : 60);
+        const Answer answer = ask(block, cloud);
+        if (answer.status != NETMESH_OK || answer.moved != 0) continue;
+        ++judged;
+        if (cloud.periods() == cloud.width()) {
+            points += cloud.count();
+            copies += answer.copies;
+        }
+        Truth truth;
+        truth.bars = answer.bars;
+        truth.duplicates = answer.duplicates;
+        truth.periods = answer.periods;
+        std::string fault = is_torus(cloud, answer.bars) ? "" : "not the classes of a torus";
+        Seen seen;
+        for (const int change : {0, 1, 2, 3, 4, changes - 1})
+            if (fault.empty()) fault = judge_change(block, random, change, cloud, truth, &seen);
+        if (fault.empty()) continue;
+        ++faults;
+        std::printf("cloud %zu of many points: %s\n", i, fault.c_str());
+        print_cloud(cloud);
+    }
+    std::printf("%zu clouds of many points, %.1f copies a point, %zu faults\n", judged,
+                static_cast<double>(copies) / static_cast<double>(points + (points == 0)), faults);
+    // All that matter would be 26 in space, and 80 beyond.
+    const bool are_too_many = points > 500 && copies > 16 * points;
+    if (are_too_many) std::printf("too many copies\n");
+    return faults + are_too_many;
+}
+
 // Diagrams by hand, from the engine and from the truth.
 std::size_t judge_named(const Block& block) {
     std::size_t faults = 0, judged = 0;
@@ -409,7 +444,7 @@ int main(int argc, char** argv) {
         }
     }
     Seen seen;
-    seen.faults = judge_named(block) + judge_found(block, &seen);
+    seen.faults = judge_named(block) + judge_found(block, &seen) + judge_many(block, seed, clouds / 4);
     for (std::size_t i = 0; i < clouds && seen.faults < 5; ++i) {
         Random random(seed * 0x9E3779B97F4A7C15u + i);
         const Cloud cloud = make_cloud_of(random, i);
