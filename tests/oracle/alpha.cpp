@@ -13,7 +13,7 @@
 #include "common/session.hpp"
 #include "complex/triangulations.hpp"
 #include "filtration/alpha.hpp"
-#include "oracle/gudhi_alpha.hpp"
+#include "oracle/peers/gudhi.hpp"
 
 namespace {
 
@@ -32,17 +32,15 @@ struct Peer {
 Peer peer_of(int dim, const inputs::Points& points) {
     GudhiAlpha alpha(dim, points);
     Peer peer;
-    for (auto handle : alpha.tree.complex_simplex_range()) {
-        Simplex simplex;
-        for (auto v : alpha.tree.simplex_vertex_range(handle)) simplex.push_back(static_cast<std::uint32_t>(v));
-        std::sort(simplex.begin(), simplex.end());
-        peer.value[simplex] = std::sqrt(alpha.tree.filtration(handle));
+    for (GudhiAlpha::Simplex& simplex : alpha.simplices) {
+        std::sort(simplex.vertices.begin(), simplex.vertices.end());
+        peer.value[simplex.vertices] = simplex.radius;
     }
     peer.bars.resize(static_cast<std::size_t>(dim));
-    alpha.for_each_bar([&](int degree, double birth, double death) {
-        REQUIRE(degree < dim);
-        peer.bars[static_cast<std::size_t>(degree)].push_back({birth, death});
-    });
+    for (const GudhiAlpha::Bar& bar : alpha.bars) {
+        REQUIRE(bar.degree < dim);
+        peer.bars[static_cast<std::size_t>(bar.degree)].push_back({bar.birth, bar.death});
+    }
     return peer;
 }
 

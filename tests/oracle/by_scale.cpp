@@ -9,16 +9,14 @@
 #include <string>
 
 #include "common/session.hpp"
-#include "oracle/gudhi_alpha.hpp"
 #include "oracle/log_distance.hpp"
 
 namespace {
 
 Diagram truth_of(int dim, const inputs::Points& points) {
     Diagram truth;
-    GudhiAlpha(dim, points).for_each_bar([&](int degree, double birth, double death) {
-        if (birth < death) truth[static_cast<std::uint32_t>(degree)].push_back({birth, death});
-    });
+    for (const GudhiAlpha::Bar& bar : GudhiAlpha(dim, points).bars)
+        if (bar.birth < bar.death) truth[static_cast<std::uint32_t>(bar.degree)].push_back({bar.birth, bar.death});
     return truth;
 }
 

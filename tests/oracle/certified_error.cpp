@@ -5,7 +5,6 @@
 // than twice the error lies within the bounds of some bar. NETMESH_FUNCTION_SETS functions (24) in the plane and in
 // space, every tenth in R^4.
 #include <doctest/doctest.h>
-#include <gudhi/Bottleneck.h>
 
 #include <algorithm>
 #include <cmath>
@@ -16,6 +15,7 @@
 
 #include "common/dimensions.hpp"
 #include "common/session.hpp"
+#include "oracle/peers/gudhi.hpp"
 #include "oracle/sublevel_grid.hpp"
 
 namespace {
@@ -134,7 +134,7 @@ Bars bars_of(const Session& session) {
 double distance_of(int dim, Bars a, Bars b) {
     double distance = 0;
     for (std::uint32_t degree = 0; degree < static_cast<std::uint32_t>(dim); ++degree)
-        distance = std::max(distance, Gudhi::persistence_diagram::bottleneck_distance(a[degree], b[degree], 0));
+        distance = std::max(distance, gudhi_bottleneck(a[degree], b[degree]));
     return distance;
 }
 

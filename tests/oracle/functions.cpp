@@ -36,8 +36,7 @@ void within_certificate(const std::string& name, int dim, const inputs::Points& 
         CHECK(essential == 1);
         double distance = 0;
         for (std::uint32_t degree = 0; degree < static_cast<std::uint32_t>(dim); ++degree)
-            distance = std::max(distance, Gudhi::persistence_diagram::bottleneck_distance(logarithms(truth[degree]),
-                                                                                          logarithms(ours[degree]), 0));
+            distance = std::max(distance, gudhi_bottleneck(logarithms(truth[degree]), logarithms(ours[degree])));
         const double slack = std::log(1 + doubt / (least - doubt));
         REQUIRE(slack < 0.7);
         CHECK(distance <= std::log(report.diagram.certified_ratio) + slack);

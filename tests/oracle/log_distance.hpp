@@ -1,7 +1,6 @@
 // The log-bottleneck distance of two diagrams, by GUDHI's exact algorithm.
 #pragma once
 #include <doctest/doctest.h>
-#include <gudhi/Bottleneck.h>
 
 #include <algorithm>
 #include <cmath>
@@ -10,6 +9,7 @@
 #include <vector>
 
 #include "common/session.hpp"
+#include "oracle/peers/gudhi.hpp"
 
 using Bars = std::vector<std::pair<double, double>>;
 using Diagram = std::map<std::uint32_t, Bars>;
@@ -60,7 +60,7 @@ inline double log_distance(Diagram ours, Diagram truth, std::uint32_t dim) {
             a = rest;
             b.clear();
         }
-        distance = std::max(distance, Gudhi::persistence_diagram::bottleneck_distance(logarithms(a), logarithms(b), 0));
+        distance = std::max(distance, gudhi_bottleneck(logarithms(a), logarithms(b)));
     }
     return distance;
 }

@@ -67,7 +67,7 @@ double distance_of_positive(const Diagram& a, const Diagram& b, int dim) {
     double distance = 0;
     for (std::uint32_t degree = 0; degree < static_cast<std::uint32_t>(dim); ++degree) {
         const Bars x = a.count(degree) ? a.at(degree) : Bars(), y = b.count(degree) ? b.at(degree) : Bars();
-        distance = std::max(distance, Gudhi::persistence_diagram::bottleneck_distance(logarithms(x), logarithms(y), 0));
+        distance = std::max(distance, gudhi_bottleneck(logarithms(x), logarithms(y)));
     }
     return distance;
 }
