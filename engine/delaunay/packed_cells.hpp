@@ -27,8 +27,7 @@ public:
         arena.each(count, 20, [this](std::uint64_t c) { __builtin_memmove(packed(c), whole(c), packed_bytes_); });
         given_ = (cell_bytes_ - packed_bytes_) * count / Arena::alignment * Arena::alignment;
         move_bytes(arena.at(behind - given_), arena.at(behind), arena.low_mark() - behind, arena);
-        end_ = arena.low_mark() - given_;
-        arena.release_low(end_);
+        arena.release_low(arena.low_mark() - given_);
     }
     PackedCells(const PackedCells&) = delete;
     PackedCells& operator=(const PackedCells&) = delete;
@@ -46,15 +45,17 @@ public:
         return reinterpret_cast<T*>(store_.arena.at(store_.arena.offset_of(item) + given_));
     }
 
-    // Cells and tables are as before, with what was taken at the low end in between. False: the gap is too small for
-    // that, which is not kept. Comes last, once, when the arena's high end is back where it was.
+    // Cells are as before, and so is what stands behind them, with what was taken at the low end in between. False: the
+    // gap is too small for that, and nothing is kept behind the cells. Comes last, once.
     bool unpack() {
         if (given_ == 0) return true;
         Arena& arena = store_.arena;
-        const std::size_t packed_end = behind_ - given_, all = arena.low_mark() - packed_end;
+        const std::size_t packed_end = behind_ - given_, tables = arena.low_mark() - packed_end;
         const bool fits = arena.extend_low(given_);
-        if (!fits) arena.release_low(end_ + given_);
-        move_bytes(arena.at(behind_), arena.at(packed_end), fits ? all : end_ - packed_end, arena);
+        if (fits)
+            move_bytes(arena.at(behind_), arena.at(packed_end), tables, arena);
+        else
+            arena.release_low(behind_);
         const std::uint64_t count = store_.state.cell_slots;
         arena.each(count, 20, [this, count](std::uint64_t k) {
             const std::uint64_t c = count - 1 - k;
@@ -72,7 +73,7 @@ private:
 
     const AnyStore store_;
     const std::size_t cell_bytes_, packed_bytes_;
-    std::size_t behind_, given_ = 0, end_ = 0;  // given_: to the gap; end_: of the tables while cells are packed
+    std::size_t behind_, given_ = 0;  // given_: to the gap
 };
 
 }  // namespace netmesh

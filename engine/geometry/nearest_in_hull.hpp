@@ -11,43 +11,42 @@ namespace netmesh {
 struct HalfSpace {
     int dim;
     double w[dimension_most()], height;
-    template <int D = any_dimension> double distance(const double* q) const { return dot<D>(dim, w, q) - height; }
+    double distance(const double* q) const { return dot(dim, w, q) - height; }
 };
 
 // The point of conv Y nearest to q by Wolfe's algorithm: at most dim + 1 of the points, affinely independent, carry it.
-template <int D> class NearestInHull {
+class NearestInHull {
 public:
-    explicit NearestInHull(DimensionOf<D> dim) : dim_(dim) {}
+    explicit NearestInHull(int d) : dim(d) {}
 
     // y[count][dim], count >= 1. *best: the half-space that bounds the distance of q best of all met on the way; w = 0
-    // where q seems to be inside. A bound of `enough` is not made better. O(count dim) a step, a few steps.
-    [[gnu::noinline]] void run(const double* y, std::uint32_t count, const double* q, HalfSpace* best,
-                               double enough = infinity) {
+    // where q seems to be inside. O(count dim) a step, a few steps.
+    [[gnu::noinline]] void run(const double* y, std::uint32_t count, const double* q, HalfSpace* best) {
         start(y, count, q);
         *best = HalfSpace{};
-        best->dim = dim();
+        best->dim = dim;
         double bound = 0;
-        for (int step = 0; step < 4 * dim(); ++step) {
-            const double length = square_root(dot<D>(dim(), x_, x_));
+        for (int step = 0; step < 4 * dim; ++step) {
+            const double length = square_root(dot(dim, x_, x_));
             if (!(length > 0)) return;
             std::uint32_t at = 0;
             double least = infinity;
             for (std::uint32_t i = 0; i < count; ++i) {
-                const double s = dot<D>(dim(), y + i * static_cast<std::size_t>(dim()), x_);
+                const double s = dot(dim, y + i * static_cast<std::size_t>(dim), x_);
                 if (s < least) {
                     least = s;
                     at = i;
                 }
             }
-            const double distance = (least - dot<D>(dim(), q, x_)) / length;
+            const double distance = (least - dot(dim, q, x_)) / length;
             if (distance > bound) {
                 bound = distance;
-                for (int k = 0; k < dim(); ++k) best->w[k] = -x_[k] / length;
+                for (int k = 0; k < dim; ++k) best->w[k] = -x_[k] / length;
                 best->height = -least / length;
             }
-            if (bound >= length * (1 - 0x1p-10) || bound >= enough || members_ > dim()) return;
-            for (int k = 0; k < dim(); ++k)
-                member_[members_][k] = y[at * static_cast<std::size_t>(dim()) + static_cast<std::size_t>(k)] - q[k];
+            if (bound >= length * (1 - 0x1p-10) || members_ > dim) return;
+            for (int k = 0; k < dim; ++k)
+                member_[members_][k] = y[at * static_cast<std::size_t>(dim) + static_cast<std::size_t>(k)] - q[k];
             weight_[members_++] = 0;
             if (!descend()) return;
         }
@@ -61,18 +60,18 @@ private:
         weight_[0] = 1;
         for (std::uint32_t i = 0; i < count; ++i) {
             double z[most];
-            for (int k = 0; k < dim(); ++k)
-                z[k] = y[i * static_cast<std::size_t>(dim()) + static_cast<std::size_t>(k)] - q[k];
-            const double d2 = dot<D>(dim(), z, z);
+            for (int k = 0; k < dim; ++k)
+                z[k] = y[i * static_cast<std::size_t>(dim) + static_cast<std::size_t>(k)] - q[k];
+            const double d2 = dot(dim, z, z);
             if (!(d2 < best2)) continue;
             best2 = d2;
-            for (int k = 0; k < dim(); ++k) member_[0][k] = x_[k] = z[k];
+            for (int k = 0; k < dim; ++k) member_[0][k] = x_[k] = z[k];
         }
     }
     // To the nearest point of the members' affine hull, leaving behind those that the way there passes. False: they are
     // not affinely independent.
     bool descend() {
-        for (int round = 0; round <= dim(); ++round) {
+        for (int round = 0; round <= dim; ++round) {
             double mu[most + 1];
             if (!affine_weights(mu)) return false;
             int leaves = -1;
@@ -91,9 +90,9 @@ private:
             for (int i = 0; i < members_; ++i) weight_[i] += part * (mu[i] - weight_[i]);
             --members_;
             weight_[leaves] = weight_[members_];
-            for (int k = 0; k < dim(); ++k) member_[leaves][k] = member_[members_][k];
+            for (int k = 0; k < dim; ++k) member_[leaves][k] = member_[members_][k];
         }
-        for (int k = 0; k < dim(); ++k) {
+        for (int k = 0; k < dim; ++k) {
             x_[k] = 0;
             for (int i = 0; i < members_; ++i) x_[k] += weight_[i] * member_[i][k];
         }
@@ -105,7 +104,7 @@ private:
         double a[most + 2][most + 3];
         for (int i = 0; i < n; ++i)
             for (int j = 0; j <= n; ++j)
-                a[i][j] = i < members_ && j < members_                  ? dot<D>(dim(), member_[i], member_[j])
+                a[i][j] = i < members_ && j < members_                  ? dot(dim, member_[i], member_[j])
                           : (i == members_) != (j == members_) && j < n ? 1
                           : i == members_ && j == n                     ? 1
                                                                         : 0;
@@ -129,9 +128,7 @@ private:
         return true;
     }
 
-    int dim() const { return static_cast<int>(std::uint32_t{dim_}); }
-
-    const DimensionOf<D> dim_;
+    const int dim;
     double member_[most + 1][most];  // from q
     double weight_[most + 1];
     double x_[most];

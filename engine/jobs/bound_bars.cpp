@@ -1,11 +1,22 @@
 #include "jobs/bound_bars.hpp"
 
-#include "filtration/cell_intervals.hpp"
-#include "homology/rank.hpp"
+#include "filtration/tighten_cell_bounds.hpp"
 #include "jobs/certified_bars.hpp"
 
 namespace netmesh {
 namespace {
+
+// The filter's values and the narrowest intervals that there are for it.
+Status measure(const AnyMesh& mesh, const FilterRequest& request, const Work& work, Evaluation* out) {
+    out->value = work.arena.take_high<double>(mesh.vertices());
+    out->interval = work.arena.take_high<Interval>(mesh.vertices());
+    if (out->value == nullptr || out->interval == nullptr) return Status::out_of_memory;
+    const Status status = evaluate(mesh, request, work, out);
+    const Filter& filter = evaluated_filter(request.filter, request.k);
+    return status == Status::ok && filter.has(filter_trait::has_tighter_cells)
+               ? tighten_cell_bounds(mesh, work, out->interval)
+               : status;
+}
 
 // Is it the function that the diagram is of?
 bool is_same(const BoundBarsRequest& request, const FilterBounds& filter, double error, const Arena& arena) {
@@ -17,72 +28,37 @@ bool is_same(const BoundBarsRequest& request, const FilterBounds& filter, double
     return same;
 }
 
-// From the filter's values and intervals, those of `cells` where these are not null.
-Status bound_by_cells(const AnyMesh& filtered, const BoundBarsRequest& request, const FilterBounds& bounds,
-                      Spacing spacing, CellIntervals* cells, const Work& work, BoundedBars* out) {
-    Status status = bound_by_scale(bounds, request.bars, spacing, work.arena, out->bounds, &out->curve);
-    if (status != Status::ok) return status;
-    const Filter& filter = evaluated_filter(request.filter.filter, request.filter.k);
-    const std::uint32_t zero_born = filter.has(filter_trait::zero_at_inputs) ? filtered.inputs : 0;
-    return find_certified_bars({filtered.store.view(), bounds, zero_born, request.bars, filtered.filtered_part(),
-                                spacing, nullptr, cells, &filtered.store},
-                               work, out->bounds);
-}
-
-// Of a filter whose intervals can be narrowed: the diagram has its values, and few cells need to be narrow.
-Status bound_by_narrowed(const AnyMesh& filtered, const BoundBarsRequest& request, const Work& work, BoundedBars* out) {
-    CellIntervals cells(filtered, work.arena);
-    Status status = cells.open(work.monitor);
-    if (status != Status::ok) return status;
-    {
-        const HighScope scope(work.arena);
-        std::uint32_t* const order = work.arena.take_high<std::uint32_t>(filtered.vertices());
-        std::uint32_t* const rank = work.arena.take_high<std::uint32_t>(filtered.vertices());
-        if (order == nullptr || rank == nullptr ||
-            !rank_vertices(request.value, filtered.vertices(), work.arena, order, rank))
-            return Status::out_of_memory;
-        cells.narrow_extremes(order);
-    }
-    if (cells.status() != Status::ok) return cells.status();
-    status =
-        bound_by_cells(filtered, request, {request.value, cells.all(), filtered.vertices()}, {}, &cells, work, out);
-    return status == Status::ok ? cells.status() : status;
-}
-
-// Of another: it is evaluated once more, for the intervals of all cells.
-Status bound_by_evaluation(const AnyMesh& filtered, const BoundBarsRequest& request, const Work& work,
-                           BoundedBars* out) {
-    Evaluation evaluation = {work.arena.take_high<double>(filtered.vertices()),
-                             work.arena.take_high<Interval>(filtered.vertices())};
-    if (evaluation.value == nullptr || evaluation.interval == nullptr) return Status::out_of_memory;
-    const Status status = evaluate(filtered, request.filter, work, &evaluation);
-    if (status != Status::ok) return status;
-    const FilterBounds bounds = {evaluation.value, evaluation.interval, filtered.vertices()};
-    Spacing spacing;
-    if (evaluated_filter(request.filter.filter, request.filter.k).has(filter_trait::needs_function)) {
-        const double error = evaluation.certificate.error;
-        if (!is_same(request, bounds, error, work.arena)) return Status::invalid_argument;
-        // Either all is exact, or what is said of the function cannot be and no interval holds.
-        if (!(error > 0 && error < infinity))
-            return bound_by_ratio({evaluation.certificate.ratio, 0, error}, request.bars, work.arena, out->bounds,
-                                  &out->curve);
-        spacing.difference = error;
-    }
-    return bound_by_cells(filtered, request, bounds, spacing, nullptr, work, out);
-}
-
 }  // namespace
 
 Status bound_bars(const AnyMesh& mesh, const BoundBarsRequest& request, const Work& work, BoundedBars* out) {
     ArenaScope scope(work.arena);
     *out = {work.arena.take_low<BarBounds>(static_cast<std::size_t>(request.bars.count)), {}};
     if (out->bounds == nullptr) return Status::out_of_memory;
+    Evaluation evaluation = {};
     AnyMesh filtered = mesh;
     Status status = clip_cells(request.filter, work, &filtered);
+    if (status == Status::ok) status = measure(filtered, request.filter, work, &evaluation);
     if (status != Status::ok) return status;
     const Filter& filter = evaluated_filter(request.filter.filter, request.filter.k);
-    status = filter.has(filter_trait::has_tighter_cells) ? bound_by_narrowed(filtered, request, work, out)
-                                                         : bound_by_evaluation(filtered, request, work, out);
+    const FilterBounds bounds = {evaluation.value, evaluation.interval, mesh.vertices()};
+    Spacing spacing;
+    if (filter.has(filter_trait::needs_function)) {
+        const double error = evaluation.certificate.error;
+        if (!is_same(request, bounds, error, work.arena)) return Status::invalid_argument;
+        // Either all is exact, or what is said of the function cannot be and no interval holds.
+        if (!(error > 0 && error < infinity)) {
+            status = bound_by_ratio({evaluation.certificate.ratio, 0, error}, request.bars, work.arena, out->bounds,
+                                    &out->curve);
+            if (status == Status::ok) scope.keep_low_from_now();
+            return status;
+        }
+        spacing.difference = error;
+    }
+    status = bound_by_scale(bounds, request.bars, spacing, work.arena, out->bounds, &out->curve);
+    if (status != Status::ok) return status;
+    const std::uint32_t zero_born = filter.has(filter_trait::zero_at_inputs) ? mesh.inputs : 0;
+    status = find_certified_bars(
+        {mesh.store.view(), bounds, zero_born, request.bars, filtered.filtered_part(), spacing}, work, out->bounds);
     if (status == Status::ok) scope.keep_low_from_now();
     return status;
 }

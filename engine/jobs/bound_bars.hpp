@@ -8,8 +8,9 @@ namespace netmesh {
 struct BoundBarsRequest {
     FilterRequest filter;  // as the diagram was made
     BarList bars;
-    const double* value;  // [vertices] the filter's, as they are kept with the diagram
-    double error = 0;     // of a function of the caller's, which is asked anew: the additive bound of the values
+    // Of a function of the caller's, which is asked anew: the filter's values and their additive bound.
+    const double* value = nullptr;  // [vertices]
+    double error = 0;
 };
 
 struct BoundedBars {
@@ -17,7 +18,7 @@ struct BoundedBars {
     ScaleCurve curve;
 };
 
-// Of a diagram on a mesh whose filter bounds_by_scale: from the bounds of its cells, with certified bars. The result
+// Of a diagram on a mesh whose filter bounds_by_scale: from the bounds of every cell, with certified bars. The result
 // is put at the arena's low end, bounds before the curve; without ok nothing stays. Scratch: about 110 bytes a vertex,
 // 120 a bar, and what a diagram takes. out_of_memory, cancelled; where the function is not the one of the values,
 // not_finite or invalid_argument.

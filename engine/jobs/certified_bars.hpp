@@ -24,7 +24,6 @@
 
 #include "complex/subcomplex.hpp"
 #include "complex/triangulation.hpp"
-#include "filtration/cell_intervals.hpp"
 #include "jobs/bar_bounds.hpp"
 #include "memory/work.hpp"
 
@@ -38,16 +37,11 @@ struct CertifiedBarsRequest {
     const AnyPart* part = nullptr;  // what is filtered of the complex; null: all of it
     Spacing spacing = {};
     const JoinShift* join = nullptr;  // the diagram is one of several: a class has to be one of all points
-    // Null, or those that `filter` has, narrowed where a sequence depends on it.
-    CellIntervals* cells = nullptr;
-    // Null, or the mesh, packed while a diagram is made of it (packed_cells.hpp).
-    const AnyStore* packs = nullptr;
 };
 
 // Marks more of the bars as certain, with bounds[i] as proven, in degrees that have no zero-born classes. Sequences of
-// covers go through the longest bars not yet marked that have a chance (engine/decisions/ratio-by-scale.md): at most
-// eight, each the cost of a diagram. Scratch: 20 bytes a vertex, 136 a bar, and what persist_lower_star needs.
-// out_of_memory, cancelled.
+// covers go through the middles and quarters of the longest bars not yet marked: at most eight, each the cost of a
+// diagram. Scratch: 36 bytes a vertex, 144 a bar, and what persist_lower_star needs. out_of_memory, cancelled.
 Status find_certified_bars(const CertifiedBarsRequest& request, const Work& work, BarBounds* bounds);
 
 }  // namespace netmesh

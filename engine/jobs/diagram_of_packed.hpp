@@ -12,8 +12,8 @@ struct MeshEnds {
 };
 
 // What persist_lower_star does, for the whole mesh in `store` or a part of it, value[vertices] among the tables behind
-// it. The pairs come to stand behind those. is_short: as BarList has them then. The mesh and the tables are as before
-// and the arena's high end is back at its mark whatever is returned.
+// it. The pairs come to stand behind those. is_short: as BarList has them then. The mesh is as before and the arena's
+// high end is back at its mark whatever is returned; without ok the tables may be gone.
 template <bool is_short>
 Status diagram_of_packed(const AnyStore& store, MeshEnds ends, LowerStarFiltration<any_dimension> filtration,
                          DiagramRequest request, const Work& work, CountedPairs* out) {

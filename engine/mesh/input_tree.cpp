@@ -54,18 +54,6 @@ void AnyInputTree::split(std::uint32_t begin, std::uint32_t end) {
     }
 }
 
-bool AnyInputTree::move_high(Arena& arena) {
-    std::uint32_t* const items = arena.take_high<std::uint32_t>(count_);
-    std::uint8_t* const axis = arena.take_high<std::uint8_t>(count_);
-    if (items == nullptr || axis == nullptr) return false;
-    __builtin_memcpy(items, items_, count_ * sizeof *items);
-    __builtin_memcpy(axis, axis_, count_);
-    arena.release_low(arena.offset_of(items_));
-    items_ = items;
-    axis_ = axis;
-    return true;
-}
-
 Status AnyInputTree::build(const AnyStore& store, Arena& arena, std::uint32_t count, bool rings,
                            const std::uint32_t* chosen) {
     [[maybe_unused]] const std::size_t low = arena.low_mark();

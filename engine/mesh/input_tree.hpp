@@ -54,8 +54,6 @@ public:
     // farthest_in_ring too. O(n log n). out_of_memory.
     Status build(const AnyStore& store, Arena& arena, std::uint32_t count, bool rings = false,
                  const std::uint32_t* chosen = nullptr);
-    // Moves what build has placed last, without rings, to the arena's high end. False: no room.
-    bool move_high(Arena& arena);
 
     // The input nearest to x that is not `except`, smallest index among equals, in terms of the squared distance as
     // computed. `start` is any input other than `except`, best one near x, or none. Expected O(log n).

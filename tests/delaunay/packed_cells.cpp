@@ -92,13 +92,11 @@ TEST_CASE_TEMPLATE_DEFINE("packed cells: the gap grows by their balls, tables fo
 }
 TEST_CASE_TEMPLATE_APPLY(packed_and_back, Dimensions<>);
 
-TEST_CASE_TEMPLATE_DEFINE("packed cells: where what has been made meanwhile leaves no room, cells and tables come "
-                          "back",
-                          Dim, packed_without_room) {
+TEST_CASE_TEMPLATE_DEFINE("packed cells: where what has been made meanwhile leaves no room, the cells come back", Dim,
+                          packed_without_room) {
     constexpr int D = Dim::value;
     Packable<D> p;
     const std::vector<unsigned char> before = p.add_table();
-    const std::size_t end = p.block.arena.low_mark();
     PackedCells packed(p.store, p.behind);
     {
         const HighScope scope(p.block.arena);
@@ -106,7 +104,7 @@ TEST_CASE_TEMPLATE_DEFINE("packed cells: where what has been made meanwhile leav
     }
     CHECK_FALSE(packed.unpack());
     CHECK(p.cells() == before);
-    CHECK(p.block.arena.low_mark() == end);
+    CHECK(p.block.arena.low_mark() == p.behind);
     CHECK(p.block.arena.bytes_wanted() > p.block.arena.bytes());
 }
 TEST_CASE_TEMPLATE_APPLY(packed_without_room, Dimensions<>);

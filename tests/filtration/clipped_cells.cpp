@@ -13,7 +13,6 @@
 #include "common/meshed.hpp"
 #include "common/nerve.hpp"
 #include "delaunay/cell_list.hpp"
-#include "filtration/cell_intervals.hpp"
 #include "filtration/filters.hpp"
 #include "filtration/tighten_cell_bounds.hpp"
 #include "mesh/clip/clipped_cell.hpp"
@@ -165,38 +164,9 @@ public:
             if (part[v] == VertexPart::absent)
                 CHECK((interval[v].lo == before[v].lo && interval[v].hi == before[v].hi));
         }
-        check_narrowed(mesh, value, interval);
     }
 
 private:
-    // Where only what decides is narrowed, extremes are no worse than of all intervals, and those hold that are there.
-    void check_narrowed(const FilteredMesh<D>& mesh, const std::vector<double>& value,
-                        const std::vector<Interval>& narrow) {
-        const ArenaScope scope(this->block.arena);
-        const AnyMesh& any = mesh;
-        CellIntervals cells(any, this->block.arena);
-        REQUIRE(cells.open(this->monitor) == Status::ok);
-        for (VertexId v(0); v < count(); ++v) CHECK(store.vertex(v).queued == 0);
-        std::vector<std::uint32_t> order(count());
-        for (std::uint32_t v = 0; v < count(); ++v) order[v] = v;
-        std::sort(order.begin(), order.end(),
-                  [&](std::uint32_t a, std::uint32_t b) { return value[a] != value[b] ? value[a] < value[b] : a < b; });
-        cells.narrow_extremes(order.data());
-        REQUIRE(cells.status() == Status::ok);
-        double most = 0, narrow_most = 0, least = HUGE_VAL, narrow_least = HUGE_VAL;
-        for (std::uint32_t i = 0; i < count(); ++i) {
-            const std::uint32_t v = order[i], w = order[count() - 1 - i];
-            most = std::max(most, cells.all()[v].hi);
-            narrow_most = std::max(narrow_most, narrow[v].hi);
-            least = std::min(least, cells.all()[w].lo);
-            narrow_least = std::min(narrow_least, narrow[w].lo);
-            CHECK(most <= narrow_most * (1 + 1e-12));
-            CHECK(least >= narrow_least * (1 - 1e-12));
-        }
-        check_samples({cells.all(), cells.all() + count()});
-        for (std::uint32_t v = 0; v < count(); ++v) cells.decide(v, narrow[v].hi * (1 + 1e-9));
-        check_samples({cells.all(), cells.all() + count()});
-    }
     // Where no intervals are asked for cells are clipped as far as values depend on it: values and ratios are the same.
     void check_without_intervals(const FilteredMesh<D>& mesh) {
         for (const auto& [filter, on_mesh] : {std::pair(NETMESH_FILTER_COMPLETE, &complete_on_mesh),

@@ -82,7 +82,7 @@ template <int D> void random_hulls() {
         const bool inside = i % 4 == 0;
         for (int k = 0; k < D; ++k) q[k] = inside ? x[k] : 3 * random.uniform() - 1;
         HalfSpace best;
-        NearestInHull<any_dimension>(D).run(y[0], 12, q, &best);
+        NearestInHull(D).run(y[0], 12, q, &best);
         CHECK(best.distance(q) <= distance<D>(x, q) * (1 + 1e-12) + 1e-12);
         for (const auto& corner : y) CHECK(best.distance(corner) <= 1e-12);
     }
@@ -186,7 +186,7 @@ TEST_CASE("the nearest point of a hull, from below") {
     const auto bound = [&](double x, double y) {
         const double q[] = {x, y};
         HalfSpace best;
-        NearestInHull<2>(DimensionOf<2>()).run(square, 4, q, &best);
+        NearestInHull(2).run(square, 4, q, &best);
         return best.distance(q);
     };
     CHECK(bound(3, 0.5) == doctest::Approx(2));
@@ -208,7 +208,7 @@ TEST_CASE_TEMPLATE_DEFINE("hulls that are flat, and points on them", T, hulls) {
     }
     const auto bound = [&](const double* q) {
         HalfSpace best;
-        NearestInHull<any_dimension>(D).run(y[0], count, q, &best);
+        NearestInHull(D).run(y[0], count, q, &best);
         for (const auto& corner : y) CHECK(best.distance(corner) <= 1e-12);
         return best.distance(q);
     };
