@@ -24,7 +24,8 @@ void keep_input(netmesh_context* context, std::uint32_t dim, const InputReport& 
 }
 
 // Cancelled, or out of memory: what there is by then stays. Anything else leaves nothing.
-// An array, as other texts are that a compiler may put into a table: tables of literals hold those of all other tables.
+// An array, not a literal: a compiler may put a choice between literals into a table of pointers, and whoever links one
+// such table on Arm holds the texts of all of them.
 constexpr char no_ratios[] = "no mesh with cages of the thesis was found whose ratios are within tau";
 
 netmesh_status finish_points(netmesh_context* context, Status status, const InputReport& input,

@@ -23,7 +23,7 @@ double plan_of_points(const netmesh_request& request);     // filters on points
 double plan_of_distances(const netmesh_request& request);  // 0: the distances are at fault
 double plan_of_simplices(const netmesh_request& request);  // 0: the simplices are at fault
 double plan_with_periods(const netmesh_request& request);
-// The diagram of the request. Of whatever is planned for: no object leads here.
+// Of any request for a diagram. Objects do not point here, so that a program which does not plan holds no plans.
 double plan_of_diagram(const netmesh_request& request);
 
 // What weights take besides: a number of each point, and what alpha diagrams copy of it.

@@ -111,7 +111,7 @@ DistancesRequest wanted_of(const netmesh_distances& d, const netmesh_request& r)
     return wanted;
 }
 
-// By DistanceFlaw; rows, not pointers: a program holds these texts without those of all other tables.
+// By DistanceFlaw. Rows, not a table of pointers: on Arm that would hold the texts of all other tables, too.
 constexpr char flaw_texts[][46] = {"more simplices than can be numbered",
                                    "a distance is negative",
                                    "a distance is NaN",

@@ -11,7 +11,7 @@
 namespace netmesh {
 namespace {
 
-// By netmesh_fault; rows, not pointers: a program holds these texts without those of all other tables.
+// By netmesh_fault. Rows, not a table of pointers: on Arm that would hold the texts of all other tables, too.
 constexpr char fault_texts[][46] = {"the value of a simplex is not a finite number",
                                     "a simplex has no vertices or more than 32",
                                     "more than 2^31 - 1 simplices of one dimension",
