@@ -44,8 +44,9 @@ struct Translated {
 class Orbits {
 public:
     Orbits(const PeriodicPoints& points, const Copies& copies, int dimension, const Work& work, AnyFaces* faces,
-           double* const* value)
-        : points_(points), copies_(copies), dimension_(dimension), arena_(work.arena), faces_(*faces), value_(value) {}
+           double* const* value, std::uint32_t** vertices)
+        : points_(points), copies_(copies), dimension_(dimension), arena_(work.arena), faces_(*faces), value_(value),
+          vertices_(vertices) {}
 
     Status run() {
         Status status = mark();
@@ -55,6 +56,8 @@ public:
             if (status != Status::ok) return status;
             if (arena_.has_stopped()) return Status::cancelled;
         }
+        for (int k = 0; k <= dimension_ && vertices_ != nullptr; ++k)
+            if (!list_vertices(k)) return Status::out_of_memory;
         for (int k = 0; k <= dimension_; ++k)
             if (!write(k)) return Status::out_of_memory;
         return Status::ok;
@@ -173,6 +176,20 @@ private:
         return is_whole ? Status::ok : Status::internal;
     }
 
+    bool list_vertices(int k) {
+        std::uint64_t words = 0;
+        arena_.each(faces_.count[k], 2, [&](std::uint64_t f) { words += first_[k][f] == f; });
+        words *= static_cast<unsigned>(k) + 1;
+        std::uint32_t* to = vertices_[k] = arena_.take_low<std::uint32_t>(static_cast<std::size_t>(words));
+        if (to == nullptr) return false;
+        arena_.each(faces_.count[k], 4 * (static_cast<std::uint32_t>(k) + 1), [&](std::uint64_t f) {
+            if (first_[k][f] != f) return;
+            faces_.vertices(k, static_cast<std::uint32_t>(f), to);
+            to += k + 1;
+        });
+        return true;
+    }
+
     // Puts those that stand for others where the first faces were. first_ becomes their numbers.
     bool write(int k) {
         const HighScope scope(arena_);
@@ -204,6 +221,7 @@ private:
     Arena& arena_;
     AnyFaces& faces_;
     double* const* const value_;
+    std::uint32_t** const vertices_;
     std::uint8_t* mark_[vertices_most];
     std::uint32_t* first_[vertices_most];
 };
@@ -211,9 +229,9 @@ private:
 }  // namespace
 
 Status take_orbits(const PeriodicPoints& points, const Copies& copies, int dimension, const Work& work, AnyFaces* faces,
-                   double* const* value) {
+                   double* const* value, std::uint32_t** vertices) {
     const HighScope scope(work.arena);
-    return Orbits(points, copies, dimension, work, faces, value).run();
+    return Orbits(points, copies, dimension, work, faces, value, vertices).run();
 }
 
 }  // namespace netmesh
