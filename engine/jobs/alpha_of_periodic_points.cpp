@@ -304,9 +304,7 @@ private:
         const std::uint32_t axes = cycles_->axes = static_cast<std::uint32_t>(points_.lattice.count);
         const std::size_t width = std::size_t{axes} + 1;
         cycles_->copies = arena_.template take_high<std::int32_t>(copies_.count * width);
-        const HighScope scope(arena_);
-        std::uint32_t* const number = arena_.template take_high<std::uint32_t>(points_.count);
-        if (cycles_->copies == nullptr || number == nullptr || !number_points(number)) return Status::out_of_memory;
+        if (cycles_->copies == nullptr) return Status::out_of_memory;
         GivenTranslations given;
         find_given(request_.input, D, &given);
         bool are_near = true;
@@ -314,7 +312,7 @@ private:
             const auto v = static_cast<std::uint32_t>(at);
             const std::uint32_t i = copies_.point_of(v, points_.count);
             std::int32_t* const label = cycles_->copies + at * width;
-            label[0] = static_cast<std::int32_t>(number[i]);
+            label[0] = static_cast<std::int32_t>(points_.row[i]);
             if (!are_near) return;
             are_near =
                 translations_of<D>(request_.input, given, points_, i, copies_.shift_of(v, points_.count), label + 1);
@@ -322,26 +320,6 @@ private:
         });
         out_.is_far = !are_near;
         return are_near ? Status::ok : Status::out_of_range;
-    }
-    // By row, those in no cell after all others.
-    bool number_points(std::uint32_t* number) const {
-        const HighScope scope(arena_);
-        struct Numbered {
-            std::uint32_t row, point;
-        };
-        Numbered* const order = arena_.template take_high<Numbered>(points_.count);
-        if (order == nullptr) return false;
-        arena_.each(points_.count, 2, [&](std::uint64_t i) {
-            order[i] = {points_.row[i], static_cast<std::uint32_t>(i)};
-        });
-        sort(
-            order, points_.count, [](const Numbered& a, const Numbered& b) { return a.row < b.row; }, arena_);
-        std::uint32_t next = 0, hidden = 0;
-        arena_.each(points_.count, 3, [&](std::uint64_t i) {
-            const bool is_hidden = hidden < out_.hidden.count && out_.hidden.rows[hidden] == order[i].row;
-            number[order[i].point] = is_hidden ? points_.count - ++hidden : next++;
-        });
-        return true;
     }
 
     const AlphaOfPeriodicPoints& request_;

@@ -19,8 +19,7 @@ struct QuotientCycles {
     CycleStore store;
     ListedComplex complex;                          // linked and ordered; rows[0] says nothing
     std::uint32_t* vertices[dimension_most() + 1];  // [count][k + 1], copies
-    // [copies][1 + axes]: the point, numbered by row after merging and without hidden ones, and how many of each given
-    // vector take the row to the copy.
+    // [copies][1 + axes]: the row of the input, and how many of each given vector take what stands there to the copy.
     std::int32_t* copies;
     std::uint32_t axes;
 };
