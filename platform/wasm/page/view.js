@@ -1,5 +1,7 @@
 // The picture of points, complex, balls and a cycle at one radius; in more than two dimensions the first three turned by
-// the mouse or the arrow keys.
+// the mouse or the arrow keys. Of points in a box with periods: the box, and around it copies as far as the picture goes.
+// Of points and their copies that are drawn; where the picture has more, it ends one period beside the box.
+const copies_most = 400000;
 const degree_colours = ['#1f2d4a', '#d5590e', '#1aa77d', '#c21dff', '#592710', '#9180be'];
 
 class View {
@@ -32,7 +34,7 @@ class View {
         this.tilt = Math.max(-1.57, Math.min(1.57, this.tilt + tilt));
         this.draw();
     }
-    // { dim, complex, radius, mode, cycle }
+    // { dim, complex, radius, mode, cycle, box }; box: of parse_box, or null
     show(shown) {
         this.shown = shown;
         this.canvas.classList.toggle('turns', shown.dim > 2);
@@ -41,7 +43,7 @@ class View {
 
     // [x, y, depth] in pixels for each vertex; the inputs fill the picture.
     flatten() {
-        const { dim, complex: { places, inputs } } = this.shown, size = this.canvas.width, count = places.length / dim;
+        const { dim, complex: { places, inputs }, box } = this.shown, size = this.canvas.width, count = places.length / dim;
         const ct = Math.cos(this.turn), st = Math.sin(this.turn), cu = Math.cos(this.tilt), su = Math.sin(this.tilt);
         const flat = new Float64Array(3 * count);
         const low = [Infinity, Infinity, Infinity], high = [-Infinity, -Infinity, -Infinity];
@@ -51,10 +53,16 @@ class View {
                 high[k] = Math.max(high[k], places[i * dim + k]);
             }
         }
+        for (let k = 0; k < 2; ++k) {
+            if (box === null || !Number.isFinite(box.low[k])) continue;
+            low[k] = box.low[k];
+            high[k] = box.high[k];
+        }
         const middle = low.map((x, k) => (x + high[k]) / 2);
         const span = dim === 2 ? Math.max(high[0] - low[0], high[1] - low[1])
             : Math.hypot(high[0] - low[0], high[1] - low[1], high[2] - low[2]);
-        this.scale = size / ((dim === 2 ? 1.2 : 1.02) * (span || 1));
+        this.scale = size / ((box !== null ? 1.9 : dim === 2 ? 1.2 : 1.02) * (span || 1));
+        this.middle = middle;
         for (let i = 0; i < count; ++i) {
             const x = places[i * dim] - middle[0], y = places[i * dim + 1] - middle[1];
             const z = dim > 2 ? places[i * dim + 2] - middle[2] : 0;
@@ -72,11 +80,85 @@ class View {
         const g = canvas.getContext('2d'), flat = this.flatten();
         g.clearRect(0, 0, canvas.width, canvas.height);
         g.lineJoin = 'round';
+        this.drawn = { dim, radius };
+        if (this.shown.box !== null) {
+            this.draw_box(g, flat, radius * this.scale, mode !== 'points');
+            return;
+        }
         if (mode === 'balls' || mode === 'both') this.draw_balls(g, flat, radius);
         if (mode === 'complex' || mode === 'both') this.draw_complex(g, flat, radius);
         this.draw_points(g, flat);
         if (cycle !== null) this.draw_cycle(g, flat, cycle);
-        this.drawn = { dim, radius };
+    }
+    // The box in the picture: its sides and periods in pixels, y downwards. Without a period it fills the picture.
+    sides() {
+        const { box: { low, high } } = this.shown, size = this.canvas.width;
+        const pixel = (value, k) => size / 2 + (k === 0 ? 1 : -1) * (value - this.middle[k]) * this.scale;
+        return [0, 1].map(k => {
+            if (!Number.isFinite(low[k])) return { from: 0, to: size, period: 0 };
+            const [from, to] = [pixel(low[k], k), pixel(high[k], k)].sort((a, b) => a - b);
+            return { from, to, period: to - from };
+        });
+    }
+    // Points, and the union of the balls of all copies, in the box; all around it the same in pale.
+    draw_box(g, flat, ball, has_balls) {
+        const { inputs } = this.shown.complex, size = this.canvas.width, sides = this.sides(), reach = has_balls ? ball : 0;
+        const steps = (shown, more) => sides.map(({ from, to, period }, k) => period === 0 ? [0, 0]
+            : [Math.ceil((shown[k][0] - more - to) / period), Math.floor((shown[k][1] + more - from) / period)]);
+        const total = ranges => ranges.reduce((product, [first, last]) => product * (last - first + 1), inputs);
+        let shown = [[0, size], [0, size]];
+        if (total(steps(shown, reach)) > copies_most)
+            shown = sides.map(({ from, to, period }) => [Math.max(0, from - period), Math.min(size, to + period)]);
+        const each_copy = (more, put) => {
+            const [across, down] = steps(shown, more);
+            for (let i = across[0]; i <= across[1]; ++i) {
+                for (let j = down[0]; j <= down[1]; ++j) {
+                    for (let v = 0; v < inputs; ++v) {
+                        const x = flat[3 * v] + i * sides[0].period, y = flat[3 * v + 1] + j * sides[1].period;
+                        if (x > shown[0][0] - more && x < shown[0][1] + more && y > shown[1][0] - more &&
+                            y < shown[1][1] + more) put(x, y);
+                    }
+                }
+            }
+        };
+        const rectangle = ([left, right], [top, bottom]) => g.rect(left, top, right - left, bottom - top);
+        g.save();
+        g.beginPath();
+        rectangle(...shown);
+        g.clip();
+        this.counts = { copies: 0 };
+        if (reach > 0) {  // one path, so that the union has one shade
+            g.fillStyle = 'rgba(31,45,74,.26)';
+            g.beginPath();
+            each_copy(reach, (x, y) => {
+                g.moveTo(x + reach, y);
+                g.arc(x, y, reach, 0, 7);
+            });
+            g.fill();
+        }
+        const dot = this.point_size(inputs);
+        g.fillStyle = '#1f2d4a';
+        each_copy(dot, (x, y) => { ++this.counts.copies; this.draw_point(g, x, y, dot); });
+        g.fillStyle = 'rgba(255,255,255,.62)';
+        g.beginPath();
+        rectangle([0, size], [0, size]);
+        rectangle(...sides.map(({ from, to }) => [from, to]));
+        g.fill('evenodd');
+        g.restore();
+        g.strokeStyle = '#d5590e';
+        g.lineWidth = 2.5;
+        g.beginPath();
+        sides.forEach(({ from, to, period }, k) => {
+            if (period === 0) return;
+            const [start, end] = [sides[1 - k].from, sides[1 - k].to];
+            for (const side of [from, to]) {
+                if (k === 0) { g.moveTo(side, start); g.lineTo(side, end); }
+                else { g.moveTo(start, side); g.lineTo(end, side); }
+            }
+        });
+        g.stroke();
+        g.fillStyle = '#1f2d4a';
+        for (let i = 0; i < inputs; ++i) this.draw_point(g, flat[3 * i], flat[3 * i + 1], dot);
     }
     draw_balls(g, flat, radius) {
         const { dim, complex: { inputs } } = this.shown, size = radius * this.scale;
@@ -139,17 +221,17 @@ class View {
         this.counts = { edges: edge_count, triangles: triangle_count };
     }
     draw_points(g, flat) {
-        const { inputs } = this.shown.complex, size = inputs > 2000 ? 2 : inputs > 500 ? 3 : 4.5;
+        const { inputs } = this.shown.complex, size = this.point_size(inputs);
         g.fillStyle = '#1f2d4a';
-        if (inputs > 20000) {  // as dots: a million circles take seconds
-            for (let i = 0; i < inputs; ++i) g.fillRect(flat[3 * i], flat[3 * i + 1], 1, 1);
-            return;
-        }
-        for (let i = 0; i < inputs; ++i) {
-            g.beginPath();
-            g.arc(flat[3 * i], flat[3 * i + 1], size, 0, 7);
-            g.fill();
-        }
+        for (let i = 0; i < inputs; ++i) this.draw_point(g, flat[3 * i], flat[3 * i + 1], size);
+    }
+    // Of very many as dots: a million circles take seconds.
+    point_size(count) { return count > 20000 ? 0 : count > 2000 ? 2 : count > 500 ? 3 : 4.5; }
+    draw_point(g, x, y, size) {
+        if (size === 0) { g.fillRect(x, y, 1, 1); return; }
+        g.beginPath();
+        g.arc(x, y, size, 0, 7);
+        g.fill();
     }
     draw_cycle(g, flat, { degree, vertices }) {
         g.strokeStyle = g.fillStyle = degree_colours[degree % 6];

@@ -79,6 +79,7 @@ function results(exports, dim, asked) {
     return { dim, places, values, markers, cells, has_values, pairs, ratio, from, filter: exports.filter_taken(),
         why: text_at(exports, exports.why()),
         figures: { vertices: vertex_count, inputs: exports.inputs(), cells: cell_count, simplices: exports.simplices(),
+            copies: exports.copies(), moved: exports.moved(),
             aspect_ratio: exports.aspect_ratio(), peak_bytes: exports.peak_bytes(),
             fingerprint: hex(exports.fingerprint_high()) + hex(exports.fingerprint_low()),
             version: text_at(exports, exports.version()) } };
@@ -102,10 +103,19 @@ function longest_cycles(exports, pairs, data) {
     }
 }
 
-function work({ module, points, dim, asked, limit }) {
+// The vectors by which points repeat, if they do.
+function repeat({ exports }, lattice, dim) {
+    if (lattice.length === 0) return;
+    const at = exports.repeat(lattice.length / dim) >>> 0;
+    new Float64Array(exports.memory.buffer, at, lattice.length).set(lattice);
+}
+
+function work({ module, points, dim, lattice, asked, limit }) {
     const count = points.length / dim;
     const arguments_of = [asked.filter, asked.k, asked.degree, asked.ratio];
-    const planned = program(module, 0, 0).exports.plan(count, dim, ...arguments_of);
+    const planner = program(module, 0, 0);
+    repeat(planner, lattice, dim);
+    const planned = planner.exports.plan(count, dim, ...arguments_of);
     let bytes = Math.min(limit, Math.max(4 << 20, Math.ceil(1.1 * planned))), reached = 0, again = false;
     for (let chosen = null;;) {
         const made = program(module, points.length, bytes);
@@ -113,6 +123,7 @@ function work({ module, points, dim, asked, limit }) {
         if (made === null) return { fault: 'the browser has no more memory', kind: 'memory', bytes, planned };
         const { exports, numbers, block } = made;
         new Float64Array(exports.memory.buffer, numbers, points.length).set(points);
+        repeat(made, lattice, dim);
         const start = reached;
         watch(exports, progress => {
             reached = Math.max(reached, start + (1 - start) * .9 * progress.share);
@@ -125,8 +136,9 @@ function work({ module, points, dim, asked, limit }) {
             // What the engine chooses does not depend on how large the block happens to be.
             if (asked.filter !== 0 || exports.gave_up() === 0 || bytes >= limit) return chosen;
         } else if (status !== OUT_OF_MEMORY) {
-            const message = text_at(exports, exports.message());
-            return { fault: message || text_at(exports, exports.status_text(status)), kind: 'input', bytes, planned };
+            const words = text_at(exports, exports.message()) || text_at(exports, exports.status_text(status));
+            const field = text_at(exports, exports.field()).replace(/^lattice$/, 'box');
+            return { fault: field === '' ? words : `${field}: ${words}`, kind: 'input', bytes, planned };
         }
         if (bytes >= limit) return { fault: 'the block is too small', kind: 'memory', bytes, planned };
         bytes = Math.min(limit, 2 * bytes);

@@ -1,0 +1,79 @@
+// Periods of points in the plane: a box as the program's --box has it, 0:10,0:10, for each axis LO:HI, a length, which
+// begins at 0, or a dash where there is no period.
+const axes = ['x', 'y'];
+const box_entries = text => text.split(',').map(entry => entry.trim());
+
+// An entry for each axis: where there is none yet, the extent of the points, and a dash for axes that do not repeat.
+function box_text(text, repeats, { points, dim, count }) {
+    const entries = box_entries(text), is_pair = entries.length === axes.length;
+    if (!is_pair && text.trim() !== '') return text;
+    return axes.map((_, k) => {
+        if (!repeats[k]) return '-';
+        if (is_pair && entries[k] !== '' && entries[k] !== '-') return entries[k];
+        let low = Infinity, high = -Infinity;
+        for (let i = 0; i < count; ++i) {
+            low = Math.min(low, points[i * dim + k]);
+            high = Math.max(high, points[i * dim + k]);
+        }
+        return `${low}:${high}`;
+    }).join(',');
+}
+
+// { low: [2], high: [2], lattice: [its vectors one behind the other], text }; without a period low and high are infinite.
+// Throws a sentence that says what to write.
+function parse_box(text, is_extent) {
+    const entries = box_entries(text);
+    if (entries.length !== axes.length)
+        throw new Error(`box: "${text}" has ${entries.length} entr${entries.length === 1 ? 'y' : 'ies'} where x and y take one ` +
+            'each: write from where to where, a length, or a dash for no period, as 0:10,0:10');
+    const box = { low: [], high: [], lattice: [] };
+    box.text = entries.map((entry, k) => {
+        const [low, high] = entry === '-' ? [-Infinity, Infinity] : parse_period(entry, axes[k], is_extent);
+        box.low.push(low);
+        box.high.push(high);
+        if (entry === '-') return entry;
+        box.lattice.push(...axes.map((_, i) => i === k ? high - low : 0));
+        return `${low}:${high}`;
+    }).join(',');
+    return box;
+}
+function parse_period(entry, axis, is_extent) {
+    const ends = entry.split(':').map(end => end.trim()), values = ends.map(Number);
+    const wrong = ends.findIndex((end, i) => !NUMBER.test(end) || !Number.isFinite(values[i]));
+    if (ends.length > 2)
+        throw new Error(`box: ${axis} has "${entry}": write two numbers, from where to where, as 0:10`);
+    if (wrong >= 0)
+        throw new Error(`box: ${axis} has "${ends[wrong]}", which is no finite number: write from where to where, as 0:10, ` +
+            'or a dash for no period');
+    const [low, high] = values.length === 1 ? [0, values[0]] : values;
+    if (low === high && is_extent)
+        throw new Error(`box: all points have ${axis} = ${low}, so their extent is no period: write where the period begins ` +
+            `and ends, as ${low}:${low + 1}`);
+    if (low === high)
+        throw new Error(`box: ${axis} has length 0: write an end above ${low}, as ${low}:${low + 1}, or a dash for no period`);
+    if (low > high)
+        throw new Error(values.length === 1 ? `box: the length of ${axis} is ${high}: write a length above 0, as ${-high}`
+            : `box: ${axis} ends at ${high}, which is below its start ${low}: write ${high}:${low}`);
+    if (!Number.isFinite(high - low))
+        throw new Error(`box: ${axis} is longer than the largest double: write ends that are nearer to each other`);
+    return [low, high];
+}
+
+// The picture's points: the copy of each that is in the box. Of points on its upper sides nobody says that they are
+// outside, as all extents have some.
+function points_in_box({ points, dim, count }, { low, high }) {
+    const places = Float64Array.from(points);
+    let outside = 0;
+    for (let i = 0; i < count; ++i) {
+        let is_outside = false;
+        for (let k = 0; k < dim; ++k) {
+            if (!Number.isFinite(low[k])) continue;
+            const x = points[i * dim + k], length = high[k] - low[k];
+            is_outside ||= x < low[k] || x > high[k];
+            const inside = x - Math.floor((x - low[k]) / length) * length;
+            places[i * dim + k] = inside < high[k] ? Math.max(inside, low[k]) : low[k];
+        }
+        outside += is_outside ? 1 : 0;
+    }
+    return { places, outside };
+}
