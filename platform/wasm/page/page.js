@@ -26,6 +26,8 @@ function advise(title, items) {
 const size_text = bytes => bytes >= 1024 * MiB ? `${(bytes / 1024 / MiB).toFixed(1)} GiB`
     : bytes < MiB ? `${Math.ceil(bytes / 1024)} KiB` : `${(bytes / MiB).toFixed(bytes < 10 * MiB ? 1 : 0)} MiB`;
 
+const points_text = count => `${count.toLocaleString('en')} point${count === 1 ? '' : 's'}`;
+
 // What the options ask for, of so many points; degree 6: all. Throws a sentence.
 function asked_for() {
     const limit = Number($('memory').value) * MiB;
@@ -90,7 +92,7 @@ function compute() {
     try {
         $('read').textContent = '';  // what was read before is gone
         cloud = parse_points($('text').value, { columns: $('columns').value, drop_missing: $('missing').checked });
-        $('read').textContent = `${cloud.count.toLocaleString('en')} points in ${cloud.dim} dimensions` +
+        $('read').textContent = `${points_text(cloud.count)} in ${cloud.dim} dimensions` +
             cloud.notes.map(note => `; ${note}`).join('');
         box = box_of(cloud);
         wanted = asked_for();
@@ -136,7 +138,7 @@ function take_result(result, cloud, wanted, box = null) {
     const in_box = box === null ? null : points_in_box(cloud, box);
     last = { result, cloud, wanted, box, is_drawn, complex: box !== null ? points_alone({ ...cloud, points: in_box.places })
         : is_drawn ? complex_of(result, cloud.points) : points_alone(cloud),
-        described: `filter ${filter_name(wanted.asked.filter)}, ${cloud.count} points in ${cloud.dim} dimensions` +
+        described: `filter ${filter_name(wanted.asked.filter)}, ${points_text(cloud.count)} in ${cloud.dim} dimensions` +
             (box === null ? '' : `, box ${box.text}`) };
     if (box !== null && in_box.outside > 0)
         $('read').textContent += `; ${in_box.outside.toLocaleString('en')} outside of the box, each drawn as its copy in it`;
@@ -193,7 +195,7 @@ function advise_memory({ bytes, planned }, cloud, { asked, limit }, box) {
 function show_figures({ figures, bytes }, certificate) {
     const rows = [['certificate', certificate], ['vertices', figures.vertices],
         [figures.vertices > 0 ? 'of them input points' : 'different points', figures.inputs],
-        ['copies of points triangulated', figures.copies], ['farthest move of a coordinate', figures.moved],
+        ['copies of points triangulated', figures.copies], ['farthest move of a coordinate', figures.moved && short_number(figures.moved)],
         ['cells', figures.cells], ['simplices', figures.simplices], ['memory of the engine',
             `${size_text(figures.peak_bytes)} of a block of ${size_text(bytes)}`], ['fingerprint', figures.fingerprint]];
     if (figures.aspect_ratio > 0) rows.splice(6, 0, ['worst aspect ratio', figures.aspect_ratio.toFixed(3)]);
@@ -233,7 +235,7 @@ function show_radius() {
 const box_points_most = 20000;
 function box_note() {
     const { box, cloud, is_drawn } = last;
-    return `${cloud.count.toLocaleString('en')} points in the box ${box.text}, pale: their copies` + (is_drawn
+    return `${points_text(cloud.count)} in the box ${box.text}, pale: their copies` + (is_drawn
         ? '; the union of balls is that of all copies, so opposite sides fit; edges and triangles are not drawn with periods'
         : ': too many to draw balls; the barcode is complete');
 }

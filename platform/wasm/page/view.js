@@ -61,7 +61,7 @@ class View {
         const middle = low.map((x, k) => (x + high[k]) / 2);
         const span = dim === 2 ? Math.max(high[0] - low[0], high[1] - low[1])
             : Math.hypot(high[0] - low[0], high[1] - low[1], high[2] - low[2]);
-        this.scale = size / ((box !== null ? 1.9 : dim === 2 ? 1.2 : 1.02) * (span || 1));
+        this.scale = size / ((box !== null ? 2.1 : dim === 2 ? 1.2 : 1.02) * (span || 1));
         this.middle = middle;
         for (let i = 0; i < count; ++i) {
             const x = places[i * dim] - middle[0], y = places[i * dim + 1] - middle[1];
