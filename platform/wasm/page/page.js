@@ -160,7 +160,8 @@ function take_result(result, cloud, wanted, box = null) {
     show_figures(result, certificate);
     let longest = 0;  // of as many bars as there are: no call takes them all as arguments
     for (const p of result.pairs)  // with periods a class that lasts says little of where to look
-        if (p.degree > 0 && (box === null || p.death < Infinity)) longest = Math.max(longest, p.birth + .35 * Math.min(p.death - p.birth, last.barcode.end));
+        if (p.degree > 0 && (box === null || p.death < Infinity))
+            longest = Math.max(longest, p.birth + .35 * Math.min(p.death - p.birth, last.barcode.end));
     $('radius').value = Math.round(1000 * Math.min(1, (longest || last.barcode.end / 4) / last.barcode.end));
     show_radius();
 }
@@ -180,7 +181,8 @@ function advise_memory({ bytes, planned }, cloud, { asked, limit }, box) {
     if (box === null && ![0, 1, 9].includes(asked.filter) || (asked.filter === 9 && cloud.dim <= 3))
         items.push(action('try the certified filter', () => { $('filter').value = 1; }));
     if (cloud.dim > 3) items.push(action('degrees 0 and 1 only', () => { $('degree').value = 1; }));
-    if (box === null && [0, 1].includes(asked.filter)) items.push(action('a coarser certificate: ratio 3', () => { $('ratio').value = 3; }));
+    if (box === null && [0, 1].includes(asked.filter))
+        items.push(action('a coarser certificate: ratio 3', () => { $('ratio').value = 3; }));
     const half = Math.ceil(cloud.count / 2);
     items.push(action(`every other point: ${half}`, () => {
         const { points, dim } = cloud, rows = [];
@@ -195,7 +197,8 @@ function advise_memory({ bytes, planned }, cloud, { asked, limit }, box) {
 function show_figures({ figures, bytes }, certificate) {
     const rows = [['certificate', certificate], ['vertices', figures.vertices],
         [figures.vertices > 0 ? 'of them input points' : 'different points', figures.inputs],
-        ['copies of points triangulated', figures.copies], ['farthest move of a coordinate', figures.moved && short_number(figures.moved)],
+        ['copies of points triangulated', figures.copies],
+        ['farthest move of a coordinate', figures.moved && short_number(figures.moved)],
         ['cells', figures.cells], ['simplices', figures.simplices], ['memory of the engine',
             `${size_text(figures.peak_bytes)} of a block of ${size_text(bytes)}`], ['fingerprint', figures.fingerprint]];
     if (figures.aspect_ratio > 0) rows.splice(6, 0, ['worst aspect ratio', figures.aspect_ratio.toFixed(3)]);
