@@ -19,13 +19,13 @@ function box_text(text, repeats, { points, dim, count }) {
     }).join(',');
 }
 
-// { low: [2], high: [2], lattice: [its vectors one behind the other], text }; without a period low and high are infinite.
-// Throws a sentence that says what to write.
+// { low: [2], high: [2], lattice: [its vectors one behind the other], text }; without a period low and high are
+// infinite. Throws a sentence that says what to write.
 function parse_box(text, is_extent) {
     const entries = box_entries(text);
     if (entries.length !== axes.length)
-        throw new Error(`box: "${text}" has ${entries.length} entr${entries.length === 1 ? 'y' : 'ies'} where x and y ` +
-            'take one each: write from where to where, a length, or a dash for no period, as 0:10,0:10');
+        throw new Error(`box: "${text}" has ${entries.length === 1 ? '1 entry' : `${entries.length} entries`} where x ` +
+            'and y take one each: write from where to where, a length, or a dash for no period, as 0:10,0:10');
     const box = { low: [], high: [], lattice: [] };
     box.text = entries.map((entry, k) => {
         const [low, high] = entry === '-' ? [-Infinity, Infinity] : parse_period(entry, axes[k], is_extent);
@@ -43,16 +43,18 @@ function parse_period(entry, axis, is_extent) {
     if (ends.length > 2)
         throw new Error(`box: ${axis} has "${entry}": write two numbers, from where to where, as 0:10`);
     if (wrong >= 0)
-        throw new Error(`box: ${axis} has "${ends[wrong]}", which is no finite number: write from where to where, as 0:10, ` +
-            'or a dash for no period');
+        throw new Error(`box: ${axis} has "${ends[wrong]}", which is no finite number: write from where to where, as ` +
+            '0:10, or a dash for no period');
     const [low, high] = values.length === 1 ? [0, values[0]] : values;
     if (low === high && is_extent)
-        throw new Error(`box: all points have ${axis} = ${low}, so their extent is no period: write where the period begins ` +
-            `and ends, as ${low}:${low + 1}`);
+        throw new Error(`box: all points have ${axis} = ${low}, so their extent is no period: write where the period ` +
+            `begins and ends, as ${low}:${low + 1}`);
     if (low === high)
-        throw new Error(`box: ${axis} has length 0: write an end above ${low}, as ${low}:${low + 1}, or a dash for no period`);
+        throw new Error(`box: ${axis} has length 0: write an end above ${low}, as ${low}:${low + 1}, or a ` +
+            'dash for no period');
     if (low > high)
-        throw new Error(values.length === 1 ? `box: the length of ${axis} is ${high}: write a length above 0, as ${-high}`
+        throw new Error(values.length === 1
+            ? `box: the length of ${axis} is ${high}: write a length above 0, as ${-high}`
             : `box: ${axis} ends at ${high}, which is below its start ${low}: write ${high}:${low}`);
     if (!Number.isFinite(high - low))
         throw new Error(`box: ${axis} is longer than the largest double: write ends that are nearer to each other`);
