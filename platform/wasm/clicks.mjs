@@ -48,7 +48,8 @@ const drawn_bars = async page => saved_bars(await page.run("pers_text(last.resul
 const shade = (page, x, y) => page.run(`(() => {
     const at = [[${x}, 0, 1], [${y}, 1, -1]].map(([place, axis, up]) =>
         view.canvas.width / 2 + up * (place - view.middle[axis]) * view.scale);
-    return view.canvas.getContext('2d').getImageData(...at.map(Math.round), 1, 1).data[0];
+    const [red, , , alpha] = view.canvas.getContext('2d').getImageData(...at.map(Math.round), 1, 1).data;
+    return Math.round(255 + (red - 255) * alpha / 255);  // on white
 })()`);
 const ring = Array.from({ length: 24 }, (_, i) =>
     `${Math.cos(i * Math.PI / 12).toFixed(6)}, ${Math.sin(i * Math.PI / 12).toFixed(6)}`).join('\n');
@@ -344,13 +345,17 @@ const paths = {
         await page.run("document.querySelector('#radius').value = 1000, show_radius()");
         check((await text(page, '#betti')).endsWith('H₀ 1, H₁ 2, H₂ 1'), await text(page, '#betti'));
         await page.screenshot(join(folder, 'one-point.png'));
-        await page.run('last = null');
         await page.click('#period-y');
+        await bad(page);
+        check((await status(page)).includes('lie on a line: give the other axis a period'), await status(page));
+        await type(page, '#text', '0.1 0.5\n0.1 3.5\n');
+        await page.run('last = null');
+        await page.click('#run');
         await page.until("last !== null && !document.querySelector('#run').disabled", 'a strip');
         equal(await page.run("document.querySelector('#box').value"), '0:1,-', 'no period along y');
-        equal(await drawn_bars(page), '0 0 inf\n1 0.5 inf', 'a row of points');
+        equal(await drawn_bars(page), '0 0 1.5\n0 0 inf\n1 0.5 1.5811388300841898\n1 0.5 inf', 'two rows of points');
         await page.run(`document.querySelector('#radius').value = 300 / last.barcode.end, show_radius()`);
-        equal(await shade(page, .1, 1.45), white, 'no copy above');
+        equal(await shade(page, .1, 1.5), white, 'no copy above');
         check(await shade(page, 1.1, .5) < outside, 'a copy to the right');
     },
     async 'points across a box'(page) {
@@ -413,6 +418,7 @@ const paths = {
         await page.run("say('')");
         await type(page, '#box', '-2:2,-2:2');
         await choose(page, '#filter', '1');
+        await done(page);
         await page.click('#run');
         await bad(page);
         equal(await status(page), 'periods: of the filter alpha alone; leave out periods', 'what the engine says');

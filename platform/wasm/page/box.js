@@ -24,8 +24,8 @@ function box_text(text, repeats, { points, dim, count }) {
 function parse_box(text, is_extent) {
     const entries = box_entries(text);
     if (entries.length !== axes.length)
-        throw new Error(`box: "${text}" has ${entries.length === 1 ? '1 entry' : `${entries.length} entries`} where x ` +
-            'and y take one each: write from where to where, a length, or a dash for no period, as 0:10,0:10');
+        throw new Error(`box: "${text}" has ${entries.length === 1 ? '1 entry' : `${entries.length} entries`} where ` +
+            'x and y take one each: write from where to where, a length, or a dash for no period, as 0:10,0:10');
     const box = { low: [], high: [], lattice: [] };
     box.text = entries.map((entry, k) => {
         const [low, high] = entry === '-' ? [-Infinity, Infinity] : parse_period(entry, axes[k], is_extent);

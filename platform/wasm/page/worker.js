@@ -1,6 +1,6 @@
 'use strict';
 // One job after the other, in a thread of its own; whoever wants to cancel ends the thread.
-const OUT_OF_MEMORY = 2, PAGE = 65536;
+const OUT_OF_MEMORY = 2, FLAT = 6, PAGE = 65536;
 const stages = ['', 'sorting', 'triangulating', 'refining', 'certifying', 'filtering', 'pairing', 'reducing', 'checking',
     'measuring'];
 // Where each of them ends in a run, about.
@@ -136,7 +136,9 @@ function work({ module, points, dim, lattice, asked, limit }) {
             // What the engine chooses does not depend on how large the block happens to be.
             if (asked.filter !== 0 || exports.gave_up() === 0 || bytes >= limit) return chosen;
         } else if (status !== OUT_OF_MEMORY) {
-            const words = text_at(exports, exports.message()) || text_at(exports, exports.status_text(status));
+            const words = status === FLAT && lattice.length > 0
+                ? 'the points and their copies lie on a line: give the other axis a period, too, or add a point beside the line'
+                : text_at(exports, exports.message()) || text_at(exports, exports.status_text(status));
             const field = text_at(exports, exports.field()).replace(/^lattice$/, 'box');
             return { fault: field === '' ? words : `${field}: ${words}`, kind: 'input', bytes, planned };
         }
