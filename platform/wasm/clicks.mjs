@@ -231,6 +231,7 @@ const paths = {
         await page.click('#run');
         await page.until('last.result.filter === 9', 'Rips');
         equal(await bars(page, 0), 24, 'components of Rips');
+        check(!(await text(page, '#read')).includes('merged'), 'no duplicates');
     },
     async 'cancel'(page) {
         await page.run(`document.querySelector('#text').value = ${JSON.stringify(cube(20000, 3))}`);
@@ -360,11 +361,12 @@ const paths = {
     },
     async 'points across a box'(page) {
         const ticks = "[...document.querySelectorAll('#periods input[type=checkbox]')].map(box => box.checked).join()";
-        await choose(page, '#sample', 'circle across a box with periods, 2D');
+        await choose(page, '#sample', 'circle in a periodic box, 2D');
         await done(page);
         equal(await page.run("document.querySelector('#box').value"), '0:1,0:1', 'the box of the sample');
         const holes = 'last.result.pairs.filter(p => p.degree === 1 && p.death < Infinity && p.death > 3 * p.birth)';
         equal(await page.run(`${holes}.length`), 1, 'the hole across the sides');
+        check((await text(page, '#betti')).endsWith('H₀ 1, H₁ 1, H₂ 0'), 'the radius at first');
         const bars = await drawn_bars(page), print = await page.run('last.result.figures.fingerprint');
         if (program) {
             writeFileSync(join(files, 'box.txt'), await page.run("document.querySelector('#text').value"));

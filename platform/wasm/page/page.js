@@ -158,11 +158,18 @@ function take_result(result, cloud, wanted, box = null) {
         : `${certificate}, modulo the periods; of diagrams with periods there are no cycles`;
     $('link-note').textContent = '';
     show_figures(result, certificate);
-    let longest = 0;  // of as many bars as there are: no call takes them all as arguments
-    for (const p of result.pairs)  // with periods a class that lasts says little of where to look
-        if (p.degree > 0 && (box === null || p.death < Infinity))
-            longest = Math.max(longest, p.birth + .35 * Math.min(p.death - p.birth, last.barcode.end));
-    $('radius').value = Math.round(1000 * Math.min(1, (longest || last.barcode.end / 4) / last.barcode.end));
+    let from = 0, longest = 0;  // of as many bars as there are: no call takes them all as arguments
+    for (const p of result.pairs) {
+        if (p.degree === 0) continue;
+        const length = p.death - p.birth;
+        if (box === null) {
+            from = Math.max(from, p.birth + .35 * Math.min(length, last.barcode.end));
+        } else if (length < Infinity && length > longest) {  // a class of the torus says little of where to look
+            longest = length;
+            from = p.birth + .35 * length;
+        }
+    }
+    $('radius').value = Math.round(1000 * Math.min(1, (from || last.barcode.end / 4) / last.barcode.end));
     show_radius();
 }
 
@@ -238,9 +245,9 @@ function show_radius() {
 const box_points_most = 20000;
 function box_note() {
     const { box, cloud, is_drawn } = last;
-    return `${points_text(cloud.count)} in the box ${box.text}, pale: their copies` + (is_drawn
-        ? '; the union of balls is that of all copies, so opposite sides fit; edges and triangles are not drawn with periods'
-        : ': too many to draw balls; the barcode is complete');
+    return `${points_text(cloud.count)}; box ${box.text}; copies are pale. ` + (is_drawn
+        ? 'The union is of the balls of all copies: opposite sides fit. With periods edges and triangles are not drawn.'
+        : 'They are too many to draw balls; the barcode is complete.');
 }
 
 $('barcode').addEventListener('click', event => {

@@ -18,7 +18,7 @@ const samples = {
         return [Math.cos(t) + .2 * random(), Math.sin(t) + .2 * random()];
     }),
     'three clusters, 2D': random => each(90, i => [[0, 0], [3, .5], [1.2, 2.6]][i % 3].map(x => x + .6 * random())),
-    'circle across a box with periods, 2D': random => each(60, i => {
+    'circle in a periodic box, 2D': random => each(60, i => {
         const t = i / 60 * 2 * Math.PI;
         return [.3 * Math.cos(t) + .03 * random(), .3 * Math.sin(t) + .03 * random()].map(x => x - Math.floor(x));
     }),
@@ -40,7 +40,7 @@ const samples = {
         return x.map(c => c + .02 * random());
     }),
 };
-const sample_boxes = { 'circle across a box with periods, 2D': '0:1,0:1' };
+const sample_boxes = { 'circle in a periodic box, 2D': '0:1,0:1' };
 function each(count, place) { return Array.from({ length: count }, (_, i) => place(i)); }
 function sample_text(name) {
     let state = 7;
