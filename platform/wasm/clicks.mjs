@@ -46,9 +46,8 @@ function cube(count, dim) {
 const saved_bars = lines => lines.trim().split('\n').filter(line => !line.startsWith('#')).join('\n');
 const drawn_bars = async page => saved_bars(await page.run("pers_text(last.result, '')"));
 const shade = (page, x, y) => page.run(`(() => {
-    const at = [[${x}, 0, 1], [${y}, 1, -1]].map(([place, axis, up]) =>
-        view.canvas.width / 2 + up * (place - view.middle[axis]) * view.scale);
-    const [red, , , alpha] = view.canvas.getContext('2d').getImageData(...at.map(Math.round), 1, 1).data;
+    const at = [${x}, ${y}].map((place, axis) => Math.round(view.pixel(place, axis)));
+    const [red, , , alpha] = view.canvas.getContext('2d').getImageData(...at, 1, 1).data;
     return Math.round(255 + (red - 255) * alpha / 255);  // on white
 })()`);
 const ring = Array.from({ length: 24 }, (_, i) =>
@@ -345,6 +344,14 @@ const paths = {
         check((await text(page, '#betti')).endsWith('H₀ 1, H₁ 0, H₂ 0'), await text(page, '#betti'));
         await page.run("document.querySelector('#radius').value = 1000, show_radius()");
         check((await text(page, '#betti')).endsWith('H₀ 1, H₁ 2, H₂ 1'), await text(page, '#betti'));
+        // Its two loops go round the torus: by edges from the point to its own copies.
+        const loops = await page.run('last.result.pairs.flatMap((p, i) => p.degree === 1 ? [i] : [])');
+        const places = [];
+        for (const i of loops) {
+            await page.click(`#barcode .bar[data-pair="${i}"] rect`);
+            places.push([await shade(page, .6, .5), await shade(page, .1, .9)].map(drawn => drawn === 213).join());
+        }
+        check(places[0] !== places[1] && !places.includes('false,false'), `loops at ${places.join(' and ')}`);
         await page.screenshot(join(folder, 'one-point.png'));
         await page.click('#period-y');
         await bad(page);
@@ -367,6 +374,19 @@ const paths = {
         const holes = 'last.result.pairs.filter(p => p.degree === 1 && p.death < Infinity && p.death > 3 * p.birth)';
         equal(await page.run(`${holes}.length`), 1, 'the hole across the sides');
         check((await text(page, '#betti')).endsWith('H₀ 1, H₁ 1, H₂ 0'), 'the radius at first');
+        const hole = await page.run(`last.result.pairs.indexOf(${holes}[0])`);
+        await page.click(`#barcode .bar[data-pair="${hole}"] rect`);
+        check((await text(page, '#barcode-note')).includes('a cycle of'), await text(page, '#barcode-note'));
+        equal(await page.run(`(() => {
+            const { cycle } = last.result.pairs[${hole}], ends = new Map();
+            for (const v of cycle) ends.set(v, (ends.get(v) ?? 0) + 1);
+            const lengths = view.shown.cycle.places, edges = cycle.length / 2;
+            const longest = Math.max(...Array.from({ length: edges }, (_, i) =>
+                Math.hypot(lengths[4 * i] - lengths[4 * i + 2], lengths[4 * i + 1] - lengths[4 * i + 3])));
+            return [edges > 20, [...ends.values()].every(n => n % 2 === 0),
+                longest <= 2 * last.result.pairs[${hole}].birth * (1 + 1e-9)].join();
+        })()`), 'true,true,true', 'many edges, closed, none longer than the diameter of a ball');
+        await page.screenshot(join(folder, 'periodic-cycle.png'));
         const bars = await drawn_bars(page), print = await page.run('last.result.figures.fingerprint');
         if (program) {
             writeFileSync(join(files, 'box.txt'), await page.run("document.querySelector('#text').value"));

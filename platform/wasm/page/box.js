@@ -61,6 +61,30 @@ function parse_period(entry, axis, is_extent) {
     return [low, high];
 }
 
+// Rows of the points as the engine counts them, each once; null: what is equal modulo the periods is not told here by
+// doubles, as it is by the engine.
+function distinct_rows(places, { dim, count }, inputs) {
+    const seen = new Set(), rows = [];
+    for (let i = 0; i < count; ++i) {
+        const key = places.subarray(i * dim, (i + 1) * dim).join(' ');
+        if (!seen.has(key)) rows.push(i);
+        seen.add(key);
+    }
+    return rows.length === inputs ? rows : null;
+}
+
+// The simplices of a cycle as places [simplex][vertex][2].
+function cycle_places({ cycle, copies }, { points }, { lattice }, rows) {
+    const periods = lattice.length / 2, places = new Float64Array(2 * cycle.length);
+    cycle.forEach((v, i) => {
+        for (let k = 0; k < 2; ++k) {
+            places[2 * i + k] = points[2 * rows[v] + k];
+            for (let j = 0; j < periods; ++j) places[2 * i + k] += copies[i * periods + j] * lattice[2 * j + k];
+        }
+    });
+    return places;
+}
+
 // The picture's points: the copy of each that is in the box. Of points on its upper sides nobody says that they are
 // outside, as all extents have some.
 function points_in_box({ points, dim, count }, { low, high }) {

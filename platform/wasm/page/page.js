@@ -37,10 +37,10 @@ function asked_for() {
         if (!field.closest('label').hidden && (field.validity.badInput || field.validity.rangeUnderflow ||
             field.validity.rangeOverflow)) throw new Error(`${id}: ${field.validationMessage}`);
     }
-    const has_bounds = $('bounds').checked && !$('bounds-label').hidden, cycles = has_periods() ? 0 : 1;
+    const has_bounds = $('bounds').checked && !$('bounds-label').hidden;
     const asked = { filter: Number($('filter').value), k: number('k', 1),
         ratio: $('ratio-label').hidden ? 0 : number('ratio', 0), degree: number('degree', 6),
-        bounds: has_bounds ? 1 : 0, cycles };
+        bounds: has_bounds ? 1 : 0, cycles: 1 };
     let note = '';
     if (asked.filter === 0 && asked.ratio > 0) {
         asked.filter = 1;
@@ -136,7 +136,8 @@ function take_result(result, cloud, wanted, box = null) {
     }
     const is_drawn = box === null ? can_draw(result, cloud) : cloud.count <= box_points_most;
     const in_box = box === null ? null : points_in_box(cloud, box);
-    last = { result, cloud, wanted, box, is_drawn, complex: box !== null ? points_alone({ ...cloud, points: in_box.places })
+    last = { result, cloud, wanted, box, is_drawn,
+        rows: box === null ? null : distinct_rows(in_box.places, cloud, result.figures.inputs), complex: box !== null ? points_alone({ ...cloud, points: in_box.places })
         : is_drawn ? complex_of(result, cloud.points) : points_alone(cloud),
         described: `filter ${filter_name(wanted.asked.filter)}, ${points_text(cloud.count)} in ${cloud.dim} dimensions` +
             (box === null ? '' : `, box ${box.text}`) };
@@ -154,8 +155,7 @@ function take_result(result, cloud, wanted, box = null) {
     last.barcode = barcode_svg({ pairs: result.pairs, ratio: result.ratio, has_bounds: wanted.asked.bounds === 1 },
         `Barcode: ${last.described}, ${certificate}`);
     $('barcode').innerHTML = last.barcode.svg;
-    $('barcode-note').textContent = box === null ? `${certificate}. Click a bar to see its cycle.`
-        : `${certificate}, modulo the periods; of diagrams with periods there are no cycles`;
+    $('barcode-note').textContent = `${certificate}${box === null ? '' : ', modulo the periods'}. Click a bar to see its cycle.`;
     $('link-note').textContent = '';
     show_figures(result, certificate);
     let from = 0, longest = 0;  // of as many bars as there are: no call takes them all as arguments
@@ -216,6 +216,9 @@ function show_figures({ figures, bytes }, certificate) {
     }));
 }
 
+// Whether a cycle of the bar can be drawn.
+const has_cycle = pair => pair.cycle !== null && (last.box === null || last.rows !== null);
+
 function show_radius() {
     if (last === null) return;
     const { result, cloud, complex, barcode, box } = last;
@@ -224,8 +227,9 @@ function show_radius() {
     const x = barcode.left + radius / barcode.end * (barcode.width - barcode.left - barcode.right);
     const line = document.querySelector('#barcode .radius');
     line.setAttribute('d', line.getAttribute('d').replace(/^M[\d.]+/, 'M' + x.toFixed(2)));
-    const cycle = chosen === null || result.pairs[chosen].cycle === null ? null
-        : { degree: result.pairs[chosen].degree, vertices: result.pairs[chosen].cycle };
+    const cycle = chosen === null || !has_cycle(result.pairs[chosen]) ? null
+        : { degree: result.pairs[chosen].degree, ...box === null ? { vertices: result.pairs[chosen].cycle }
+            : { places: cycle_places(result.pairs[chosen], cloud, box, last.rows) } };
     view.show({ dim: cloud.dim, complex, radius, mode: last.is_drawn ? $('show').value : 'points', cycle,
         box });
     const degrees = [...new Set(result.pairs.map(p => p.degree))].sort();
@@ -242,7 +246,7 @@ function show_radius() {
 }
 
 // More points, and their balls take longer than their picture is worth.
-const box_points_most = 20000;
+const box_points_most = 10000;
 function box_note() {
     const { box, cloud, is_drawn } = last;
     return `${points_text(cloud.count)}; box ${box.text}; copies are pale. ` + (is_drawn
@@ -260,7 +264,7 @@ $('barcode').addEventListener('click', event => {
     const p = last.result.pairs[pair];
     if (chosen !== null) $('radius').value = Math.ceil(1000 * Math.min(p.birth, last.barcode.end) / last.barcode.end);
     $('barcode-note').textContent = chosen === null ? '' : `H${sub(p.degree)}, from ${short_number(p.birth)} to ` +
-        `${short_number(p.death)}` + (p.cycle === null ? ': no cycle is kept of it' : `: a cycle of ` +
+        `${short_number(p.death)}` + (!has_cycle(p) ? ': no cycle is kept of it' : `: a cycle of ` +
         `${p.cycle.length / (p.degree + 1)} pieces is drawn`);
     show_radius();
 });

@@ -34,7 +34,8 @@ class View {
         this.tilt = Math.max(-1.57, Math.min(1.57, this.tilt + tilt));
         this.draw();
     }
-    // { dim, complex, radius, mode, cycle, box }; box: of parse_box, or null
+    // { dim, complex, radius, mode, cycle, box }; box: of parse_box, or null. A cycle has degree and vertices, with a box
+    // degree and places.
     show(shown) {
         this.shown = shown;
         this.canvas.classList.toggle('turns', shown.dim > 2);
@@ -90,13 +91,16 @@ class View {
         this.draw_points(g, flat);
         if (cycle !== null) this.draw_cycle(g, flat, cycle);
     }
+    // A place of the plane in pixels, along x to the right or y upwards.
+    pixel(value, axis) {
+        return this.canvas.width / 2 + (axis === 0 ? 1 : -1) * (value - this.middle[axis]) * this.scale;
+    }
     // The box in the picture: its sides and periods in pixels, y downwards. Without a period it fills the picture.
     sides() {
         const { box: { low, high } } = this.shown, size = this.canvas.width;
-        const pixel = (value, k) => size / 2 + (k === 0 ? 1 : -1) * (value - this.middle[k]) * this.scale;
         return [0, 1].map(k => {
             if (!Number.isFinite(low[k])) return { from: 0, to: size, period: 0 };
-            const [from, to] = [pixel(low[k], k), pixel(high[k], k)].sort((a, b) => a - b);
+            const [from, to] = [this.pixel(low[k], k), this.pixel(high[k], k)].sort((a, b) => a - b);
             return { from, to, period: to - from };
         });
     }
@@ -136,17 +140,18 @@ class View {
             });
             g.fill();
         }
-        const dot = this.point_size(inputs);
+        const dot = this.point_size(4 * inputs);
         g.fillStyle = '#1f2d4a';
         each_copy(dot, (x, y) => { ++this.counts.copies; this.draw_point(g, x, y, dot); });
+        if (this.shown.cycle !== null) this.draw_cycle_copies(g, sides, shown);
         g.fillStyle = 'rgba(255,255,255,.62)';
         g.beginPath();
         rectangle([0, size], [0, size]);
         rectangle(...sides.map(({ from, to }) => [from, to]));
         g.fill('evenodd');
         g.restore();
-        g.strokeStyle = '#d5590e';
-        g.lineWidth = 2.5;
+        g.strokeStyle = '#22262b';
+        g.lineWidth = 2;
         g.beginPath();
         sides.forEach(({ from, to, period }, k) => {
             if (period === 0) return;
@@ -159,6 +164,33 @@ class View {
         g.stroke();
         g.fillStyle = '#1f2d4a';
         for (let i = 0; i < inputs; ++i) this.draw_point(g, flat[3 * i], flat[3 * i + 1], dot);
+    }
+    // Each simplex, and its copies as far as the picture goes.
+    draw_cycle_copies(g, sides, shown) {
+        const { degree, places } = this.shown.cycle, each = 2 * (degree + 1);
+        g.strokeStyle = g.fillStyle = degree_colours[degree % 6];
+        g.lineWidth = 6;
+        for (let at = 0; at < places.length; at += each) {
+            const corners = [...places.subarray(at, at + each)].map((value, i) => this.pixel(value, i % 2));
+            const [across, down] = sides.map(({ period }, k) => {
+                const along = corners.filter((_, i) => i % 2 === k);
+                return period === 0 ? [0, 0] : [Math.ceil((shown[k][0] - Math.max(...along)) / period),
+                    Math.floor((shown[k][1] - Math.min(...along)) / period)];
+            });
+            g.beginPath();
+            for (let i = across[0]; i <= across[1]; ++i) {
+                for (let j = down[0]; j <= down[1]; ++j) {
+                    for (let c = 0; c < each; c += 2) {
+                        const x = corners[c] + i * sides[0].period, y = corners[c + 1] + j * sides[1].period;
+                        if (c === 0) g.moveTo(x, y); else g.lineTo(x, y);
+                    }
+                }
+            }
+            if (degree === 1) { g.stroke(); continue; }
+            g.globalAlpha = .3;
+            g.fill();
+            g.globalAlpha = 1;
+        }
     }
     draw_balls(g, flat, radius) {
         const { dim, complex: { inputs } } = this.shown, size = radius * this.scale;
