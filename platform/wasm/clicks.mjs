@@ -331,6 +331,8 @@ const paths = {
         equal(await drawn_bars(page), '0 0 inf\n1 0.5 inf\n1 0.5 inf\n2 0.7071067811865476 inf', 'a square lattice');
         equal(await page.run("document.querySelectorAll('#barcode .bar path').length"), 4, 'arrows of bars that last');
         check((await status(page)).includes('box 0:1,0:1: done'), await status(page));
+        check((await text(page, '#view-note')).includes('0 edges, 0 triangles at this radius'), 'the complex at first');
+        await choose(page, '#show', 'balls');
         await page.run(`document.querySelector('#radius').value = 300 / last.barcode.end, show_radius()`);
         // Right of the box's middle nothing; the copy's ball comes in from the right side, pale outside.
         const white = 255, copy = await shade(page, .95, .5), outside = await shade(page, 1.05, .5);
@@ -339,8 +341,6 @@ const paths = {
         equal(await shade(page, .05, .5), copy, 'the ball of the point');
         for (const [x, y] of [[.1, 1.5], [1.1, -.5], [1.1, .5], [1.1, 1.5], [.1, -.5]])
             check(await shade(page, x, y) < outside, `the copy at ${x}, ${y}`);
-        equal(await page.run("document.querySelector('#show-label').hidden"), true, 'no complex to show');
-        check((await text(page, '#view-note')).includes('edges and triangles are not drawn'), 'what is not drawn');
         check((await text(page, '#betti')).endsWith('H₀ 1, H₁ 0, H₂ 0'), await text(page, '#betti'));
         await page.run("document.querySelector('#radius').value = 1000, show_radius()");
         check((await text(page, '#betti')).endsWith('H₀ 1, H₁ 2, H₂ 1'), await text(page, '#betti'));
@@ -352,6 +352,9 @@ const paths = {
             places.push([await shade(page, .6, .5), await shade(page, .1, .9)].map(drawn => drawn === 213).join());
         }
         check(places[0] !== places[1] && !places.includes('false,false'), `loops at ${places.join(' and ')}`);
+        await choose(page, '#show', 'complex');
+        await page.run("document.querySelector('#radius').value = 1000, show_radius()");
+        equal(await page.run('[view.counts.edges, view.counts.triangles].join()'), '3,2', 'a torus of one vertex');
         await page.screenshot(join(folder, 'one-point.png'));
         await page.click('#period-y');
         await bad(page);
@@ -365,6 +368,8 @@ const paths = {
         await page.run(`document.querySelector('#radius').value = 300 / last.barcode.end, show_radius()`);
         equal(await shade(page, .1, 1.5), white, 'no copy above');
         check(await shade(page, 1.1, .5) < outside, 'a copy to the right');
+        equal(await page.run("document.querySelector('#show-label').hidden"), true, 'no complex to show');
+        check((await text(page, '#view-note')).includes('Edges and triangles are not drawn'), 'what is not drawn');
     },
     async 'points across a box'(page) {
         const ticks = "[...document.querySelectorAll('#periods input[type=checkbox]')].map(box => box.checked).join()";
@@ -374,6 +379,14 @@ const paths = {
         const holes = 'last.result.pairs.filter(p => p.degree === 1 && p.death < Infinity && p.death > 3 * p.birth)';
         equal(await page.run(`${holes}.length`), 1, 'the hole across the sides');
         check((await text(page, '#betti')).endsWith('H₀ 1, H₁ 1, H₂ 0'), 'the radius at first');
+        // The complex modulo the periods has the Euler characteristic of the classes that are alive, at every radius.
+        equal(await page.run(`Array.from({ length: 101 }, (_, i) => {
+            document.querySelector('#radius').value = 10 * i;
+            show_radius();
+            const classes = document.querySelector('#betti').textContent.match(/\\d+(?=,|$)/g).map(Number);
+            return 60 - view.counts.edges + view.counts.triangles === classes[0] - classes[1] + classes[2];
+        }).every(x => x)`), true, 'Euler characteristics');
+        equal(await page.run('[view.counts.edges, view.counts.triangles].join()'), '180,120', 'the whole torus');
         const hole = await page.run(`last.result.pairs.indexOf(${holes}[0])`);
         await page.click(`#barcode .bar[data-pair="${hole}"] rect`);
         check((await text(page, '#barcode-note')).includes('a cycle of'), await text(page, '#barcode-note'));

@@ -85,6 +85,38 @@ function cycle_places({ cycle, copies }, { points }, { lattice }, rows) {
     return places;
 }
 
+// The alpha complex modulo two periods, of the class of degree 2 that lasts, whose cycle is each triangle once: edges
+// and triangles as of complex_of, but with places [vertex][2] of one copy of each. null: there is no such cycle, as with
+// one period or of degrees below 2.
+function box_complex({ pairs, figures }, cloud, box, rows) {
+    const torus = pairs.find(p => p.degree === 2 && p.death === Infinity && p.cycle !== null);
+    if (torus === undefined || rows === null || torus.cycle.length !== 6 * figures.inputs) return null;
+    const { cycle, copies } = torus, places = cycle_places(torus, cloud, box, rows), triangles = [], found = new Map();
+    for (let t = 0; t < cycle.length; t += 3) {
+        const own = places.subarray(2 * t, 2 * t + 6), at = c => own.subarray(2 * c, 2 * c + 2);
+        const value = Math.sqrt(sphere_through([0, 1, 2], own, 2).square);
+        triangles.push({ places: own, value });
+        for (let c = 0; c < 3; ++c) {
+            let a = (c + 1) % 3, b = (c + 2) % 3;
+            const step = (from, to) => [0, 1].map(k => copies[2 * (t + to) + k] - copies[2 * (t + from) + k]);
+            const [across, up] = step(a, b);
+            const order = cycle[t + b] - cycle[t + a] || across || up;  // one direction for each edge
+            if (order < 0) [a, b] = [b, a];
+            const key = [cycle[t + a], cycle[t + b], ...step(a, b)].join(' ');
+            const [from, to, other] = [at(a), at(b), at(c)];
+            const half = Math.hypot(to[0] - from[0], to[1] - from[1]) / 2;
+            const edge = found.get(key) ?? { places: Float64Array.of(...from, ...to), value: half, least: value };
+            edge.least = Math.min(edge.least, value);
+            edge.is_attached ||= Math.hypot(other[0] - (from[0] + to[0]) / 2, other[1] - (from[1] + to[1]) / 2) < half;
+            found.set(key, edge);
+        }
+    }
+    const sorted = list => list.sort((a, b) => a.value - b.value);
+    const edges = [...found.values()].map(({ places, value, least, is_attached }) =>
+        ({ places, value: is_attached ? least : value }));
+    return { edges: sorted(edges), triangles: sorted(triangles) };
+}
+
 // The picture's points: the copy of each that is in the box. Of points on its upper sides nobody says that they are
 // outside, as all extents have some.
 function points_in_box({ points, dim, count }, { low, high }) {

@@ -54,7 +54,7 @@ const has_periods = () => $('period-x').checked || $('period-y').checked;
 function show_options() {
     const chosen = Number($('filter').value), filter = chosen === 0 && has_periods() ? 3 : chosen;
     $('box-label').hidden = !has_periods();
-    $('show-label').hidden = last !== null && last.box !== null;
+    $('show-label').hidden = last !== null && last.box !== null && !last.has_complex;
     for (const [id, filters] of Object.entries(uses)) $(id + '-label').hidden = !filters.includes(filter);
 }
 const filter_name = id => [...$('filter').options].find(o => Number(o.value) === id).textContent.split(':')[0];
@@ -136,9 +136,11 @@ function take_result(result, cloud, wanted, box = null) {
     }
     const is_drawn = box === null ? can_draw(result, cloud) : cloud.count <= box_points_most;
     const in_box = box === null ? null : points_in_box(cloud, box);
-    last = { result, cloud, wanted, box, is_drawn,
-        rows: box === null ? null : distinct_rows(in_box.places, cloud, result.figures.inputs), complex: box !== null ? points_alone({ ...cloud, points: in_box.places })
-        : is_drawn ? complex_of(result, cloud.points) : points_alone(cloud),
+    const rows = box === null ? null : distinct_rows(in_box.places, cloud, result.figures.inputs);
+    const quotient = box === null || !is_drawn ? null : box_complex(result, cloud, box, rows);
+    last = { result, cloud, wanted, box, is_drawn, rows, has_complex: box === null ? is_drawn : quotient !== null,
+        complex: box !== null ? { ...points_alone({ ...cloud, points: in_box.places }), ...quotient }
+            : is_drawn ? complex_of(result, cloud.points) : points_alone(cloud),
         described: `filter ${filter_name(wanted.asked.filter)}, ${points_text(cloud.count)} in ${cloud.dim} dimensions` +
             (box === null ? '' : `, box ${box.text}`) };
     if (box !== null && in_box.outside > 0)
@@ -230,8 +232,8 @@ function show_radius() {
     const cycle = chosen === null || !has_cycle(result.pairs[chosen]) ? null
         : { degree: result.pairs[chosen].degree, ...box === null ? { vertices: result.pairs[chosen].cycle }
             : { places: cycle_places(result.pairs[chosen], cloud, box, last.rows) } };
-    view.show({ dim: cloud.dim, complex, radius, mode: last.is_drawn ? $('show').value : 'points', cycle,
-        box });
+    view.show({ dim: cloud.dim, complex, radius, cycle, box,
+        mode: !last.is_drawn ? 'points' : last.has_complex ? $('show').value : 'balls' });
     const degrees = [...new Set(result.pairs.map(p => p.degree))].sort();
     const alive = new Map(degrees.map(degree => [degree, 0]));
     for (const p of result.pairs)
@@ -248,10 +250,13 @@ function show_radius() {
 // More points, and their balls take longer than their picture is worth.
 const box_points_most = 10000;
 function box_note() {
-    const { box, cloud, is_drawn } = last;
-    return `${points_text(cloud.count)}; box ${box.text}; copies are pale. ` + (is_drawn
-        ? 'The union is of the balls of all copies: opposite sides fit. With periods edges and triangles are not drawn.'
-        : 'They are too many to draw balls; the barcode is complete.');
+    const { box, cloud, is_drawn, has_complex, rows } = last, { edges, triangles } = view.counts ?? {};
+    return `${points_text(cloud.count)}; box ${box.text}; copies are pale` + (!is_drawn
+        ? ': too many points to draw more; the barcode is complete'
+        : !has_complex ? '; the union is of the balls of all copies. Edges and triangles are not drawn' +
+            (rows === null ? ', as it is not told here which points are duplicates' : ': that takes two periods and degrees to 2')
+        : $('show').value === 'balls' ? '; the union is of the balls of all copies'
+        : `; ${edges} edges, ${triangles} triangles at this radius, modulo the periods`);
 }
 
 $('barcode').addEventListener('click', event => {

@@ -1,8 +1,19 @@
-// The picture of points, complex, balls and a cycle at one radius; in more than two dimensions the first three turned by
-// the mouse or the arrow keys. Of points in a box with periods: the box, and around it copies as far as the picture goes.
+// The picture of points, complex, balls and a cycle at one radius; in more than two dimensions the first three turned
+// by the mouse or the arrow keys. Of points in a box with periods: the box, and copies around it as far as the picture
+// goes.
 // Of points and their copies that are drawn; where the picture has more, it ends one period beside the box.
 const copies_most = 400000;
 const degree_colours = ['#1f2d4a', '#d5590e', '#1aa77d', '#c21dff', '#592710', '#9180be'];
+
+// How many of a list that ascends have entered.
+function entered(list, radius) {
+    let low = 0, high = list.length;
+    while (low < high) {
+        const middle = (low + high) >> 1;
+        if (list[middle].value <= radius) low = middle + 1; else high = middle;
+    }
+    return low;
+}
 
 class View {
     constructor(canvas) {
@@ -34,8 +45,8 @@ class View {
         this.tilt = Math.max(-1.57, Math.min(1.57, this.tilt + tilt));
         this.draw();
     }
-    // { dim, complex, radius, mode, cycle, box }; box: of parse_box, or null. A cycle has degree and vertices, with a box
-    // degree and places.
+    // { dim, complex, radius, mode, cycle, box }; box: of parse_box, or null. A cycle has degree and vertices, with a
+    // box degree and places.
     show(shown) {
         this.shown = shown;
         this.canvas.classList.toggle('turns', shown.dim > 2);
@@ -83,7 +94,7 @@ class View {
         g.lineJoin = 'round';
         this.drawn = { dim, radius };
         if (this.shown.box !== null) {
-            this.draw_box(g, flat, radius * this.scale, mode !== 'points');
+            this.draw_box(g, flat, radius * this.scale, mode);
             return;
         }
         if (mode === 'balls' || mode === 'both') this.draw_balls(g, flat, radius);
@@ -104,9 +115,10 @@ class View {
             return { from, to, period: to - from };
         });
     }
-    // Points, and the union of the balls of all copies, in the box; all around it the same in pale.
-    draw_box(g, flat, ball, has_balls) {
-        const { inputs } = this.shown.complex, size = this.canvas.width, sides = this.sides(), reach = has_balls ? ball : 0;
+    // Points, complex, and the union of the balls of all copies, in the box; all around it the same in pale.
+    draw_box(g, flat, ball, mode) {
+        const { inputs } = this.shown.complex, size = this.canvas.width, sides = this.sides();
+        const reach = mode === 'balls' || mode === 'both' ? ball : 0;
         const steps = (shown, more) => sides.map(({ from, to, period }, k) => period === 0 ? [0, 0]
             : [Math.ceil((shown[k][0] - more - to) / period), Math.floor((shown[k][1] + more - from) / period)]);
         const total = ranges => ranges.reduce((product, [first, last]) => product * (last - first + 1), inputs);
@@ -130,7 +142,6 @@ class View {
         g.beginPath();
         rectangle(...shown);
         g.clip();
-        this.counts = { copies: 0 };
         if (reach > 0) {  // one path, so that the union has one shade
             g.fillStyle = 'rgba(31,45,74,.26)';
             g.beginPath();
@@ -140,9 +151,10 @@ class View {
             });
             g.fill();
         }
+        if (mode === 'complex' || mode === 'both') this.draw_complex_copies(g, sides, shown);
         const dot = this.point_size(4 * inputs);
         g.fillStyle = '#1f2d4a';
-        each_copy(dot, (x, y) => { ++this.counts.copies; this.draw_point(g, x, y, dot); });
+        each_copy(dot, (x, y) => this.draw_point(g, x, y, dot));
         if (this.shown.cycle !== null) this.draw_cycle_copies(g, sides, shown);
         g.fillStyle = 'rgba(255,255,255,.62)';
         g.beginPath();
@@ -165,32 +177,46 @@ class View {
         g.fillStyle = '#1f2d4a';
         for (let i = 0; i < inputs; ++i) this.draw_point(g, flat[3 * i], flat[3 * i + 1], dot);
     }
-    // Each simplex, and its copies as far as the picture goes.
+    // Puts a simplex into the path, with its copies as far as the picture goes.
+    add_copies(g, places, sides, shown) {
+        const corners = Array.from(places, (value, i) => this.pixel(value, i % 2));
+        const [across, down] = sides.map(({ period }, k) => {
+            const along = corners.filter((_, i) => i % 2 === k);
+            return period === 0 ? [0, 0] : [Math.ceil((shown[k][0] - Math.max(...along)) / period),
+                Math.floor((shown[k][1] - Math.min(...along)) / period)];
+        });
+        for (let i = across[0]; i <= across[1]; ++i) {
+            for (let j = down[0]; j <= down[1]; ++j) {
+                for (let c = 0; c < corners.length; c += 2) {
+                    const x = corners[c] + i * sides[0].period, y = corners[c + 1] + j * sides[1].period;
+                    if (c === 0) g.moveTo(x, y); else g.lineTo(x, y);
+                }
+            }
+        }
+    }
+    draw_complex_copies(g, sides, shown) {
+        const { complex: { edges, triangles }, radius } = this.shown;
+        this.counts = { edges: entered(edges, radius), triangles: entered(triangles, radius) };
+        g.fillStyle = 'rgba(213,89,14,.28)';
+        g.beginPath();
+        for (const { places } of triangles.slice(0, this.counts.triangles)) this.add_copies(g, places, sides, shown);
+        g.fill();
+        g.strokeStyle = 'rgba(70,84,110,.9)';
+        g.lineWidth = 1.6;
+        g.beginPath();
+        for (const { places } of edges.slice(0, this.counts.edges)) this.add_copies(g, places, sides, shown);
+        g.stroke();
+    }
     draw_cycle_copies(g, sides, shown) {
         const { degree, places } = this.shown.cycle, each = 2 * (degree + 1);
         g.strokeStyle = g.fillStyle = degree_colours[degree % 6];
         g.lineWidth = 6;
-        for (let at = 0; at < places.length; at += each) {
-            const corners = [...places.subarray(at, at + each)].map((value, i) => this.pixel(value, i % 2));
-            const [across, down] = sides.map(({ period }, k) => {
-                const along = corners.filter((_, i) => i % 2 === k);
-                return period === 0 ? [0, 0] : [Math.ceil((shown[k][0] - Math.max(...along)) / period),
-                    Math.floor((shown[k][1] - Math.min(...along)) / period)];
-            });
-            g.beginPath();
-            for (let i = across[0]; i <= across[1]; ++i) {
-                for (let j = down[0]; j <= down[1]; ++j) {
-                    for (let c = 0; c < each; c += 2) {
-                        const x = corners[c] + i * sides[0].period, y = corners[c + 1] + j * sides[1].period;
-                        if (c === 0) g.moveTo(x, y); else g.lineTo(x, y);
-                    }
-                }
-            }
-            if (degree === 1) { g.stroke(); continue; }
-            g.globalAlpha = .3;
-            g.fill();
-            g.globalAlpha = 1;
-        }
+        g.globalAlpha = degree === 1 ? 1 : .3;
+        g.beginPath();
+        for (let at = 0; at < places.length; at += each)
+            this.add_copies(g, places.subarray(at, at + each), sides, shown);
+        if (degree === 1) g.stroke(); else g.fill();
+        g.globalAlpha = 1;
     }
     draw_balls(g, flat, radius) {
         const { dim, complex: { inputs } } = this.shown, size = radius * this.scale;
@@ -219,16 +245,8 @@ class View {
     }
     draw_complex(g, flat, radius) {
         const { dim, complex: { edges, triangles } } = this.shown;
-        const upto = list => {  // the first that enters later
-            let low = 0, high = list.length;
-            while (low < high) {
-                const middle = (low + high) >> 1;
-                if (list[middle].value <= radius) low = middle + 1; else high = middle;
-            }
-            return low;
-        };
         const corner = v => [flat[3 * v], flat[3 * v + 1]];
-        const triangle_count = upto(triangles), edge_count = upto(edges);
+        const triangle_count = entered(triangles, radius), edge_count = entered(edges, radius);
         const most = 40000;
         const depth = s => s.vertices.reduce((sum, v) => sum + flat[3 * v + 2], 0);
         const shown = triangles.slice(0, Math.min(triangle_count, most));
