@@ -248,7 +248,7 @@ function show_radius() {
 }
 
 // More points, and their balls take longer than their picture is worth.
-const box_points_most = 10000;
+const box_points_most = 5000;
 function box_note() {
     const { box, cloud, is_drawn, has_complex, rows } = last, { edges, triangles } = view.counts ?? {};
     return `${points_text(cloud.count)}; box ${box.text}; copies are pale` + (!is_drawn

@@ -1,8 +1,8 @@
 // The picture of points, complex, balls and a cycle at one radius; in more than two dimensions the first three turned
 // by the mouse or the arrow keys. Of points in a box with periods: the box, and copies around it as far as the picture
 // goes.
-// Of points and their copies that are drawn; where the picture has more, it ends one period beside the box.
-const copies_most = 400000;
+// Copies of the box in the picture; where more have room, as of a narrow one, it ends one period beside the box.
+const boxes_most = 100;
 const degree_colours = ['#1f2d4a', '#d5590e', '#1aa77d', '#c21dff', '#592710', '#9180be'];
 
 // How many of a list that ascends have entered.
@@ -55,7 +55,8 @@ class View {
 
     // [x, y, depth] in pixels for each vertex; the inputs fill the picture.
     flatten() {
-        const { dim, complex: { places, inputs }, box } = this.shown, size = this.canvas.width, count = places.length / dim;
+        const { dim, complex: { places, inputs }, box } = this.shown;
+        const size = this.canvas.width, count = places.length / dim;
         const ct = Math.cos(this.turn), st = Math.sin(this.turn), cu = Math.cos(this.tilt), su = Math.sin(this.tilt);
         const flat = new Float64Array(3 * count);
         const low = [Infinity, Infinity, Infinity], high = [-Infinity, -Infinity, -Infinity];
@@ -119,20 +120,21 @@ class View {
     draw_box(g, flat, ball, mode) {
         const { inputs } = this.shown.complex, size = this.canvas.width, sides = this.sides();
         const reach = mode === 'balls' || mode === 'both' ? ball : 0;
-        const steps = (shown, more) => sides.map(({ from, to, period }, k) => period === 0 ? [0, 0]
-            : [Math.ceil((shown[k][0] - more - to) / period), Math.floor((shown[k][1] + more - from) / period)]);
-        const total = ranges => ranges.reduce((product, [first, last]) => product * (last - first + 1), inputs);
+        // The first and the last copy of the box, along each axis, with something that near to what is shown.
+        const steps = (shown, near) => sides.map(({ from, to, period }, k) => period === 0 ? [0, 0]
+            : [Math.ceil((shown[k][0] - near[k] - to) / period), Math.floor((shown[k][1] + near[k] - from) / period)]);
         let shown = [[0, size], [0, size]];
-        if (total(steps(shown, reach)) > copies_most)
+        const boxes = steps(shown, [0, 0]).reduce((product, [first, last]) => product * (last - first + 1), 1);
+        if (boxes > boxes_most)
             shown = sides.map(({ from, to, period }) => [Math.max(0, from - period), Math.min(size, to + period)]);
-        const each_copy = (more, put) => {
-            const [across, down] = steps(shown, more);
+        const each_copy = (near, put) => {
+            const [across, down] = steps(shown, near);
             for (let i = across[0]; i <= across[1]; ++i) {
                 for (let j = down[0]; j <= down[1]; ++j) {
                     for (let v = 0; v < inputs; ++v) {
                         const x = flat[3 * v] + i * sides[0].period, y = flat[3 * v + 1] + j * sides[1].period;
-                        if (x > shown[0][0] - more && x < shown[0][1] + more && y > shown[1][0] - more &&
-                            y < shown[1][1] + more) put(x, y);
+                        if (x >= shown[0][0] - near[0] && x <= shown[0][1] + near[0] && y >= shown[1][0] - near[1] &&
+                            y <= shown[1][1] + near[1]) put(x, y);
                     }
                 }
             }
@@ -145,7 +147,9 @@ class View {
         if (reach > 0) {  // one path, so that the union has one shade
             g.fillStyle = 'rgba(31,45,74,.26)';
             g.beginPath();
-            each_copy(reach, (x, y) => {
+            // Of a point's copies the nearest in x and in y is the nearest of all, no farther than half a period in each.
+            const near = sides.map(({ period }) => period === 0 ? reach : Math.min(reach, period / 2 + 1));
+            each_copy(near, (x, y) => {
                 g.moveTo(x + reach, y);
                 g.arc(x, y, reach, 0, 7);
             });
@@ -154,7 +158,7 @@ class View {
         if (mode === 'complex' || mode === 'both') this.draw_complex_copies(g, sides, shown);
         const dot = this.point_size(4 * inputs);
         g.fillStyle = '#1f2d4a';
-        each_copy(dot, (x, y) => this.draw_point(g, x, y, dot));
+        each_copy([dot, dot], (x, y) => this.draw_point(g, x, y, dot));
         if (this.shown.cycle !== null) this.draw_cycle_copies(g, sides, shown);
         g.fillStyle = 'rgba(255,255,255,.62)';
         g.beginPath();
@@ -177,7 +181,7 @@ class View {
         g.fillStyle = '#1f2d4a';
         for (let i = 0; i < inputs; ++i) this.draw_point(g, flat[3 * i], flat[3 * i + 1], dot);
     }
-    // Puts a simplex into the path, with its copies as far as the picture goes.
+    // The path of a simplex, and of its copies as far as the picture goes.
     add_copies(g, places, sides, shown) {
         const corners = Array.from(places, (value, i) => this.pixel(value, i % 2));
         const [across, down] = sides.map(({ period }, k) => {
@@ -198,9 +202,11 @@ class View {
         const { complex: { edges, triangles }, radius } = this.shown;
         this.counts = { edges: entered(edges, radius), triangles: entered(triangles, radius) };
         g.fillStyle = 'rgba(213,89,14,.28)';
-        g.beginPath();
-        for (const { places } of triangles.slice(0, this.counts.triangles)) this.add_copies(g, places, sides, shown);
-        g.fill();
+        for (const { places } of triangles.slice(0, this.counts.triangles)) {
+            g.beginPath();
+            this.add_copies(g, places, sides, shown);
+            g.fill();
+        }
         g.strokeStyle = 'rgba(70,84,110,.9)';
         g.lineWidth = 1.6;
         g.beginPath();
@@ -212,10 +218,11 @@ class View {
         g.strokeStyle = g.fillStyle = degree_colours[degree % 6];
         g.lineWidth = 6;
         g.globalAlpha = degree === 1 ? 1 : .3;
-        g.beginPath();
-        for (let at = 0; at < places.length; at += each)
+        for (let at = 0; at < places.length; at += each) {
+            g.beginPath();
             this.add_copies(g, places.subarray(at, at + each), sides, shown);
-        if (degree === 1) g.stroke(); else g.fill();
+            if (degree === 1) g.stroke(); else g.fill();
+        }
         g.globalAlpha = 1;
     }
     draw_balls(g, flat, radius) {
