@@ -123,9 +123,9 @@ netmesh_status netmesh_get_scale_step(const netmesh_context* context, uint64_t i
  * get_cycle tells the number of simplices, O(1); get_cycle_simplex one of them, in no particular order, O(degree^2).
  *
  * With periods simplices are sets of copies, up to translation, and so are their facets, modulo 2: an edge from a point
- * to its own copy has no boundary. Vertices are rows of the input, of equal points the first or the heaviest: vertex i is
- * at what row vertices[i] says, and translations[i][j] times vector j of the lattice farther. Those of the first are 0.
- */
+ * to its own copy has no boundary. Vertices are rows of the input, of equal points the first or the heaviest: vertex i
+ * is at what row vertices[i] says, and translations[i][j] times vector j of the lattice farther. Those of the first
+ * are 0. */
 typedef struct netmesh_simplex {
     uint32_t struct_bytes;
     uint32_t degree;

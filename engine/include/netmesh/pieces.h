@@ -137,7 +137,8 @@ typedef struct netmesh_piece_info {
 netmesh_status netmesh_read_piece(const netmesh_piece* piece, netmesh_piece_info* info);
 
 /* Gives piece i, for one that is kept in a file or far away: all in ascending order, to count bars, and then all once
- * more. What was given before is looked at no more. Does not throw. What it returns other than NETMESH_OK ends the call. */
+ * more. What was given before is looked at no more. Does not throw. What it returns other than NETMESH_OK ends the
+ * call. */
 typedef netmesh_status (*netmesh_open_piece)(void* user, size_t i, netmesh_piece* piece);
 typedef struct netmesh_collect_request {
     uint32_t struct_bytes;

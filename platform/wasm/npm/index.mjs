@@ -318,7 +318,8 @@ function diagramOf(job) {
     const fields = { filter: filterOf(report['diagram.filter']), certifiedRatio: report['diagram.certified_ratio'] ?? 0,
         certifiedError: report['diagram.certified_error'] ?? 0, fingerprint: report.fingerprint,
         peakBytes: report['memory.peak_bytes'], why: job.text(job.exports.why()), bounds: null,
-        representatives: null, translations: null, copies: report['input.copies'] ?? 0, moved: report['input.moved'] ?? 0 };
+        representatives: null, translations: null, copies: report['input.copies'] ?? 0,
+        moved: report['input.moved'] ?? 0 };
     if (report['diagram.certain']) {
         const [numbers, certain] = job.read('bounds', [BigInt(count)], [Float64Array, 5 * count], [Uint8Array, count]);
         fields.bounds = { numbers, certain };
