@@ -171,7 +171,10 @@ private:
         arena_.each(store.state.cell_slots, 5 * D, [&](std::uint64_t c) {
             Cell<D>& cell = store.cell(static_cast<std::uint32_t>(c));
             cell.mark = 0;
-            for (const VertexId v : cell.vertex) cell.mark |= store.vertex(v).origin < points_.count;
+            for (VertexId& v : cell.vertex) {
+                v = VertexId(store.vertex(v).origin);
+                cell.mark |= v < points_.count;
+            }
         });
         outer_facets_ = 0;
         arena_.each(store.state.cell_slots, 20, [&](std::uint64_t c) {
@@ -183,9 +186,7 @@ private:
         arena_.each(store.state.cell_slots, 20, [&](std::uint64_t c) {
             const Cell<D>& cell = store.cell(static_cast<std::uint32_t>(c));
             if (cell.mark == 0) return;
-            VertexId vertex[D + 1];
-            for (int i = 0; i <= D; ++i) vertex[i] = VertexId(store.vertex(cell.vertex[i]).origin);
-            __builtin_memcpy(rows + std::size_t{kept++} * row_bytes, vertex, row_bytes);
+            __builtin_memmove(rows + std::size_t{kept++} * row_bytes, cell.vertex, row_bytes);
         });
         arena_.each(store.state.vertex_count, 2, [&](std::uint64_t v) {
             const Vertex<D>& vertex = store.vertex(static_cast<std::uint32_t>(v));

@@ -6,8 +6,8 @@
 
 namespace netmesh {
 
-// Two simplices are one where a translation takes one to the other. The first by number of those that have a vertex
-// among the points themselves stands for all. These are moved to the front, with their values, and their facets become
+// Two simplices are one where a translation takes one to the other. The one whose vertex of the least point is that
+// point itself stands for all. These are moved to the front, with their values, and their facets become
 // those that stand for them: a simplex can have a facet twice, or more often. Each of faces->count becomes how many.
 //
 // Translations move every simplex: none is taken to itself. So the quotient of the union of balls has the homology of
