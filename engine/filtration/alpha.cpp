@@ -30,6 +30,7 @@
 #include "filtration/alpha.hpp"
 
 #include "filtration/point_records.hpp"
+#include "geometry/circumsphere_close.hpp"
 #include "geometry/circumsphere_exact.hpp"
 #include "geometry/circumsphere_fast.hpp"
 #include "geometry/half_distance.hpp"
@@ -101,6 +102,15 @@ Status MarkedValues<W>::evaluate_exactly(const double* const* point, std::uint32
         if (within && !sphere.find_within(scratch_, &out->within)) return Status::check_failed;
         const bool found = !radius || sphere.find_power(scratch_, weights_.squares, &out->radius);
         return found ? Status::ok : Status::out_of_range;
+    }
+    if constexpr (has_close_look) {
+        Circumsphere close;
+        const Certainty certain = look_closely(k, static_cast<std::uint32_t>(table_.dim), point, &close);
+        if (certain.within != 0) out->within = close.within;
+        if (certain.radius != 0) out->radius = close.radius;
+        within = within && certain.within == 0;
+        radius = radius && certain.radius == 0;
+        if (!within && !radius) return Status::ok;
     }
     const ExactSphere sphere(point, static_cast<int>(k), table_.dim);
     if (!sphere.in_range()) return Status::out_of_range;

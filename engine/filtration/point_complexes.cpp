@@ -1,5 +1,6 @@
 #include "filtration/point_complexes.hpp"
 
+#include "geometry/circumsphere_close.hpp"
 #include "geometry/circumsphere_exact.hpp"
 #include "geometry/circumsphere_fast.hpp"
 #include "geometry/half_distance.hpp"
@@ -127,7 +128,15 @@ public:
         for (std::uint32_t i = 0; i <= k; ++i) point[i] = coordinates_ + vertices[i] * std::size_t{space};
         Circumsphere sphere;
         const double* const* const one[] = {point};
-        const Certainty certain = sphere_of(k, space, one, &sphere);
+        Certainty certain = sphere_of(k, space, one, &sphere);
+        if (has_close_look && (certain.within == 0 || certain.radius == 0)) {
+            Circumsphere close;
+            const Certainty closer = look_closely(k, space, point, &close);
+            if (certain.within == 0) sphere.within = close.within;
+            if (certain.radius == 0) sphere.radius = close.radius;
+            certain.within |= closer.within;
+            certain.radius |= closer.radius;
+        }
         if (certain.within != 0 && (sphere.within != 0 || certain.radius != 0)) {
             if (sphere.within == 0) *out = sphere.radius;
             return Status::ok;

@@ -19,7 +19,8 @@ const std::uint64_t* residue_minors_from(int n, int order, const ResidueMatrix& 
     if constexpr (K <= minor_rows_max) {
         const MinorTerm* term = minor_table.term + minor_terms_at(K);
         std::uint64_t* const out = level[K & 1];
-        for (int s = 0; s < binomial(n, K); ++s, term += K) out[s] = residue_minor(K, a, term, below, prime);
+        const int count = binomial(n, K);
+        for (int s = 0; s < count; ++s, term += K) out[s] = residue_minor(K, a, term, below, prime);
         below = residue_minors_from<K + 1>(n, order, a, out, level, prime);
     }
     return below;

@@ -1,5 +1,6 @@
 // Smallest circumspheres against rational arithmetic: the radius rounded to nearest, signs, what the float stage says
 // that it is certain of, and the exact stage alone.
+#include "geometry/circumsphere_close.hpp"
 #include "geometry/circumsphere_exact.hpp"
 #include "geometry/circumsphere_fast.hpp"
 #include "geometry/half_distance.hpp"
@@ -81,7 +82,7 @@ bool is_nearest_root(double x, const mpq_class& squared) {
 }
 
 struct Tally {
-    int signs = 0, radii = 0, all = 0;
+    int signs = 0, radii = 0, close_signs = 0, close_radii = 0, all = 0;
 };
 
 ExactSphere exact_sphere(const Points& points) {
@@ -107,6 +108,24 @@ void check_exact_stage(const Points& points, const Truth& truth) {
         CHECK(is_nearest_root(radius, truth.squared));
     else
         CHECK(points[0].size() >= 3);
+}
+
+void check_close_look(const Points& points, const Truth& truth, Tally* tally) {
+    const double* address[7] = {};
+    for (std::size_t i = 0; i < points.size(); ++i) address[i] = points[i].data();
+    Circumsphere close;
+    const Certainty certain = look_closely(static_cast<std::uint32_t>(points.size() - 1),
+                                           static_cast<std::uint32_t>(points[0].size()), address, &close);
+    if (certain.within != 0) {
+        ++tally->close_signs;
+        REQUIRE(!truth.flat);
+        CHECK(close.within == truth.within);
+    }
+    if (certain.radius != 0) {
+        ++tally->close_radii;
+        REQUIRE(!truth.flat);
+        CHECK(is_nearest_root(close.radius, truth.squared));
+    }
 }
 
 // A batch of simplices of one kind through both ways of the float stage.
@@ -140,6 +159,7 @@ template <int K, int D> void check(const std::vector<Points>& simplices, Tally* 
                 CHECK(is_nearest_root(both[i].radius, truth.squared));
                 CHECK(alone.radius == both[i].radius);
             }
+            check_close_look(points, truth, tally);
             check_exact_stage(points, truth);
         }
     }
@@ -166,7 +186,9 @@ double nudged(double x, std::uint64_t units) {
     return x;
 }
 
-template <class Make> void check_family(int trials, Make make, double* signs, double* radii) {
+template <class Make>
+void check_family(int trials, Make make, double* signs, double* radii, double* close_signs = nullptr,
+                  double* close_radii = nullptr) {
     Tally tally;
     each_kind([&](auto k, auto d) {
         constexpr int K = decltype(k)::value, D = decltype(d)::value;
@@ -180,6 +202,8 @@ template <class Make> void check_family(int trials, Make make, double* signs, do
     });
     *signs = double(tally.signs) / tally.all;
     *radii = double(tally.radii) / tally.all;
+    if (close_signs != nullptr) *close_signs = double(tally.close_signs) / tally.all;
+    if (close_radii != nullptr) *close_radii = double(tally.close_radii) / tally.all;
 }
 
 }  // namespace
@@ -203,7 +227,7 @@ TEST_CASE("flat simplices, until the float stage gives up") {
     for (int flatten = 2; flatten < 40; flatten += 3) {
         CAPTURE(flatten);
         Random random;
-        double signs, radii;
+        double signs, radii, close_signs, close_radii;
         check_family(
             40,
             [&](Points& points, int) {
@@ -219,8 +243,11 @@ TEST_CASE("flat simplices, until the float stage gives up") {
                         p[d] -= (1 - std::ldexp(1.0, -flatten)) * along / length2 * (1 + 0.375 * double(d));
                 }
             },
-            &signs, &radii);
+            &signs, &radii, &close_signs, &close_radii);
         if (flatten < 6) CHECK(radii > 0.5);
+        // What the float stage gives up is left to twice the digits, and not to the exact stage.
+        CHECK((flatten >= 30 || close_signs > 0.95));
+        CHECK((flatten >= 27 || close_radii > 0.95));
     }
 }
 
@@ -274,6 +301,29 @@ TEST_CASE("any finite size, and mixed ones") {
         },
         &signs, &radii);
     CHECK(radii < 0.5);
+}
+
+// Points next to one another on curves make flat simplices, whose circumsphere is far larger than they are.
+TEST_CASE("simplices of points on curves") {
+    Random random;
+    double signs, radii, close_signs, close_radii;
+    check_family(
+        200,
+        [&](Points& points, int trial) {
+            const double step = std::ldexp(1.0, -2 - trial % 12);
+            double t = random.unit();
+            for (Point& p : points) {
+                t += step * (0.5 + random.unit());
+                for (std::size_t d = 0; d < p.size(); ++d)
+                    p[d] = trial % 2 == 0 ? std::pow(t, double(d + 1))
+                           : d % 2 == 0   ? std::cos(double(d / 2 + 1) * t)
+                                          : std::sin(double(d / 2 + 1) * t);
+            }
+        },
+        &signs, &radii, &close_signs, &close_radii);
+    MESSAGE("float stage " << signs << ", " << radii << ", two doubles " << close_signs << ", " << close_radii);
+    CHECK(close_signs > signs);
+    CHECK(close_radii > radii);
 }
 
 TEST_CASE("answers that are known") {
