@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstddef>
 #include <cstring>
 #include <limits>
 #include <vector>
@@ -217,9 +218,15 @@ TEST_CASE("refusals") {
     }
     lattice = cube(3);
     request = request_of(3, points, lattice);
-    request.points.lattice =
-        reinterpret_cast<const double*>(reinterpret_cast<const unsigned char*>(lattice.data()) + 1);
-    refused(request, NETMESH_FIELD_LATTICE);
+    struct AlignedDouble {
+        char before;
+        double x;
+    };
+    for (const std::size_t by : {std::size_t(1), offsetof(AlignedDouble, x) / 2}) {
+        request.points.lattice =
+            reinterpret_cast<const double*>(reinterpret_cast<const unsigned char*>(lattice.data()) + by);
+        refused(request, NETMESH_FIELD_LATTICE);
+    }
     request.points.lattice = lattice.data();
     request.points.lattice_count = 4;
     refused(request, NETMESH_FIELD_LATTICE_COUNT);
