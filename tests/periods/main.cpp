@@ -8,105 +8,16 @@
 //   periods --plant                    errors planted in what came, which have to be seen
 //
 // Ends with 1 on a difference, after the cloud.
-#include <netmesh.h>
-
 #include <cmath>
 #include <cstdio>
 #include <cstdlib>
 #include <string>
 
-#include "lattices.hpp"
+#include "judge.hpp"
 
 namespace {
 
 using namespace periods;
-
-class Block {
-public:
-    Block() : memory_(std::aligned_alloc(16, bytes)) {}
-    ~Block() { std::free(memory_); }
-    netmesh_context* fresh() const {
-        netmesh_context* context = nullptr;
-        if (netmesh_init(memory_, bytes, &context) != NETMESH_OK) std::abort();
-        return context;
-    }
-
-private:
-    static constexpr std::size_t bytes = std::size_t(256) << 20;
-    void* memory_;
-};
-
-struct Answer {
-    netmesh_status status;
-    Bars bars;
-    std::size_t duplicates = 0, periods = 0, copies = 0;
-    double moved = 0;
-};
-
-struct Wish {
-    bool squares = false;
-    std::uint32_t degree = NETMESH_DIM_MAX;  // the highest; more counts as dim
-};
-
-Answer ask(const Block& block, const Cloud& cloud, const Wish& wish = Wish()) {
-    netmesh_request request = netmesh_default_request();
-    request.points.coordinates = cloud.x.data();
-    request.points.count = cloud.count();
-    request.points.dim = static_cast<std::uint32_t>(cloud.dim);
-    request.points.lattice = cloud.lattice.data();
-    request.points.lattice_count = static_cast<std::uint32_t>(cloud.periods());
-    request.periods = &netmesh_periodic;
-    if (!cloud.numbers.empty()) {
-        request.points.weights = cloud.numbers.data();
-        request.weighting = cloud.are_radii ? &netmesh_radii : &netmesh_weights;
-    }
-    request.filter = &netmesh_filter_alpha;
-    request.max_degree = std::min(wish.degree, request.points.dim);
-    request.squares = wish.squares;
-    netmesh_context* const context = block.fresh();
-    Answer answer;
-    answer.status = netmesh_persist(context, &request);
-    if (answer.status != NETMESH_OK) return answer;
-    netmesh_pair pair;
-    pair.struct_bytes = sizeof pair;
-    for (std::uint64_t i = 0; netmesh_get_pair(context, i, &pair) == NETMESH_OK; ++i)
-        answer.bars.push_back({pair.degree, pair.birth, pair.death});
-    netmesh_report report = {};
-    report.struct_bytes = sizeof report;
-    netmesh_get_report(context, &report);
-    answer.duplicates = static_cast<std::size_t>(report.input.duplicates);
-    answer.periods = report.input.periods;
-    answer.copies = static_cast<std::size_t>(report.input.copies);
-    answer.moved = report.input.moved;
-    return answer;
-}
-
-std::string text_of(const Bars& bars) {
-    std::string text;
-    char line[200];
-    for (const Bar& bar : bars) {
-        std::snprintf(line, sizeof line, "    %u %.17g %.17g\n", bar.degree, bar.birth, bar.death);
-        text += line;
-    }
-    return text;
-}
-
-// What is asked for, and what has to come.
-struct Truth {
-    Bars bars;
-    std::size_t duplicates = 0, periods = 0;
-};
-Truth truth_of(const Cloud& cloud, const Bars& bars) { return {bars, count_duplicates(cloud), cloud.periods()}; }
-
-std::string compare(const std::string& what, const Answer& answer, const Truth& truth) {
-    const std::string of = what + ": ";
-    if (answer.status != NETMESH_OK) return of + netmesh_status_text(answer.status);
-    if (answer.duplicates != truth.duplicates) return of + std::to_string(answer.duplicates) + " duplicates";
-    if (answer.periods != truth.periods) return of + "another number of periods";
-    if (answer.moved != 0) return of + "numbers were moved, and there is no need to";
-    if (answer.bars == truth.bars) return "";
-    return of + "other bars\n  came\n" + text_of(answer.bars) + "  truth\n" + text_of(truth.bars);
-}
 
 bool is_near(double a, double b, double by) { return a == b || std::fabs(a - b) <= by; }
 
@@ -128,22 +39,6 @@ struct Seen {
     std::size_t clouds = 0, flat = 0, bars = 0, weighted = 0, open = 0, duplicates = 0, moved = 0, more = 0, faults = 0;
     double farthest = 0;
 };
-
-void print_cloud(const Cloud& cloud) {
-    const std::size_t d = cloud.width();
-    std::printf("  %dD, %s\n", cloud.dim, cloud.numbers.empty() ? "no weights" : cloud.are_radii ? "radii" : "weights");
-    for (std::size_t j = 0; j < cloud.periods(); ++j) {
-        std::printf("  period");
-        for (std::size_t c = 0; c < d; ++c) std::printf(" %.17g", cloud.lattice[j * d + c]);
-        std::printf("\n");
-    }
-    for (std::size_t i = 0; i < cloud.count(); ++i) {
-        std::printf("  point ");
-        for (std::size_t c = 0; c < d; ++c) std::printf(" %.17g", cloud.x[i * d + c]);
-        if (!cloud.numbers.empty()) std::printf("  %.17g", cloud.numbers[i]);
-        std::printf("\n");
-    }
-}
 
 void print_exactly(const Cloud& cloud) {
     std::printf("  lattice");
@@ -288,17 +183,6 @@ std::string judge(const Block& block, Random& random, std::size_t number, const 
 Cloud make_cloud_of(Random& random, std::size_t number) {
     const int dim = number % 3 == 2 ? 3 : 2;
     return make_cloud(random, dim, dim == 2 ? 8 : 4);
-}
-
-bool is_torus(const Cloud& cloud, const Bars& bars) {
-    std::size_t wanted = 1;
-    for (std::uint32_t degree = 0; degree <= cloud.width(); ++degree) {
-        std::size_t count = 0;
-        for (const Bar& bar : bars) count += bar.degree == degree && std::isinf(bar.death);
-        if (count != wanted) return false;
-        wanted = degree < cloud.periods() ? wanted * (cloud.periods() - degree) / (degree + 1) : 0;
-    }
-    return true;
 }
 
 // Points, most of whose copies nobody asks for: which these are another basis, place or order must not tell.

@@ -1,0 +1,78 @@
+// What the engine says of a cloud that repeats, beside the truth.
+#pragma once
+#include <netmesh.h>
+
+#include <algorithm>
+#include <string>
+
+#include "periods/lattices.hpp"
+#include "weights/judge.hpp"
+
+namespace periods {
+
+using weights::Block;
+using weights::text_of;
+
+struct Answer {
+    netmesh_status status;
+    Bars bars;
+    std::size_t duplicates = 0, periods = 0, copies = 0;
+    double moved = 0;
+};
+
+struct Wish {
+    bool squares = false;
+    std::uint32_t degree = NETMESH_DIM_MAX;  // the highest; more counts as dim
+};
+
+inline Answer ask(const Block& block, const Cloud& cloud, const Wish& wish = Wish()) {
+    netmesh_request request = netmesh_default_request();
+    request.points.coordinates = cloud.x.data();
+    request.points.count = cloud.count();
+    request.points.dim = static_cast<std::uint32_t>(cloud.dim);
+    request.points.lattice = cloud.lattice.data();
+    request.points.lattice_count = static_cast<std::uint32_t>(cloud.periods());
+    request.periods = &netmesh_periodic;
+    if (!cloud.numbers.empty()) {
+        request.points.weights = cloud.numbers.data();
+        request.weighting = cloud.are_radii ? &netmesh_radii : &netmesh_weights;
+    }
+    request.filter = &netmesh_filter_alpha;
+    request.max_degree = std::min(wish.degree, request.points.dim);
+    request.squares = wish.squares;
+    netmesh_context* const context = block.fresh();
+    Answer answer;
+    answer.status = netmesh_persist(context, &request);
+    if (answer.status != NETMESH_OK) return answer;
+    netmesh_pair pair;
+    pair.struct_bytes = sizeof pair;
+    for (std::uint64_t i = 0; netmesh_get_pair(context, i, &pair) == NETMESH_OK; ++i)
+        answer.bars.push_back({pair.degree, pair.birth, pair.death});
+    netmesh_report report = {};
+    report.struct_bytes = sizeof report;
+    netmesh_get_report(context, &report);
+    answer.duplicates = static_cast<std::size_t>(report.input.duplicates);
+    answer.periods = report.input.periods;
+    answer.copies = static_cast<std::size_t>(report.input.copies);
+    answer.moved = report.input.moved;
+    return answer;
+}
+
+// What is asked for, and what has to come.
+struct Truth {
+    Bars bars;
+    std::size_t duplicates = 0, periods = 0;
+};
+inline Truth truth_of(const Cloud& cloud, const Bars& bars) { return {bars, count_duplicates(cloud), cloud.periods()}; }
+
+inline std::string compare(const std::string& what, const Answer& answer, const Truth& truth) {
+    const std::string of = what + ": ";
+    if (answer.status != NETMESH_OK) return of + netmesh_status_text(answer.status);
+    if (answer.duplicates != truth.duplicates) return of + std::to_string(answer.duplicates) + " duplicates";
+    if (answer.periods != truth.periods) return of + "another number of periods";
+    if (answer.moved != 0) return of + "numbers were moved, and there is no need to";
+    if (answer.bars == truth.bars) return "";
+    return of + "other bars\n  came\n" + text_of(answer.bars) + "  truth\n" + text_of(truth.bars);
+}
+
+}  // namespace periods
