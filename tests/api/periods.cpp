@@ -172,6 +172,29 @@ TEST_CASE("one axis with a period: as a strip of many copies has it inside") {
     }
 }
 
+TEST_CASE("few points far above a strip: balls beyond the hull want copies far along") {
+    // Between the upper points centres are above all points, and what counts is their part within.
+    for (const std::uint64_t seed : {1, 2, 3}) {
+        Points points = inputs::uniform(2, 200, seed);
+        for (std::size_t i = 0; i < points.size(); i += 2) points[i] *= 64;
+        for (const double x : {3.0, 25.0, 41.0}) {
+            points.push_back(x + static_cast<double>(seed));
+            points.push_back(4);
+        }
+        points = on_grid(points);
+        const Points along = {64, 0};
+        Context a(block), b(block);
+        REQUIRE(a.engine.persist(request_of(2, points, along)) == NETMESH_OK);
+        CHECK(report_of(a.engine).input.copies > 100);
+        for (int k = 1; k < 8; ++k) {  // cut elsewhere
+            Points moved = points;
+            for (std::size_t i = 0; i < moved.size(); i += 2) moved[i] += 8 * k;
+            REQUIRE(b.engine.persist(request_of(2, moved, along)) == NETMESH_OK);
+            CHECK(bars_of(b.engine) == bars_of(a.engine));
+        }
+    }
+}
+
 TEST_CASE("floats, rows apart, and equal copies") {
     const std::vector<float> rows = {0.25f, 0.5f, -1, 1.25f, 2.5f, -1, 0.75f, 0.125f, -1};
     const Points exact = {0.25, 0.5, 0.75, 0.125}, lattice = cube(2);
@@ -212,6 +235,9 @@ TEST_CASE("refusals") {
     lattice = {0, 0, 0};
     refused(request_of(3, points, lattice), NETMESH_FIELD_LATTICE);
     CHECK(c.engine.detail().index_a == 0);
+    lattice = {1, 0, 0, 1, 0x1p-50, 0, 0, 0, 1};  // a difference of vectors is shorter than 2^-45 of others
+    refused(request_of(3, points, lattice), NETMESH_FIELD_LATTICE);
+    CHECK(c.engine.detail().index_a == 1);
     for (const double far : {1e200, 1e-200}) {
         lattice = cube(3, far);
         CHECK(c.engine.persist(request_of(3, points, lattice)) == NETMESH_OUT_OF_RANGE);
@@ -316,6 +342,28 @@ TEST_CASE("halves to eighths and thirds of vectors stay what they are") {
             CHECK(std::fabs(first - side / parts / 2) < 1e-14 * side);
             CHECK(report_of(c.engine).input.moved < 1e-14 * side);
         }
+}
+
+TEST_CASE("a honeycomb of any size has the bars of its symmetry, from each basis") {
+    // Two points of a cell, at thirds of both vectors. Equal edges, one of which joins them, and hexagons.
+    for (const double side : {1.42, 2.46, 0.1, 3.7e5}) {
+        const double half = 0.5 * side, height = std::sqrt(0.75) * side;
+        struct Basis {
+            Points lattice;
+            int first, second;  // thirds of the vectors at which the other point is
+        };
+        const Basis bases[] = {{{side, 0, half, height}, 1, 1},
+                               {{side, 0, -half, height}, 2, 1},
+                               {{half, height, side + half, height}, 0, 1}};
+        for (const Basis& basis : bases) {
+            Points points = {0, 0};
+            for (std::size_t k = 0; k < 2; ++k)
+                points.push_back((basis.first * basis.lattice[k] + basis.second * basis.lattice[2 + k]) / 3);
+            Context c(block);
+            REQUIRE(c.engine.persist(request_of(2, points, basis.lattice)) == NETMESH_OK);
+            CHECK(bars_of(c.engine).size() == 5);
+        }
+    }
 }
 
 TEST_CASE("far points: taken near, or refused by row") {

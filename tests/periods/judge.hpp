@@ -16,8 +16,9 @@ using weights::text_of;
 struct Answer {
     netmesh_status status;
     Bars bars;
-    std::size_t duplicates = 0, periods = 0, copies = 0;
+    std::size_t duplicates = 0, periods = 0, copies = 0, distinct = 0;
     double moved = 0;
+    std::vector<std::size_t> hidden;  // rows
 };
 
 struct Wish {
@@ -55,6 +56,11 @@ inline Answer ask(const Block& block, const Cloud& cloud, const Wish& wish = Wis
     answer.periods = report.input.periods;
     answer.copies = static_cast<std::size_t>(report.input.copies);
     answer.moved = report.input.moved;
+    answer.distinct = static_cast<std::size_t>(report.input.distinct);
+    std::uint64_t row;
+    for (std::uint64_t i = 0; netmesh_get_hidden(context, i, &row) == NETMESH_OK; ++i)
+        answer.hidden.push_back(static_cast<std::size_t>(row));
+    if (report.input.hidden != answer.hidden.size()) answer.hidden.push_back(SIZE_MAX);
     return answer;
 }
 
@@ -73,6 +79,27 @@ inline std::string compare(const std::string& what, const Answer& answer, const 
     if (answer.moved != 0) return of + "numbers were moved, and there is no need to";
     if (answer.bars == truth.bars) return "";
     return of + "other bars\n  came\n" + text_of(answer.bars) + "  truth\n" + text_of(truth.bars);
+}
+
+// Rows of hidden points. extents: as values_of_cells finds them; a cell without an inside is a tie, which an index
+// breaks.
+inline std::string compare_hidden(const Answer& answer, const Cloud& cloud, const std::vector<Extent>& extents) {
+    const std::vector<bool> stay = those_that_stay(cloud);
+    std::vector<bool> is_hidden(cloud.count(), false);
+    std::size_t before = 0;
+    for (const std::size_t row : answer.hidden) {
+        if (row >= cloud.count() || (row < before)) return "rows of hidden points are in no order, or none";
+        is_hidden[row] = true;
+        before = row + 1;
+    }
+    for (std::size_t i = 0; i < cloud.count(); ++i) {
+        const std::string which = " point " + std::to_string(i) + " ";
+        if (is_hidden[i] && !stay[i]) return which + "is a duplicate, and said to be hidden";
+        if (is_hidden[i] && extents[i] == Extent::inside) return which + "is said to be hidden, and has a cell";
+        if (!is_hidden[i] && stay[i] && extents[i] == Extent::nothing) return which + "is hidden, and not listed";
+    }
+    if (answer.distinct + answer.duplicates + answer.hidden.size() == cloud.count()) return "";
+    return "points are lost, or counted twice";
 }
 
 }  // namespace periods

@@ -36,7 +36,8 @@ bool holds(const Bars& one, Bars other, double by) {
 }
 
 struct Seen {
-    std::size_t clouds = 0, flat = 0, bars = 0, weighted = 0, open = 0, duplicates = 0, moved = 0, more = 0, faults = 0;
+    std::size_t clouds = 0, flat = 0, bars = 0, weighted = 0, open = 0, duplicates = 0, hidden = 0, moved = 0, more = 0,
+                faults = 0;
     double farthest = 0;
 };
 
@@ -161,7 +162,9 @@ std::string judge(const Block& block, Random& random, std::size_t number, const 
         ++seen->flat;
         return roots.status == NETMESH_FLAT ? "" : std::string("flat: ") + netmesh_status_text(roots.status);
     }
-    const ExactBars exact = bars_of_cells(cloud);
+    const bool has_all_periods = cloud.periods() == cloud.width();
+    std::vector<Extent> extents;
+    const ExactBars exact = bars_of_cells(cloud, has_all_periods ? &extents : nullptr);
     const Truth truth = truth_of(cloud, rounded(exact, false));
     seen->bars += truth.bars.size();
     seen->weighted += !cloud.numbers.empty();
@@ -172,6 +175,10 @@ std::string judge(const Block& block, Random& random, std::size_t number, const 
         Wish wish;
         wish.squares = true;
         fault = compare("powers", ask(block, cloud, wish), truth_of(cloud, rounded(exact, true)));
+    }
+    if (fault.empty() && has_all_periods) {
+        fault = compare_hidden(roots, cloud, extents);
+        for (std::size_t i = 0; i < extents.size(); ++i) seen->hidden += extents[i] == Extent::nothing;
     }
     for (std::size_t i = 0; i < 3 && fault.empty(); ++i) {
         ++seen->more;
@@ -249,6 +256,53 @@ std::size_t judge_found(const Block& block, Seen* seen) {
     return !fault.empty();
 }
 
+// A basis of long vectors, of which short ones are differences that no double has, and points 2^30 periods away.
+// Against the truth of the short basis and of points nearby, both found in rationals and rounded.
+std::size_t judge_long(const Block& block, std::uint64_t seed, std::size_t clouds) {
+    std::size_t faults = 0;
+    for (std::size_t i = 0; i < clouds; ++i) {
+        Random random(seed * 0x9E3779B97F4A7C15u + i);
+        // The second short vector is shorter than the first, so that they change places.
+        const double first[] = {random.uniform(1, 2), random.uniform(0, 0.1)};
+        const mpq_class times(std::ldexp(1, 21) + 2 * random.whole(0, 1000000) + 1);
+        Cloud given, near;
+        given.lattice = {first[0], first[1]};
+        near.lattice = given.lattice;
+        Row second;
+        for (std::size_t k = 0; k < 2; ++k) {
+            const double wanted = k == 0 ? random.uniform(-0.3, 0.3) : random.uniform(0.4, 0.7);
+            const mpq_class sum = times * mpq_class(first[k]) + mpq_class(wanted);
+            given.lattice.push_back(sum.get_d());
+            second.push_back(mpq_class(given.lattice.back()) - times * mpq_class(first[k]));
+            near.lattice.push_back(second.back().get_d());
+        }
+        for (int point = 0; point < 3; ++point) {
+            const mpq_class a(std::ldexp(random.whole(-1000, 1000), 20)), b(std::ldexp(random.whole(-1000, 1000), 20));
+            for (std::size_t k = 0; k < 2; ++k) {
+                const mpq_class by = a * mpq_class(first[k]) + b * second[k];
+                const mpq_class far = by + mpq_class(random.uniform());
+                given.x.push_back(far.get_d());
+                const mpq_class left = mpq_class(given.x.back()) - by;
+                near.x.push_back(left.get_d());
+            }
+        }
+        const Answer answer = ask(block, given);
+        std::string fault = answer.status != NETMESH_OK ? netmesh_status_text(answer.status) : "";
+        if (fault.empty()) {
+            const Bars bars = rounded(bars_of_cells(near), false);
+            const double by = 1e-12;
+            if (!holds(bars, answer.bars, by) || !holds(answer.bars, bars, by))
+                fault = "other bars\n  came\n" + text_of(answer.bars) + "  truth\n" + text_of(bars);
+        }
+        if (fault.empty()) continue;
+        ++faults;
+        std::printf("long vectors, cloud %zu: %s\n", i, fault.c_str());
+        print_exactly(given);
+    }
+    std::printf("%zu clouds of long vectors and far points, %zu faults\n", clouds, faults);
+    return faults;
+}
+
 // What is wrong with an answer now; false: there is nothing to make wrong.
 bool spoil(Random& random, int kind, Answer* wrong) {
     const std::size_t at = random.bits() % wrong->bars.size();
@@ -280,6 +334,34 @@ bool spoil(Random& random, int kind, Answer* wrong) {
     return true;
 }
 
+// Lists of hidden points that lack one, have one too many, or are in another order, and a count that is off.
+int plant_hidden(const Block& block, int* missed) {
+    Random random(6);
+    int planted = 0;
+    for (std::size_t i = 0; planted < 60 && i < 2000; ++i) {
+        const Cloud cloud = make_cloud(random, 2, 8);
+        const Answer answer = ask(block, cloud);
+        if (answer.status != NETMESH_OK || answer.hidden.empty() || cloud.periods() < cloud.width()) continue;
+        std::vector<Extent> extents;
+        bars_of_cells(cloud, &extents);
+        for (int kind = 0; kind < 4; ++kind) {
+            Answer wrong = answer;
+            std::size_t other = 0;
+            while (other < cloud.count() && extents[other] != Extent::inside) ++other;
+            const std::size_t first = wrong.hidden.front();
+            if (kind == 0 && extents[first] != Extent::nothing) continue;
+            if (kind == 0) wrong.hidden.erase(wrong.hidden.begin());
+            if (kind == 1) wrong.hidden.front() = other;
+            if (kind == 2 && wrong.hidden.size() < 2) continue;
+            if (kind == 2) std::swap(wrong.hidden.front(), wrong.hidden.back());
+            if (kind == 3) ++wrong.distinct;
+            ++planted;
+            *missed += compare_hidden(wrong, cloud, extents).empty();
+        }
+    }
+    return planted;
+}
+
 int plant(const Block& block) {
     constexpr int kinds = 12;
     Random random(5);
@@ -300,13 +382,15 @@ int plant(const Block& block) {
             std::printf("missed: an error of kind %d\n", kind);
         }
     }
+    const int hidden = plant_hidden(block, &missed);
     int all = 0, kinds_seen = 0;
     for (const int count : planted) {
         all += count;
         kinds_seen += count > 0;
     }
-    std::printf("%d errors of %d kinds planted in %d answers, %d missed\n", all, kinds_seen, sound, missed);
-    return sound < 60 || kinds_seen < kinds || missed > 0 ? 1 : 0;
+    std::printf("%d errors of %d kinds planted in %d answers, and %d in lists of hidden points, %d missed\n", all,
+                kinds_seen, sound, hidden, missed);
+    return sound < 60 || hidden < 60 || kinds_seen < kinds || missed > 0 ? 1 : 0;
 }
 
 }  // namespace
@@ -328,7 +412,8 @@ int main(int argc, char** argv) {
         }
     }
     Seen seen;
-    seen.faults = judge_named(block) + judge_found(block, &seen) + judge_many(block, seed, clouds / 4);
+    seen.faults = judge_named(block) + judge_found(block, &seen) + judge_many(block, seed, clouds / 4) +
+                  judge_long(block, seed, clouds / 10);
     for (std::size_t i = 0; i < clouds && seen.faults < 5; ++i) {
         Random random(seed * 0x9E3779B97F4A7C15u + i);
         const Cloud cloud = make_cloud_of(random, i);
@@ -338,9 +423,10 @@ int main(int argc, char** argv) {
         std::printf("cloud %zu: %s\n", i, fault.c_str());
         print_cloud(cloud);
     }
-    std::printf("%zu clouds: %zu bars equal to the last bit, %zu changes; %zu clouds with weights, %zu with fewer "
-                "periods, %zu duplicates, %zu flat; %zu with long digits, moved by %g of their reach; %zu faults\n",
-                seen.clouds, seen.bars, seen.more, seen.weighted, seen.open, seen.duplicates, seen.flat, seen.moved,
-                seen.farthest, seen.faults);
+    std::printf(
+        "%zu clouds: %zu bars equal to the last bit, %zu changes; %zu clouds with weights, %zu with fewer "
+        "periods, %zu duplicates, %zu without a cell, %zu flat; %zu with long digits, moved by %g of their reach; %zu faults\n",
+        seen.clouds, seen.bars, seen.more, seen.weighted, seen.open, seen.duplicates, seen.hidden, seen.flat,
+        seen.moved, seen.farthest, seen.faults);
     return seen.faults > 0 || seen.clouds == 0 ? 1 : 0;
 }
