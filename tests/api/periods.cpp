@@ -87,6 +87,12 @@ TEST_CASE("which basis, which copy, which order: the same bars, from one point t
             weighted.set_weights(&netmesh_weights, zero);
             REQUIRE(b.engine.persist(weighted) == NETMESH_OK);
             CHECK(bars_of(b.engine) == bars);
+            CHECK(report_of(b.engine).input.weighting == NETMESH_WEIGHTING_WEIGHTS);
+            CHECK(report_of(b.engine).input.squares == 0);
+            weighted.set_weights(&netmesh_radii, zero).squares = 1;
+            REQUIRE(b.engine.persist(weighted) == NETMESH_OK);
+            CHECK(report_of(b.engine).input.weighting == NETMESH_WEIGHTING_RADII);
+            CHECK(report_of(b.engine).input.squares == 1);
             other = request_of(dim, points, lattice);
             other.filter = &netmesh_filter_auto;
             REQUIRE(b.engine.persist(other) == NETMESH_OK);
@@ -344,25 +350,22 @@ TEST_CASE("halves to eighths and thirds of vectors stay what they are") {
         }
 }
 
-TEST_CASE("a honeycomb of any size has the bars of its symmetry, from each basis") {
-    // Two points of a cell, at thirds of both vectors. Equal edges, one of which joins them, and hexagons.
-    for (const double side : {1.42, 2.46, 0.1, 3.7e5}) {
-        const double half = 0.5 * side, height = std::sqrt(0.75) * side;
-        struct Basis {
-            Points lattice;
-            int first, second;  // thirds of the vectors at which the other point is
-        };
-        const Basis bases[] = {{{side, 0, half, height}, 1, 1},
-                               {{side, 0, -half, height}, 2, 1},
-                               {{half, height, side + half, height}, 0, 1}};
-        for (const Basis& basis : bases) {
-            Points points = {0, 0};
-            for (std::size_t k = 0; k < 2; ++k)
-                points.push_back((basis.first * basis.lattice[k] + basis.second * basis.lattice[2 + k]) / 3);
-            Context c(block);
-            REQUIRE(c.engine.persist(request_of(2, points, basis.lattice)) == NETMESH_OK);
-            CHECK(bars_of(c.engine).size() == 5);
+TEST_CASE("the middle of a skew cell stays its middle") {
+    // It is as far from one corner as from the opposite one, to the last bit.
+    inputs::Random random(4);
+    for (int i = 0; i < 40; ++i) {
+        const double side = 1 + random.uniform(), turn = 0.3 * random.uniform();
+        const Points lattice = {side, turn, side * (0.2 + 0.3 * random.uniform()),
+                                side * (0.8 + 0.4 * random.uniform())};
+        const Points points = {0, 0, 0.5 * (lattice[0] + lattice[2]), 0.5 * (lattice[1] + lattice[3])};
+        Context c(block);
+        REQUIRE(c.engine.persist(request_of(2, points, lattice)) == NETMESH_OK);
+        double joined = 0, loop = std::numeric_limits<double>::infinity();
+        for (const Bar& bar : bars_of(c.engine)) {
+            if (bar.degree == 0 && bar.death < std::numeric_limits<double>::infinity()) joined = bar.death;
+            if (bar.degree == 1 && bar.birth < loop) loop = bar.birth;
         }
+        CHECK(joined == loop);
     }
 }
 

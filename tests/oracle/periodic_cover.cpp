@@ -1,4 +1,5 @@
-// Alpha diagrams of 1 to 8 points that repeat in boxes and in skew cells, with weights or without, against a cover:
+// Alpha diagrams of 1 to 8 points that repeat in boxes and in skew cells of the plane and of space, and of few in four
+// dimensions, with weights or without, against a cover:
 // GUDHI makes the exact alpha complex of all copies near enough, and here its simplices at the points of the middle are
 // taken modulo translations and reduced. NETMESH_COVER_CELLS=500: 500 cells; without it a few.
 //
@@ -22,6 +23,7 @@
 #include <vector>
 
 #include "common/inputs.hpp"
+#include "common/read.hpp"
 #include "netmesh.hpp"
 #include "oracle/bars.hpp"
 
@@ -49,7 +51,7 @@ Cell make_cell(inputs::Random& random, int dim, bool is_box) {
         for (std::size_t k = 0; k < j && !is_box; ++k)
             cell.vectors[j * d + k] = on_grid((random.uniform() - 0.5) * cell.vectors[k * d + k]);
     }
-    const std::size_t n = 1 + random.below(8);
+    const std::size_t n = 1 + random.below(dim < 4 ? 8 : 2);
     for (std::size_t i = 0; i < n; ++i) {
         std::vector<double> x(d, 0.0);
         for (std::size_t j = 0; j < d; ++j) {
@@ -72,7 +74,7 @@ Bars bars_of_engine(const Cell& cell, std::uint64_t* hidden) {
         request.set_weights(&netmesh_weights, cell.weights);
         request.squares = 1;
     }
-    std::vector<long double> memory((std::size_t(1) << 24) / sizeof(long double));
+    std::vector<long double> memory((std::size_t(1) << 26) / sizeof(long double));
     netmesh::Engine engine(memory.data(), memory.size() * sizeof(long double));
     REQUIRE(engine.persist(request) == NETMESH_OK);
     auto report = netmesh::sized<netmesh_report>();
@@ -87,7 +89,7 @@ Bars bars_of_engine(const Cell& cell, std::uint64_t* hidden) {
 }
 
 // A point and the multiples of the vectors.
-using Copy = std::array<int, 4>;
+using Copy = std::array<int, 5>;
 // Ascending; the first has multiples 0.
 using Simplex = std::vector<Copy>;
 
@@ -109,27 +111,32 @@ Cover make_cover(const Cell& cell) {
     for (std::size_t j = 0; j < d; ++j) reach2 += cell.vectors[j * d + j] * cell.vectors[j * d + j];
     reach2 *= 1 + 1e-9;
     Cover cover;
-    constexpr int most = 7;
-    for (std::size_t i = 0; i < cell.count(); ++i)
-        for (int a = -most; a <= most; ++a)
-            for (int b = -most; b <= most; ++b)
-                for (int c = d == 3 ? -most : 0; c <= (d == 3 ? most : 0); ++c) {
-                    const Copy copy = {static_cast<int>(i), a, b, c};
-                    std::vector<double> x(&cell.points[i * d], &cell.points[i * d] + d);
-                    for (std::size_t j = 0; j < d; ++j)
-                        for (std::size_t k = 0; k < d; ++k) x[k] += copy[j + 1] * cell.vectors[j * d + k];
-                    bool is_near = false;
-                    for (std::size_t p = 0; p < cell.count() && !is_near; ++p) {
-                        double away2 = 0;
-                        for (std::size_t k = 0; k < d; ++k)
-                            away2 += (x[k] - cell.points[p * d + k]) * (x[k] - cell.points[p * d + k]);
-                        is_near = away2 <= reach2;
-                    }
-                    if (!is_near) continue;
-                    cover.copies.push_back(copy);
-                    cover.points.insert(cover.points.end(), x.begin(), x.end());
-                    if (!cell.weights.empty()) cover.weights.push_back(cell.weights[i]);
-                }
+    const int most = d < 4 ? 7 : 5;
+    for (std::size_t i = 0; i < cell.count(); ++i) {
+        Copy copy = {static_cast<int>(i)};
+        for (std::size_t j = 1; j <= d; ++j) copy[j] = -most;
+        for (;;) {
+            std::vector<double> x(&cell.points[i * d], &cell.points[i * d] + d);
+            for (std::size_t j = 0; j < d; ++j)
+                for (std::size_t k = 0; k < d; ++k) x[k] += copy[j + 1] * cell.vectors[j * d + k];
+            bool is_near = false;
+            for (std::size_t p = 0; p < cell.count() && !is_near; ++p) {
+                double away2 = 0;
+                for (std::size_t k = 0; k < d; ++k)
+                    away2 += (x[k] - cell.points[p * d + k]) * (x[k] - cell.points[p * d + k]);
+                is_near = away2 <= reach2;
+            }
+            if (is_near) {
+                cover.copies.push_back(copy);
+                cover.points.insert(cover.points.end(), x.begin(), x.end());
+                if (!cell.weights.empty()) cover.weights.push_back(cell.weights[i]);
+            }
+            std::size_t j = 1;
+            while (j <= d && copy[j] == most) copy[j++] = -most;
+            if (j > d) break;
+            ++copy[j];
+        }
+    }
     return cover;
 }
 
@@ -242,7 +249,9 @@ TEST_CASE("diagrams of cells with periods are those of a cover modulo translatio
     for (int i = 0; i < cells; ++i) {
         inputs::Random random(static_cast<std::uint64_t>(i) + 1);
         const bool is_box = i / 2 % 2 == 0;
-        const Cell cell = make_cell(random, 2 + i % 2, is_box);
+        const int dim = i % 12 == 11 ? 4 : 2 + i % 2;
+        if (!plans_for(dim)) continue;
+        const Cell cell = make_cell(random, dim, is_box);
         INFO("cell " << i << ", " << cell.dim << "D, " << cell.count() << " points, weights: " << cell.weights.size());
         const double slack = 1e-12;
         Entries entries;

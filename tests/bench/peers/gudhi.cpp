@@ -1,5 +1,6 @@
 #include <cmath>
 
+#include <CGAL/Epeck_d.h>
 #include <CGAL/Epick_d.h>
 #include <gudhi/Alpha_complex.h>
 #include <gudhi/Alpha_complex_3d.h>
@@ -60,12 +61,13 @@ void gudhi_alpha(Trial& trial, int dim, const inputs::Points& points) {
 
 void gudhi_weighted_alpha(Trial& trial, int dim, const inputs::Points& points, const inputs::Points& weights) {
     if (dim == 2) {
-        using Kernel = CGAL::Epick_d<CGAL::Dimension_tag<2>>;
+        using Kernel = CGAL::Epeck_d<CGAL::Dimension_tag<2>>;  // with Epick_d it crashes on weights
         std::vector<typename Kernel::Point_d> rows;
         for (std::size_t i = 0; i < points.size(); i += 2) rows.emplace_back(&points[i], &points[i] + 2);
+        const std::vector<Kernel::FT> numbers(weights.begin(), weights.end());
         persist(
             trial,
-            [&](Tree& tree) { Gudhi::alpha_complex::Alpha_complex<Kernel, true>(rows, weights).create_complex(tree); },
+            [&](Tree& tree) { Gudhi::alpha_complex::Alpha_complex<Kernel, true>(rows, numbers).create_complex(tree); },
             true);
     } else {
         using Alpha = Gudhi::alpha_complex::Alpha_complex_3d<Gudhi::alpha_complex::complexity::FAST, true>;
