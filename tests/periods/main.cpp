@@ -4,8 +4,8 @@
 // translation, another order of rows, other copies, weights 0, another unit; twice the cell; numbers whose copies are
 // no doubles. Of more points, whose copies are inserted as they are asked for, the same changes, without rationals.
 //
-//   periods [--clouds N] [--seed S]    N clouds, or a slice
-//   periods --plant                    errors planted in what came, which have to be seen
+//   periods [--clouds N] [--seed S] [--in-space POINTS]    N clouds, or a slice; in space with up to so many points, 4
+//   periods --plant                                        errors planted in what came, which have to be seen
 //
 // Ends with 1 on a difference, after the cloud.
 #include <cmath>
@@ -187,9 +187,9 @@ std::string judge(const Block& block, Random& random, std::size_t number, const 
     return fault;
 }
 
-Cloud make_cloud_of(Random& random, std::size_t number) {
+Cloud make_cloud_of(Random& random, std::size_t number, std::size_t most_in_space = 4) {
     const int dim = number % 3 == 2 ? 3 : 2;
-    return make_cloud(random, dim, dim == 2 ? 8 : 4);
+    return make_cloud(random, dim, dim == 2 ? 8 : most_in_space);
 }
 
 // Points, most of whose copies nobody asks for: which these are another basis, place or order must not tell.
@@ -396,7 +396,7 @@ int plant(const Block& block) {
 }  // namespace
 
 int main(int argc, char** argv) {
-    std::size_t clouds = 400;
+    std::size_t clouds = 400, in_space = 4;
     std::uint64_t seed = 1;
     const Block block;
     for (int i = 1; i < argc; ++i) {
@@ -406,8 +406,10 @@ int main(int argc, char** argv) {
             clouds = std::strtoull(argv[++i], nullptr, 10);
         } else if (word == "--seed" && i + 1 < argc) {
             seed = std::strtoull(argv[++i], nullptr, 10);
+        } else if (word == "--in-space" && i + 1 < argc) {
+            in_space = std::strtoull(argv[++i], nullptr, 10);
         } else {
-            std::fprintf(stderr, "periods [--clouds N] [--seed S] | --plant\n");
+            std::fprintf(stderr, "periods [--clouds N] [--seed S] [--in-space POINTS] | --plant\n");
             return 2;
         }
     }
@@ -416,7 +418,7 @@ int main(int argc, char** argv) {
                   judge_long(block, seed, clouds / 10);
     for (std::size_t i = 0; i < clouds && seen.faults < 5; ++i) {
         Random random(seed * 0x9E3779B97F4A7C15u + i);
-        const Cloud cloud = make_cloud_of(random, i);
+        const Cloud cloud = make_cloud_of(random, i, in_space);
         const std::string fault = judge(block, random, i, cloud, &seen);
         if (fault.empty()) continue;
         ++seen.faults;
