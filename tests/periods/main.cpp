@@ -427,7 +427,8 @@ int main(int argc, char** argv) {
     }
     std::printf(
         "%zu clouds: %zu bars equal to the last bit, %zu changes; %zu clouds with weights, %zu with fewer "
-        "periods, %zu duplicates, %zu without a cell, %zu flat; %zu with long digits, moved by %g of their reach; %zu faults\n",
+        "periods, %zu duplicates, %zu without a cell, %zu flat; %zu with long digits, moved by %g of their reach; "
+        "%zu faults\n",
         seen.clouds, seen.bars, seen.more, seen.weighted, seen.open, seen.duplicates, seen.hidden, seen.flat,
         seen.moved, seen.farthest, seen.faults);
     return seen.faults > 0 || seen.clouds == 0 ? 1 : 0;
