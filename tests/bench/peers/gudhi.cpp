@@ -1,6 +1,5 @@
 #include <cmath>
 
-#include <CGAL/Epeck_d.h>
 #include <CGAL/Epick_d.h>
 #include <gudhi/Alpha_complex.h>
 #include <gudhi/Alpha_complex_3d.h>
@@ -12,15 +11,17 @@
 namespace bench {
 namespace {
 
-// The fast options with double values.
+// The fast options with double values. Hidden points leave gaps between vertices.
 struct Options : Gudhi::Simplex_tree_options_full_featured {
     static const bool contiguous_vertices = true;
 };
 using Tree = Gudhi::Simplex_tree<Options>;
-using Cohomology = Gudhi::persistent_cohomology::Persistent_cohomology<Tree, Gudhi::persistent_cohomology::Field_Zp>;
+using TreeWithGaps = Gudhi::Simplex_tree<>;
 
 // make(tree) builds the alpha complex; its values are squared radii, or powers: of these no roots are taken.
-template <class Make> void persist(Trial& trial, Make make, bool are_powers = false) {
+template <class Tree = bench::Tree, class Make> void persist(Trial& trial, Make make, bool are_powers = false) {
+    using Cohomology =
+        Gudhi::persistent_cohomology::Persistent_cohomology<Tree, Gudhi::persistent_cohomology::Field_Zp>;
     trial.start();
     Tree tree;
     make(tree);
@@ -61,14 +62,13 @@ void gudhi_alpha(Trial& trial, int dim, const inputs::Points& points) {
 
 void gudhi_weighted_alpha(Trial& trial, int dim, const inputs::Points& points, const inputs::Points& weights) {
     if (dim == 2) {
-        using Kernel = CGAL::Epeck_d<CGAL::Dimension_tag<2>>;  // with Epick_d it crashes on weights
+        using Kernel = CGAL::Epick_d<CGAL::Dimension_tag<2>>;
         std::vector<typename Kernel::Point_d> rows;
         for (std::size_t i = 0; i < points.size(); i += 2) rows.emplace_back(&points[i], &points[i] + 2);
-        const std::vector<Kernel::FT> numbers(weights.begin(), weights.end());
-        persist(
-            trial,
-            [&](Tree& tree) { Gudhi::alpha_complex::Alpha_complex<Kernel, true>(rows, numbers).create_complex(tree); },
-            true);
+        const auto make = [&](TreeWithGaps& tree) {
+            Gudhi::alpha_complex::Alpha_complex<Kernel, true>(rows, weights).create_complex(tree);
+        };
+        persist<TreeWithGaps>(trial, make, true);
     } else {
         using Alpha = Gudhi::alpha_complex::Alpha_complex_3d<Gudhi::alpha_complex::complexity::FAST, true>;
         std::vector<Alpha::Bare_point_3> rows;
