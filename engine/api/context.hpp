@@ -36,6 +36,10 @@ constexpr std::uint64_t context_magic = 0x6E65746D65736802u;
 // or, after homology of a complex, the parts in brackets when representatives are kept:
 //
 //   | Context | [ facets, values ] | pairs |        gap        | [ cycles ] |
+//
+// of points with periods
+//
+//   | Context | pairs |        gap        | [ cycles | values, facets, vertices, copies ] | hidden |
 
 // The points or simplices that the other results are made from.
 struct KeptInput {
@@ -141,6 +145,13 @@ struct KeptComplex {
     Simplices of[FilteredComplex::dimension_max + 1];
 };
 
+// Simplices of a complex modulo a lattice are sets of copies; of which points, and where (QuotientCycles).
+struct KeptCopies {
+    std::uint32_t axes = 0;                             // 0: there are none
+    std::uint64_t vertices[dimension_most() + 1] = {};  // offsets, by dimension
+    std::uint64_t labels = 0;                           // offset
+};
+
 // Representatives of the diagram's pairs.
 struct KeptCycles {
     bool present = false;
@@ -148,6 +159,7 @@ struct KeptCycles {
     std::uint64_t high_end = 0;  // of the arena, above the cycles
     CycleStore store = {};
     KeptComplex complex;
+    KeptCopies copies;
 };
 
 // What the last call said. Its text is kept as the distance from a text of this library's, which is the same wherever

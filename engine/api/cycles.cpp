@@ -32,6 +32,31 @@ void listed_simplex(const netmesh_context* context, std::uint32_t at, netmesh_si
     vertices_of(complex, labels, simplex->degree, at, simplex->vertices);
 }
 
+// A simplex of a complex modulo a lattice: sets of copies, the least at its own place.
+void copied_simplex(const netmesh_context* context, std::uint32_t at, netmesh_simplex* simplex) {
+    const KeptCopies& copies = context->cycles.copies;
+    const void* const block = context;
+    const std::uint32_t k = simplex->degree, axes = copies.axes;
+    const std::uint64_t count = context->cycles.complex.of[k].count;
+    const std::uint32_t* const vertex = Slice<std::uint32_t>{copies.vertices[k], count}.in(block) + at * (k + 1);
+    const std::int32_t* const labels = Slice<std::int32_t>{copies.labels, 1}.in(block);
+    const auto label = [&](std::uint32_t i) { return labels + std::size_t{vertex[i]} * (axes + 1); };
+    std::uint32_t order[dimension_most() + 1];
+    for (std::uint32_t i = 0; i <= k; ++i) order[i] = i;
+    insertion_sort(order, std::uint64_t{k} + 1, [&](std::uint32_t a, std::uint32_t b) {
+        for (std::uint32_t j = 0; j <= axes; ++j)
+            if (label(a)[j] != label(b)[j]) return label(a)[j] < label(b)[j];
+        return false;
+    });
+    const std::int32_t* const first = label(order[0]);
+    for (std::uint32_t i = 0; i <= k; ++i) {
+        const std::int32_t* const own = label(order[i]);
+        simplex->vertices[i] = static_cast<std::uint32_t>(own[0]);
+        for (std::uint32_t j = 0; j < axes; ++j) simplex->translations[i][j] = own[j + 1] - first[j + 1];
+    }
+    simplex->value = Slice<double>{context->cycles.complex.of[k].values, count}.in(block)[at];
+}
+
 // A simplex of a mesh: it enters with its last vertex, unless it is an input that enters at 0.
 void mesh_simplex(const netmesh_context* context, const std::uint32_t* vertices, netmesh_simplex* simplex) {
     const KeptDiagram& diagram = context->diagram;
@@ -79,6 +104,11 @@ netmesh_status netmesh_get_cycle_simplex(const netmesh_context* context, uint64_
     if (status != NETMESH_OK) return status;
     if (index >= cycle.count) return NETMESH_INVALID_ARGUMENT;
     const auto at = static_cast<std::size_t>(index);
+    if (context->cycles.copies.axes != 0) {
+        copied_simplex(context, cycle.simplices[at], &found);
+        give_result(found, simplex);
+        return NETMESH_OK;
+    }
     if (context->cycles.is_listed) {
         listed_simplex(context, cycle.simplices[at], &found);
     } else if (context->scales.present) {

@@ -1,4 +1,5 @@
 // Points with periods: their alpha diagrams, with weights or without.
+#include "api/keep_complex.hpp"
 #include "api/plan.hpp"
 #include "api/request.hpp"
 #include "api/settling.hpp"
@@ -20,7 +21,6 @@ Complaint settle_lattice(const Settling& s) {
     if (!s.takes_alpha()) return fine();
     if (s.r.bounds != nullptr)
         return {NETMESH_FIELD_BOUNDS, "with periods each bar is the exact one, rounded; leave out bounds"};
-    if (s.r.cycles != nullptr) return {NETMESH_FIELD_CYCLES, "there are no cycles with periods yet; leave them out"};
     return fine();
 }
 
@@ -34,8 +34,11 @@ Complaint missing_numbers(const netmesh_request& r) {
                : Complaint{};
 }
 
-netmesh_status fail_with_periods(netmesh_context* context, Status status, const PeriodicReport& report) {
+netmesh_status fail_with_periods(netmesh_context* context, Status status, const PeriodicAlphaDiagram& made) {
+    const PeriodicReport& report = made.report;
     const std::uint64_t row = report.input.row_a;
+    if (made.is_far)
+        return fail_and_clear(context, status, "a point is 2^30 periods away or more, which cycles cannot say", row);
     if (report.has_bad_lattice && status == Status::invalid_argument) {
         clear(context);
         return refuse(context, {NETMESH_FIELD_LATTICE, "a vector is not finite, or depends on those before it"},
@@ -46,6 +49,17 @@ netmesh_status fail_with_periods(netmesh_context* context, Status status, const 
         return refuse(context, {NETMESH_FIELD_WEIGHTS, "a radius is negative"}, row);
     }
     return fail_and_clear(context, status, report.has_weight ? "a weight is not a finite number" : nullptr, row);
+}
+
+void keep_quotient(netmesh_context* context, const QuotientCycles& cycles) {
+    const Arena& arena = context->arena;
+    keep_cycles(context, cycles.store, static_cast<std::size_t>(cycles.store.top));
+    keep_complex(context, cycles.complex);
+    KeptCopies& copies = context->cycles.copies;
+    copies.axes = cycles.axes;
+    copies.labels = arena.offset_of(cycles.copies);
+    for (std::uint32_t k = 0; k <= cycles.complex.dimension; ++k)
+        copies.vertices[k] = arena.offset_of(cycles.vertices[k]);
 }
 
 netmesh_status diagram_with_periods(netmesh_context* context) {
@@ -65,11 +79,14 @@ netmesh_status diagram_with_periods(netmesh_context* context) {
                                           {r.max_degree, r.keep_zero_pairs != 0},
                                           r.squares != 0};
     PeriodicAlphaDiagram made = {};
+    QuotientCycles cycles = {};
+    const bool has_cycles = r.cycles != nullptr;
     const Status found = with_dimension(p.dim, [&](auto dimension) {
-        return alpha_of_periodic_points<decltype(dimension)::value>(wanted, {context->arena, monitor}, &made);
+        return alpha_of_periodic_points<decltype(dimension)::value>(wanted, {context->arena, monitor}, &made,
+                                                                    has_cycles ? &cycles : nullptr);
     });
     const Status status = watch.heed(found);
-    if (status != Status::ok) return fail_with_periods(context, status, made.report);
+    if (status != Status::ok) return fail_with_periods(context, status, made);
     context->complete = true;
     KeptInput& input = context->input;
     const InputReport& read = made.report.input;
@@ -82,6 +99,7 @@ netmesh_status diagram_with_periods(netmesh_context* context) {
     input.copies = made.report.copies;
     input.moved = made.report.moved;
     keep_alpha(context, wanted.diagram, made.found);
+    if (has_cycles) keep_quotient(context, cycles);
     return finish(context, status);
 }
 

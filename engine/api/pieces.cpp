@@ -214,6 +214,7 @@ netmesh_status netmesh_collect(netmesh_context* context, const netmesh_collect_r
     diagram.keeps_zero = job.keep_zero != 0;
     diagram.max_degree = job.max_degree;
     diagram.pairs = Slice<Pair>::of(context->arena, made.pairs.pairs, made.pairs.count);
+    diagram.is_short = true;
     diagram.simplices = made.simplices;
     diagram.certified_ratio = diagram.certified_ratio_best = 1;
     return finish(context, Status::ok);

@@ -24,7 +24,8 @@ Complaint settle_weighting(const Settling& s) {
     if (!s.takes_alpha()) return fine();
     if (s.r.bounds != nullptr)
         return {NETMESH_FIELD_BOUNDS, "with weights each bar is the exact one, rounded; leave out bounds"};
-    if (s.r.cycles != nullptr) return {NETMESH_FIELD_CYCLES, "there are no cycles with weights yet; leave them out"};
+    if (s.r.cycles != nullptr && s.r.periods == nullptr)
+        return {NETMESH_FIELD_CYCLES, "with weights there are cycles where there are periods alone; leave them out"};
     return fine();
 }
 

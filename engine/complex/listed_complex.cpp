@@ -170,6 +170,17 @@ Status order_dimension(ListedComplex& complex, std::uint32_t k, Arena& arena) {
     return Status::ok;
 }
 
+Status order_beside(const double* value, std::uint32_t count, std::uint32_t* rows, std::uint32_t width, Arena& arena) {
+    const HighScope scope(arena);
+    std::uint32_t* const from = arena.take_high<std::uint32_t>(count);
+    double* const sorted = arena.take_high<double>(count);
+    if (from == nullptr || sorted == nullptr) return Status::out_of_memory;
+    move_bytes(sorted, value, sizeof(double) * count, arena);
+    if (!sort_values(sorted, from, count, arena)) return Status::out_of_memory;
+    permute_rows(rows, width, from, count, arena);
+    return Status::ok;
+}
+
 Status order_by_value(ListedComplex& complex, Arena& arena) {
     for (std::uint32_t k = 0; k <= complex.dimension; ++k) {
         const Status status = order_dimension(complex, k, arena);

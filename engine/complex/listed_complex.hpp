@@ -43,6 +43,10 @@ Status order_by_value(ListedComplex& complex, Arena& arena);
 // The same for one dimension. out_of_memory.
 Status order_dimension(ListedComplex& complex, std::uint32_t k, Arena& arena);
 
+// Puts rows of `width` words that stand beside the simplices of one dimension, of these values before they are put in
+// order, where order_dimension puts their simplices. Scratch: 12 bytes a row. out_of_memory.
+Status order_beside(const double* value, std::uint32_t count, std::uint32_t* rows, std::uint32_t width, Arena& arena);
+
 // The labels of the vertices of one k-simplex of a linked complex, in the order in which facets lack them. O(k^2).
 void vertices_of(const FilteredComplex& complex, const std::uint32_t* labels, std::uint32_t k, std::uint32_t simplex,
                  std::uint32_t* vertices);

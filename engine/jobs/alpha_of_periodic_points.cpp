@@ -22,15 +22,24 @@ constexpr double copies_at_once = 300;
 
 template <int D> class PeriodicAlpha {
 public:
-    PeriodicAlpha(const AlphaOfPeriodicPoints& request, const Work& work, PeriodicAlphaDiagram* out)
-        : request_(request), work_(work), arena_(work.arena), out_(*out) {}
+    PeriodicAlpha(const AlphaOfPeriodicPoints& request, const Work& work, PeriodicAlphaDiagram* out,
+                  QuotientCycles* cycles)
+        : request_(request), work_(work), arena_(work.arena), out_(*out), cycles_(cycles) {}
 
     Status run() {
+        const std::size_t low = arena_.low_mark();
         Status status = take_periodic_points<D>(request_.input, work_, &points_, &out_.report);
         if (status == Status::ok) status = triangulate_copies();
+        const std::size_t high = arena_.high_mark();
         if (status == Status::ok) status = find_values();
-        if (status == Status::ok) status = take_orbits(points_, copies_, dimension(), work_, &faces_, value_);
-        return status == Status::ok ? reduce() : status;
+        std::uint32_t* vertices[D + 1];
+        const bool wants_cycles = cycles_ != nullptr;
+        if (status == Status::ok)
+            status =
+                take_orbits(points_, copies_, dimension(), work_, &faces_, value_, wants_cycles ? vertices : nullptr);
+        if (status != Status::ok) return status;
+        arena_.release_high(high);
+        return wants_cycles ? reduce_with_cycles(low, vertices) : reduce();
     }
 
 private:
@@ -162,7 +171,10 @@ private:
         arena_.each(store.state.cell_slots, 5 * D, [&](std::uint64_t c) {
             Cell<D>& cell = store.cell(static_cast<std::uint32_t>(c));
             cell.mark = 0;
-            for (const VertexId v : cell.vertex) cell.mark |= store.vertex(v).origin < points_.count;
+            for (VertexId& v : cell.vertex) {
+                v = VertexId(store.vertex(v).origin);
+                cell.mark |= v < points_.count;
+            }
         });
         outer_facets_ = 0;
         arena_.each(store.state.cell_slots, 20, [&](std::uint64_t c) {
@@ -174,9 +186,7 @@ private:
         arena_.each(store.state.cell_slots, 20, [&](std::uint64_t c) {
             const Cell<D>& cell = store.cell(static_cast<std::uint32_t>(c));
             if (cell.mark == 0) return;
-            VertexId vertex[D + 1];
-            for (int i = 0; i <= D; ++i) vertex[i] = VertexId(store.vertex(cell.vertex[i]).origin);
-            __builtin_memcpy(rows + std::size_t{kept++} * row_bytes, vertex, row_bytes);
+            __builtin_memmove(rows + std::size_t{kept++} * row_bytes, cell.vertex, row_bytes);
         });
         arena_.each(store.state.vertex_count, 2, [&](std::uint64_t v) {
             const Vertex<D>& vertex = store.vertex(static_cast<std::uint32_t>(v));
@@ -262,10 +272,62 @@ private:
         return persist_quotient(quotient, request_.diagram, work_, &out_.found.pairs);
     }
 
+    // Everything that cycles name goes up; then nothing but that and pairs is there. low: of the arena, before all.
+    Status reduce_with_cycles(std::size_t low, std::uint32_t* const* vertices) {
+        ListedComplex& complex = cycles_->complex;
+        complex.dimension = static_cast<std::uint32_t>(dimension());
+        Status status = label_copies();
+        for (std::uint32_t k = 0; k <= complex.dimension && status == Status::ok; ++k) {
+            const std::uint32_t count = complex.count[k] = faces_.count[k];
+            const std::size_t words = std::size_t{count} * (k + 1);
+            complex.rows[k] = arena_.template take_high<std::uint32_t>(words);
+            complex.value[k] = arena_.template take_high<double>(count);
+            std::uint32_t* const own = cycles_->vertices[k] = arena_.template take_high<std::uint32_t>(words);
+            if (complex.rows[k] == nullptr || complex.value[k] == nullptr || own == nullptr)
+                return Status::out_of_memory;
+            const std::size_t bytes = sizeof(std::uint32_t) * words;
+            move_bytes(complex.rows[k], k == 0 ? vertices[0] : faces_.facets[k], bytes, arena_);
+            move_bytes(complex.value[k], value_[k], sizeof(double) * count, arena_);
+            move_bytes(own, vertices[k], bytes, arena_);
+            status = order_beside(value_[k], count, own, k + 1, arena_);
+            out_.found.simplices += count;
+        }
+        if (status == Status::ok) status = order_by_value(complex, arena_);
+        if (status != Status::ok) return status;
+        arena_.release_low(low);
+        Representatives made = {};
+        status = persist_quotient_with_cycles(complex.filtered(), request_.diagram, work_, &made);
+        out_.found.pairs = made.pairs;
+        cycles_->store = made.store;
+        return status;
+    }
+    Status label_copies() {
+        const std::uint32_t axes = cycles_->axes = static_cast<std::uint32_t>(points_.lattice.count);
+        const std::size_t width = std::size_t{axes} + 1;
+        cycles_->copies = arena_.template take_high<std::int32_t>(copies_.count * width);
+        if (cycles_->copies == nullptr) return Status::out_of_memory;
+        GivenTranslations given;
+        find_given(request_.input, D, &given);
+        bool are_near = true;
+        arena_.each(copies_.count, 60 * D, [&](std::uint64_t at) {
+            const auto v = static_cast<std::uint32_t>(at);
+            const std::uint32_t i = copies_.point_of(v, points_.count);
+            std::int32_t* const label = cycles_->copies + at * width;
+            label[0] = static_cast<std::int32_t>(points_.row[i]);
+            if (!are_near) return;
+            are_near =
+                translations_of<D>(request_.input, given, points_, i, copies_.shift_of(v, points_.count), label + 1);
+            out_.report.input.row_a = points_.row[i];
+        });
+        out_.is_far = !are_near;
+        return are_near ? Status::ok : Status::out_of_range;
+    }
+
     const AlphaOfPeriodicPoints& request_;
     const Work& work_;
     Arena& arena_;
     PeriodicAlphaDiagram& out_;
+    QuotientCycles* const cycles_;
     PeriodicPoints points_;
     Copies copies_;
     TriangulationView<D> cells_;
@@ -277,10 +339,12 @@ private:
 }  // namespace
 
 template <int D>
-Status alpha_of_periodic_points(const AlphaOfPeriodicPoints& request, const Work& work, PeriodicAlphaDiagram* out) {
+Status alpha_of_periodic_points(const AlphaOfPeriodicPoints& request, const Work& work, PeriodicAlphaDiagram* out,
+                                QuotientCycles* cycles) {
     const std::size_t low = work.arena.low_mark(), high = work.arena.high_mark();
     *out = PeriodicAlphaDiagram{};
-    const Status status = PeriodicAlpha<D>(request, work, out).run();
+    const Status status = PeriodicAlpha<D>(request, work, out, cycles).run();
+    if (status == Status::ok && cycles != nullptr) return status;
     work.arena.release_low(low);
     const bool keeps = status == Status::ok && out->hidden.count > 0;
     work.arena.release_high(keeps ? work.arena.offset_of(out->hidden.rows) : high);
@@ -288,7 +352,8 @@ Status alpha_of_periodic_points(const AlphaOfPeriodicPoints& request, const Work
 }
 
 #define NETMESH_INSTANTIATE(D)                                                                                         \
-    template Status alpha_of_periodic_points<D>(const AlphaOfPeriodicPoints&, const Work&, PeriodicAlphaDiagram*);
+    template Status alpha_of_periodic_points<D>(const AlphaOfPeriodicPoints&, const Work&, PeriodicAlphaDiagram*,      \
+                                                QuotientCycles*);
 NETMESH_EACH_DIMENSION(NETMESH_INSTANTIATE)
 #undef NETMESH_INSTANTIATE
 

@@ -37,7 +37,7 @@ bool Lattice::orthogonalise() {
     return true;
 }
 
-bool Lattice::reduce() {
+bool Lattice::reduce(double (*of_given)[most]) {
     if (!orthogonalise()) return false;
     // Each exchange makes a product of lengths shorter by a factor; the bound is never met.
     int j = 1;
@@ -46,7 +46,9 @@ bool Lattice::reduce() {
         for (int pass = 0; pass < 3; ++pass)
             for (int i = j - 1; i >= 0; --i) {
                 const double times = nearest_integer(dot(dim, e[i], b[j]) / h[i]);
-                if (times != 0) subtract(times, i, b[j], rest[j]);
+                if (times == 0) continue;
+                subtract(times, i, b[j], rest[j]);
+                for (int k = 0; of_given != nullptr && k < count; ++k) of_given[j][k] -= times * of_given[i][k];
             }
         if (!orthogonalise()) return false;
         const double along = dot(dim, e[j - 1], b[j]);
@@ -56,6 +58,7 @@ bool Lattice::reduce() {
         }
         exchange(b[j], b[j - 1], dim);
         exchange(rest[j], rest[j - 1], dim);
+        if (of_given != nullptr) exchange(of_given[j], of_given[j - 1], count);
         if (!orthogonalise()) return false;
         j = j > 1 ? j - 1 : 1;
     }
@@ -67,7 +70,7 @@ bool Lattice::reduce() {
     return shortest > shortest_part * longest;
 }
 
-bool Lattice::open(const double* vectors, int given, int dimension, int* culprit) {
+bool Lattice::open(const double* vectors, int given, int dimension, int* culprit, double (*of_given)[most]) {
     dim = dimension;
     // One vector more at a time, to tell which one is at fault.
     for (count = 1; count <= given; ++count) {
@@ -77,7 +80,9 @@ bool Lattice::open(const double* vectors, int given, int dimension, int* culprit
                 b[j][k] = vectors[j * dim + k] + 0.0;
                 rest[j][k] = 0;
             }
-        if (!reduce()) return false;
+        for (int j = 0; of_given != nullptr && j < count; ++j)
+            for (int k = 0; k < count; ++k) of_given[j][k] = j == k ? 1 : 0;
+        if (!reduce(of_given)) return false;
     }
     count = given;
     return true;

@@ -26,8 +26,8 @@ struct Lattice {
     bool orthogonalise();
     // Of `vectors` of [given][dim] doubles another basis, short and nearly orthogonal (Lenstra, Lenstra, Lovasz), in
     // about 106 bits. False: vector *culprit depends on those before it, or a sum of them is shorter than 2^-45 of
-    // others.
-    bool open(const double* vectors, int given, int dimension, int* culprit);
+    // others. of_given, if any: b[j] is the sum of of_given[j][i] vectors i.
+    bool open(const double* vectors, int given, int dimension, int* culprit, double (*of_given)[most] = nullptr);
     // How far copies of a point matter, by direction: the Delaunay star of p among all copies is that among those whose
     // e[j] . (q - p) is at most far[j] in size.
     //
@@ -45,7 +45,7 @@ struct Lattice {
     void subtract(double times, int j, double* high, double* low) const;
 
 private:
-    bool reduce();
+    bool reduce(double (*of_given)[most]);
 };
 
 }  // namespace netmesh

@@ -24,6 +24,14 @@ struct Translated {
         }
         return h;
     }
+    // Whether the vertex of the least point, and of these the copy that is first, is the point itself. Translations
+    // keep which vertex that is, so it is true of one translate.
+    bool stands_for_all() const {
+        int least = 0;
+        for (int i = 1; i < count; ++i)
+            if (point[i] < point[least] || (point[i] == point[least] && shift[i] < shift[least])) least = i;
+        return shift[least] == 0;
+    }
     // Whether a translation takes the other one to this: one of its vertices to the first of this one's, and each to
     // one. None is taken to two, as vertices are different.
     bool is_translate_of(const Translated& other) const {
@@ -44,17 +52,20 @@ struct Translated {
 class Orbits {
 public:
     Orbits(const PeriodicPoints& points, const Copies& copies, int dimension, const Work& work, AnyFaces* faces,
-           double* const* value)
-        : points_(points), copies_(copies), dimension_(dimension), arena_(work.arena), faces_(*faces), value_(value) {}
+           double* const* value, std::uint32_t** vertices)
+        : points_(points), copies_(copies), dimension_(dimension), arena_(work.arena), faces_(*faces), value_(value),
+          vertices_(vertices) {}
 
     Status run() {
         Status status = mark();
         if (status != Status::ok) return status;
-        for (int k = 0; k <= dimension_; ++k) {
+        for (int k = dimension_; k >= 0; --k) {
             status = find_orbits(k);
             if (status != Status::ok) return status;
             if (arena_.has_stopped()) return Status::cancelled;
         }
+        for (int k = 0; k <= dimension_ && vertices_ != nullptr; ++k)
+            if (!list_vertices(k)) return Status::out_of_memory;
         for (int k = 0; k <= dimension_; ++k)
             if (!write(k)) return Status::out_of_memory;
         return Status::ok;
@@ -114,28 +125,35 @@ private:
         }
     }
 
-    // By open addressing: a face of each orbit that goes across.
+    // By open addressing: faces that stand for others and can be asked for.
     struct Table {
         std::uint32_t* slot;
         std::uint64_t mask;
+
+        std::uint32_t* free_slot(std::uint64_t hash) const {
+            for (std::uint64_t at = hash;; ++at)
+                if (slot[at & mask] == none) return slot + (at & mask);
+        }
     };
-    // The face of the table that is a translate of face f, or the slot where it would be.
-    std::uint32_t* look_up(const Table& table, int k, std::uint32_t f) const {
+    // The face of the table that is a translate of face f, or none.
+    std::uint32_t look_up(const Table& table, int k, std::uint32_t f) const {
         Translated face, other;
         read(k, f, &face);
         for (std::uint64_t at = face.hash();; ++at) {
-            std::uint32_t* const slot = table.slot + (at & table.mask);
-            if (*slot == none) return slot;
-            read(k, *slot, &other);
-            if (face.is_translate_of(other)) return slot;
+            const std::uint32_t found = table.slot[at & table.mask];
+            if (found == none) return none;
+            read(k, found, &other);
+            if (face.is_translate_of(other)) return found;
         }
     }
 
-    // first_[k][f]: the face that stands for the orbit, or none where it is not asked for.
+    // first_[k][f]: the face that stands for the orbit, or none where it is not asked for. What faces of one dimension
+    // more stand for others is known.
     Status find_orbits(int k) {
         const std::uint32_t count = faces_.count[k], width = static_cast<std::uint32_t>(k) + 1;
         std::uint32_t* const first = first_[k] = arena_.take_high<std::uint32_t>(count);
         if (first == nullptr) return Status::out_of_memory;
+        const bool are_facets = k < dimension_;
         std::uint64_t listed = 0;
         arena_.each(count, 5, [&](std::uint64_t f) {
             first[f] = (mark_[k][f] & all_points) != 0 ? static_cast<std::uint32_t>(f) : none;
@@ -143,34 +161,50 @@ private:
         });
         const HighScope scope(arena_);
         Table table = {nullptr, 1};
-        while (table.mask < 2 * listed) table.mask *= 2;
+        while (table.mask < 2 * listed && are_facets) table.mask *= 2;
         table.slot = arena_.take_high<std::uint32_t>(static_cast<std::size_t>(table.mask));
         if (table.slot == nullptr) return Status::out_of_memory;
         arena_.each(table.mask, 2, [&](std::uint64_t i) { table.slot[i] = none; });
         --table.mask;
         arena_.each(count, 5, [&](std::uint64_t f) {
-            if (!is_listed(k, f)) return;
+            if (!is_across(k, f) && !(are_facets && is_listed(k, f))) return;
             arena_.pass(width);
-            std::uint32_t* const slot = look_up(table, k, static_cast<std::uint32_t>(f));
-            if (*slot == none) *slot = static_cast<std::uint32_t>(f);
-            first[f] = *slot;
+            Translated face;
+            read(k, static_cast<std::uint32_t>(f), &face);
+            if (!face.stands_for_all()) return;
+            first[f] = static_cast<std::uint32_t>(f);
+            if (are_facets) *table.free_slot(face.hash()) = first[f];
         });
-        return k < dimension_ ? find_outside(k, table) : Status::ok;
+        return are_facets ? find_facets(k, table) : Status::ok;
     }
-    // The same of facets without a vertex among the points.
-    Status find_outside(int k, const Table& table) {
+    // What facets of those that stand for others are translates of.
+    Status find_facets(int k, const Table& table) {
         std::uint32_t* const first = first_[k];
         bool is_whole = true;
         arena_.each(faces_.count[k + 1], 10 * (static_cast<std::uint32_t>(k) + 1), [&](std::uint64_t c) {
-            if (!is_across(k + 1, c)) return;
+            if (first_[k + 1][c] != c || !is_across(k + 1, c)) return;
             const std::uint32_t* const facet = faces_.facets_of(k + 1, static_cast<std::uint32_t>(c));
             for (int i = 0; i <= k + 1; ++i) {
                 if (first[facet[i]] != none) continue;
-                first[facet[i]] = *look_up(table, k, facet[i]);
+                first[facet[i]] = look_up(table, k, facet[i]);
                 is_whole &= first[facet[i]] != none;
             }
         });
         return is_whole ? Status::ok : Status::internal;
+    }
+
+    bool list_vertices(int k) {
+        std::uint64_t words = 0;
+        arena_.each(faces_.count[k], 2, [&](std::uint64_t f) { words += first_[k][f] == f; });
+        words *= static_cast<unsigned>(k) + 1;
+        std::uint32_t* to = vertices_[k] = arena_.take_low<std::uint32_t>(static_cast<std::size_t>(words));
+        if (to == nullptr) return false;
+        arena_.each(faces_.count[k], 4 * (static_cast<std::uint32_t>(k) + 1), [&](std::uint64_t f) {
+            if (first_[k][f] != f) return;
+            faces_.vertices(k, static_cast<std::uint32_t>(f), to);
+            to += k + 1;
+        });
+        return true;
     }
 
     // Puts those that stand for others where the first faces were. first_ becomes their numbers.
@@ -204,6 +238,7 @@ private:
     Arena& arena_;
     AnyFaces& faces_;
     double* const* const value_;
+    std::uint32_t** const vertices_;
     std::uint8_t* mark_[vertices_most];
     std::uint32_t* first_[vertices_most];
 };
@@ -211,9 +246,9 @@ private:
 }  // namespace
 
 Status take_orbits(const PeriodicPoints& points, const Copies& copies, int dimension, const Work& work, AnyFaces* faces,
-                   double* const* value) {
+                   double* const* value, std::uint32_t** vertices) {
     const HighScope scope(work.arena);
-    return Orbits(points, copies, dimension, work, faces, value).run();
+    return Orbits(points, copies, dimension, work, faces, value, vertices).run();
 }
 
 }  // namespace netmesh

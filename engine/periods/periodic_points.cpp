@@ -39,12 +39,13 @@ constexpr double edge = 0x1p-20;
 template <int D> struct NearPoint {
     double high[D], low[D];
 
-    // False: too far away.
-    bool take(const Lattice& lattice, const double* p) {
+    // False: too far away. gone, if any: how many of each vector were subtracted.
+    bool take(const Lattice& lattice, const double* p, double* gone = nullptr) {
         for (int k = 0; k < D; ++k) {
             high[k] = p[k];
             low[k] = 0;
         }
+        for (int j = 0; gone != nullptr && j < lattice.count; ++j) gone[j] = 0;
         // Again, as numbers are large in the beginning.
         bool has_gone = true;
         for (int turn = 0; turn < 4 && has_gone; ++turn) {
@@ -56,6 +57,7 @@ template <int D> struct NearPoint {
                 if (times == 0) continue;
                 has_gone = true;
                 lattice.subtract(times, j, high, low);
+                if (gone != nullptr) gone[j] += times;
             }
         }
         return true;
@@ -531,9 +533,52 @@ template <int D> Status make_copies(const PeriodicPoints& points, const double* 
     return arena.has_stopped() ? Status::cancelled : Status::ok;
 }
 
+void find_given(const PeriodicInput& input, int dimension, GivenTranslations* out) {
+    int culprit;
+    out->lattice.open(input.vectors, input.vector_count, dimension, &culprit, out->of_given);
+}
+
+template <int D>
+bool translations_of(const PeriodicInput& input, const GivenTranslations& given, const PeriodicPoints& points,
+                     std::uint32_t i, std::int64_t shift, std::int32_t* times) {
+    constexpr double most = 0x1p30;
+    const int count = given.lattice.count;
+    double x[D], left[D], whole[Lattice::most];
+    NearPoint<D> point;
+    input.points.read(points.row[i], D, x);
+    point.take(given.lattice, x, whole);
+    const double* const placed = points.x + std::size_t{i} * (D + 1);
+    for (int k = 0; k < D; ++k) left[k] = (placed[k] - point.high[k]) - point.low[k];
+    for (int j = count - 1; j >= 0; --j) {
+        const double more = nearest_integer(points.lattice.place(j, left));
+        for (int k = 0; k < D; ++k) left[k] -= more * points.lattice.b[j][k];
+        whole[j] = more - whole[j];
+    }
+    // The last of ten bits each, with a sign, are those of b[0].
+    for (int j = 0; j < count; ++j) {
+        std::int64_t last = shift & 1023;
+        if (last >= 512) last -= 1024;
+        shift = (shift - last) / 1024;
+        whole[j] += static_cast<double>(last);
+    }
+    for (int k = 0; k < count; ++k) {
+        double sum = 0, size = 0;
+        for (int j = 0; j < count; ++j) {
+            sum += whole[j] * given.of_given[j][k];
+            size += absolute(whole[j]) * absolute(given.of_given[j][k]);
+            if (absolute(given.of_given[j][k]) >= 0x1p52) return false;
+        }
+        if (size >= 0x1p52 || absolute(sum) >= most) return false;
+        times[k] = static_cast<std::int32_t>(sum);
+    }
+    return true;
+}
+
 #define NETMESH_INSTANTIATE(D)                                                                                         \
     template Status take_periodic_points<D>(const PeriodicInput&, const Work&, PeriodicPoints*, PeriodicReport*);      \
-    template Status make_copies<D>(const PeriodicPoints&, const double*, const Work&, Copies*);
+    template Status make_copies<D>(const PeriodicPoints&, const double*, const Work&, Copies*);                        \
+    template bool translations_of<D>(const PeriodicInput&, const GivenTranslations&, const PeriodicPoints&,            \
+                                     std::uint32_t, std::int64_t, std::int32_t*);
 NETMESH_EACH_DIMENSION(NETMESH_INSTANTIATE)
 #undef NETMESH_INSTANTIATE
 

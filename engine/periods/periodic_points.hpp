@@ -59,4 +59,17 @@ struct Copies {
 // At the arena's low end. out_of_memory.
 template <int D> Status make_copies(const PeriodicPoints& points, const double* margin, const Work& work, Copies* out);
 
+// Translations in terms of what was given.
+struct GivenTranslations {
+    Lattice lattice;                                // as it was reduced, before anything was moved
+    double of_given[Lattice::most][Lattice::most];  // Lattice::open
+};
+// Requires vectors that take_periodic_points has taken.
+void find_given(const PeriodicInput& input, int dimension, GivenTranslations* out);
+// Copy v, of point i by `shift` (Copies; 0: the point itself): at what the input's row has, plus the sum of times[j]
+// given vectors j. False: that are 2^30 or more.
+template <int D>
+bool translations_of(const PeriodicInput& input, const GivenTranslations& given, const PeriodicPoints& points,
+                     std::uint32_t i, std::int64_t shift, std::int32_t* times);
+
 }  // namespace netmesh

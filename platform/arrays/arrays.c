@@ -118,6 +118,20 @@ netmesh_status netmesh_array_cycle(const netmesh_context* context, uint64_t pair
     return NETMESH_OK;
 }
 
+netmesh_status netmesh_array_cycle_translations(const netmesh_context* context, uint64_t pair, uint32_t degree,
+                                                uint64_t count, uint32_t axes, int32_t* translations) {
+    netmesh_simplex item = {0};
+    item.struct_bytes = sizeof item;
+    for (uint64_t i = 0; i < count; ++i) {
+        const netmesh_status status = netmesh_get_cycle_simplex(context, pair, i, &item);
+        if (status != NETMESH_OK) return status;
+        for (uint32_t k = 0; translations != NULL && k <= degree; ++k)
+            for (uint32_t j = 0; j < axes; ++j)
+                translations[(i * (degree + 1) + k) * axes + j] = item.translations[k][j];
+    }
+    return NETMESH_OK;
+}
+
 netmesh_status netmesh_array_vines(const netmesh_context* context, uint64_t count, uint32_t* vines, uint32_t* degrees,
                                    uint32_t* ks, double* intervals) {
     netmesh_vine_point item = {0};

@@ -40,6 +40,11 @@ netmesh_status netmesh_array_cycle_starts(const netmesh_context* context, uint64
 netmesh_status netmesh_array_cycle(const netmesh_context* context, uint64_t pair, uint32_t degree, uint64_t count,
                                    uint32_t* vertices, double* values);
 
+/* With periods, how many of each vector of the lattice take its vertices' points there: translations[count][degree + 1]
+ * [axes], all those of a simplex's first vertex 0. */
+netmesh_status netmesh_array_cycle_translations(const netmesh_context* context, uint64_t pair, uint32_t degree,
+                                                uint64_t count, uint32_t axes, int32_t* translations);
+
 /* The first `count` points of vines: vines, degrees and ks [count], intervals[count][2]. */
 netmesh_status netmesh_array_vines(const netmesh_context* context, uint64_t count, uint32_t* vines, uint32_t* degrees,
                                    uint32_t* ks, double* intervals);

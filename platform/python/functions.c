@@ -80,6 +80,7 @@ const netmesh_python_entry netmesh_python_functions[] = {
     {"netmesh_array_steps", (void (*)(void))netmesh_array_steps},
     {"netmesh_array_cycle_starts", (void (*)(void))netmesh_array_cycle_starts},
     {"netmesh_array_cycle", (void (*)(void))netmesh_array_cycle},
+    {"netmesh_array_cycle_translations", (void (*)(void))netmesh_array_cycle_translations},
     {"netmesh_array_vines", (void (*)(void))netmesh_array_vines},
     {"netmesh_array_source", (void (*)(void))netmesh_array_source},
     {"netmesh_python_poll", (void (*)(void))netmesh_python_poll},

@@ -42,6 +42,14 @@ function cube(count, dim) {
     const next = () => (state = (state * 48271) % 2147483647) / 2147483647;
     return Array.from({ length: count }, () => Array.from({ length: dim }, next).join(',')).join('\n');
 }
+// Bars as the program writes them, and the shade of a place of the plane in the picture, 0 to 255.
+const saved_bars = lines => lines.trim().split('\n').filter(line => !line.startsWith('#')).join('\n');
+const drawn_bars = async page => saved_bars(await page.run("pers_text(last.result, '')"));
+const shade = (page, x, y) => page.run(`(() => {
+    const at = [${x}, ${y}].map((place, axis) => Math.round(view.pixel(place, axis)));
+    const [red, , , alpha] = view.canvas.getContext('2d').getImageData(...at, 1, 1).data;
+    return Math.round(255 + (red - 255) * alpha / 255);  // on white
+})()`);
 const ring = Array.from({ length: 24 }, (_, i) =>
     `${Math.cos(i * Math.PI / 12).toFixed(6)}, ${Math.sin(i * Math.PI / 12).toFixed(6)}`).join('\n');
 
@@ -222,6 +230,7 @@ const paths = {
         await page.click('#run');
         await page.until('last.result.filter === 9', 'Rips');
         equal(await bars(page, 0), 24, 'components of Rips');
+        check(!(await text(page, '#read')).includes('merged'), 'no duplicates');
     },
     async 'cancel'(page) {
         await page.run(`document.querySelector('#text').value = ${JSON.stringify(cube(20000, 3))}`);
@@ -308,6 +317,156 @@ const paths = {
         })()`), true, 'the cycle is closed');
         await page.click(`#barcode .bar[data-pair="${longest}"] rect:not(.doubt)`);
         equal(await page.run('chosen'), null, 'none is chosen any more');
+    },
+    async 'a box with periods'(page) {
+        await page.run("last = null");
+        await type(page, '#text', '0.1 0.5\n');
+        await page.click('#period-x');
+        await bad(page);
+        check((await status(page)).includes('all points have x = 0.1'), await status(page));
+        await page.click('#period-y');
+        await type(page, '#box', '0:1,0:1');
+        await page.click('#run');
+        await done(page);
+        equal(await drawn_bars(page), '0 0 inf\n1 0.5 inf\n1 0.5 inf\n2 0.7071067811865476 inf', 'a square lattice');
+        equal(await page.run("document.querySelectorAll('#barcode .bar path').length"), 4, 'arrows of bars that last');
+        check((await status(page)).includes('box 0:1,0:1: done'), await status(page));
+        check((await text(page, '#view-note')).includes('0 edges, 0 triangles at this radius'), 'the complex at first');
+        await choose(page, '#show', 'balls');
+        await page.run(`document.querySelector('#radius').value = 300 / last.barcode.end, show_radius()`);
+        // Right of the box's middle nothing; the copy's ball comes in from the right side, pale outside.
+        const white = 255, copy = await shade(page, .95, .5), outside = await shade(page, 1.05, .5);
+        check(copy < outside && outside < white, `the ball of a copy: ${copy} in the box, ${outside} outside`);
+        equal(await shade(page, .6, .5), white, 'between the balls');
+        equal(await shade(page, .05, .5), copy, 'the ball of the point');
+        for (const [x, y] of [[.1, 1.5], [1.1, -.5], [1.1, .5], [1.1, 1.5], [.1, -.5]])
+            check(await shade(page, x, y) < outside, `the copy at ${x}, ${y}`);
+        check((await text(page, '#betti')).endsWith('H₀ 1, H₁ 0, H₂ 0'), await text(page, '#betti'));
+        await page.run("document.querySelector('#radius').value = 1000, show_radius()");
+        check((await text(page, '#betti')).endsWith('H₀ 1, H₁ 2, H₂ 1'), await text(page, '#betti'));
+        // Its two loops go round the torus: by edges from the point to its own copies.
+        const loops = await page.run('last.result.pairs.flatMap((p, i) => p.degree === 1 ? [i] : [])');
+        const places = [];
+        for (const i of loops) {
+            await page.click(`#barcode .bar[data-pair="${i}"] rect`);
+            places.push([await shade(page, .6, .5), await shade(page, .1, .9)].map(drawn => drawn === 213).join());
+        }
+        check(places[0] !== places[1] && !places.includes('false,false'), `loops at ${places.join(' and ')}`);
+        await choose(page, '#show', 'complex');
+        await page.run("document.querySelector('#radius').value = 1000, show_radius()");
+        equal(await page.run('[view.counts.edges, view.counts.triangles].join()'), '3,2', 'a torus of one vertex');
+        await page.screenshot(join(folder, 'one-point.png'));
+        await page.click('#period-y');
+        await bad(page);
+        check((await status(page)).includes('lie on a line: give the other axis a period'), await status(page));
+        await type(page, '#text', '0.1 0.5\n0.1 3.5\n');
+        await page.run('last = null');
+        await page.click('#run');
+        await page.until("last !== null && !document.querySelector('#run').disabled", 'a strip');
+        equal(await page.run("document.querySelector('#box').value"), '0:1,-', 'no period along y');
+        equal(await drawn_bars(page), '0 0 1.5\n0 0 inf\n1 0.5 1.5811388300841898\n1 0.5 inf', 'two rows of points');
+        await page.run(`document.querySelector('#radius').value = 300 / last.barcode.end, show_radius()`);
+        equal(await shade(page, .1, 1.5), white, 'no copy above');
+        check(await shade(page, 1.1, .5) < outside, 'a copy to the right');
+        equal(await page.run("document.querySelector('#show-label').hidden"), true, 'no complex to show');
+        check((await text(page, '#view-note')).includes('Edges and triangles are not drawn'), 'what is not drawn');
+    },
+    async 'points across a box'(page) {
+        const ticks = "[...document.querySelectorAll('#periods input[type=checkbox]')].map(box => box.checked).join()";
+        await choose(page, '#sample', 'circle in a periodic box, 2D');
+        await done(page);
+        equal(await page.run("document.querySelector('#box').value"), '0:1,0:1', 'the box of the sample');
+        const holes = 'last.result.pairs.filter(p => p.degree === 1 && p.death < Infinity && p.death > 3 * p.birth)';
+        equal(await page.run(`${holes}.length`), 1, 'the hole across the sides');
+        check((await text(page, '#betti')).endsWith('H₀ 1, H₁ 1, H₂ 0'), 'the radius at first');
+        // The complex modulo the periods has the Euler characteristic of the classes that are alive, at every radius.
+        equal(await page.run(`Array.from({ length: 101 }, (_, i) => {
+            document.querySelector('#radius').value = 10 * i;
+            show_radius();
+            const classes = document.querySelector('#betti').textContent.match(/\\d+(?=,|$)/g).map(Number);
+            return 60 - view.counts.edges + view.counts.triangles === classes[0] - classes[1] + classes[2];
+        }).every(x => x)`), true, 'Euler characteristics');
+        equal(await page.run('[view.counts.edges, view.counts.triangles].join()'), '180,120', 'the whole torus');
+        const hole = await page.run(`last.result.pairs.indexOf(${holes}[0])`);
+        await page.click(`#barcode .bar[data-pair="${hole}"] rect`);
+        check((await text(page, '#barcode-note')).includes('a cycle of'), await text(page, '#barcode-note'));
+        equal(await page.run(`(() => {
+            const { cycle } = last.result.pairs[${hole}], ends = new Map();
+            for (const v of cycle) ends.set(v, (ends.get(v) ?? 0) + 1);
+            const lengths = view.shown.cycle.places, edges = cycle.length / 2;
+            const longest = Math.max(...Array.from({ length: edges }, (_, i) =>
+                Math.hypot(lengths[4 * i] - lengths[4 * i + 2], lengths[4 * i + 1] - lengths[4 * i + 3])));
+            return [edges > 20, [...ends.values()].every(n => n % 2 === 0),
+                longest <= 2 * last.result.pairs[${hole}].birth * (1 + 1e-9)].join();
+        })()`), 'true,true,true', 'many edges, closed, none longer than the diameter of a ball');
+        await page.screenshot(join(folder, 'periodic-cycle.png'));
+        const bars = await drawn_bars(page), print = await page.run('last.result.figures.fingerprint');
+        if (program) {
+            writeFileSync(join(files, 'box.txt'), await page.run("document.querySelector('#text').value"));
+            const line = ['persist', 'box.txt', '--box', '0:1,0:1', '--quiet'];
+            const ended = spawnSync(resolve(program), line, { cwd: files, encoding: 'utf8' });
+            equal(saved_bars(ended.stdout), bars, 'the diagram of the program');
+        }
+        await page.click('#link');
+        await page.until("document.querySelector('#link-note').textContent.includes('address')", 'a link');
+        const address = await page.run('location.href');
+        await page.send('Page.navigate', { url: 'about:blank' });
+        await page.until("location.href === 'about:blank'", 'another page');
+        await page.send('Page.navigate', { url: address });
+        await page.until("typeof last !== 'undefined' && last !== null", 'the result of a link');
+        equal(await page.run('last.result.figures.fingerprint'), print, 'fingerprint');
+        // Any copy of a point does.
+        await page.run(`last = null, document.querySelector('#text').value = document.querySelector('#text').value
+            .split('\\n').map((row, i) => row.split(', ').map((x, k) => i % 5 === 2 * k ? Number(x) + 2 : x).join(', '))
+            .join('\\n')`);
+        await page.click('#run');
+        await page.until("last !== null && !document.querySelector('#run').disabled", 'other copies');
+        check((await text(page, '#read')).includes('outside of the box'), await text(page, '#read'));
+        const nine_digits = lines => lines.split('\n').map(line => line.split(' ').map(word =>
+            word === 'inf' ? word : Number(word).toPrecision(9)).join(' ')).join('\n');
+        equal(nine_digits(await drawn_bars(page)), nine_digits(bars), 'bars of other copies');
+        await choose(page, '#sample', 'noisy circle, 2D');
+        await page.until("last.box === null && !document.querySelector('#run').disabled", 'no periods');
+        equal(await page.run(ticks), 'false,false', 'periods of another sample');
+        equal(await page.run("document.querySelector('#show-label').hidden"), false, 'the complex is drawn again');
+        await page.click('#period-x');
+        await page.until("last.box !== null && !document.querySelector('#run').disabled", 'a period');
+        const extent = await page.run(`[Math.min, Math.max].map(end => end(...document.querySelector('#text').value
+            .split('\\n').map(row => Number(row.split(',')[0])))).join(':') + ',-'`);
+        equal(await page.run("document.querySelector('#box').value"), extent, 'the extent of the points');
+    },
+    async 'boxes that are none'(page) {
+        await type(page, '#text', ring);
+        await page.click('#period-x');
+        await done(page);
+        for (const [box, words] of [['10:0,0:1', 'x ends at 0, which is below its start 10: write 0:10'],
+            ['0:1,2:2', 'y has length 0: write an end above 2'], ['0:wide,-', '"wide", which is no finite number'],
+            ['0:1e999,-', '"1e999", which is no finite number'], ['-,-2', 'write a length above 0, as 2'],
+            ['0:1', 'has 1 entry where x and y take one each'], ['0:1:2,-', 'write two numbers'],
+            ['-1e308:1e308,-', 'longer than the largest double'], ['0:1e-200,-', 'outside the range']]) {
+            await page.run("say('')");
+            await type(page, '#box', box);
+            await page.click('#run');
+            await bad(page);
+            check((await status(page)).includes(words), `${box}: ${await status(page)}`);
+        }
+        await page.run("say('')");
+        await type(page, '#box', '-2:2,-2:2');
+        await choose(page, '#filter', '1');
+        await done(page);
+        await page.click('#run');
+        await bad(page);
+        equal(await status(page), 'periods: of the filter alpha alone; leave out periods', 'what the engine says');
+        await choose(page, '#filter', '0');
+        await page.run(`document.querySelector('#text').value = ${JSON.stringify(cube(20, 3))}`);
+        await page.click('#run');
+        await page.until("document.querySelector('#status').textContent.includes('3 coordinates')", 'not in the plane');
+        check((await status(page)).includes('choose two columns'), await status(page));
+        await page.run("last = null, document.querySelector('#columns').value = '1,3'");
+        await page.click('#run');
+        await page.until('last !== null', 'two of three columns');
+        equal(await page.run('last.cloud.dim'), 2, 'columns');
+        equal(await page.run("last.result.pairs.filter(p => p.death === Infinity).length"), 4, 'classes of the torus');
     },
     async 'save'(page, downloads) {
         await choose(page, '#sample', 'sphere, 3D');

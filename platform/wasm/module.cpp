@@ -20,6 +20,8 @@ netmesh_report report;
 netmesh_detail detail;
 netmesh_filter_info filter;
 netmesh_monitor monitor;
+double lattice[NETMESH_DIM_MAX * NETMESH_DIM_MAX];
+std::uint32_t lattice_count;
 char text[text_bytes];
 std::size_t text_length;
 
@@ -53,6 +55,11 @@ netmesh::Request request_of(const double* points, std::uint32_t n, std::uint32_t
     filter = {};
     netmesh::Request request(choose(id));
     request.points = {points, n, dim, NETMESH_POINTS_FLOAT64, 0, nullptr, 0, nullptr, 0};
+    if (lattice_count != 0) {
+        request.points.lattice = lattice;
+        request.points.lattice_count = lattice_count;
+        request.periods = &netmesh_periodic;
+    }
     request.max_degree = max_degree;
     request.monitor = monitor;
     if (filter.needs_k != 0) request.k = k;
@@ -73,6 +80,13 @@ EXPORT(heap) unsigned char* heap() {
 // A function of the page's, an index of the table, that is called now and then with a netmesh_progress; 0: none.
 EXPORT(watch) void watch(std::uint32_t poll) { monitor.poll = reinterpret_cast<netmesh_poll>(poll); }
 
+// Of points that repeat: where so many vectors of as many coordinates as points have are written, one behind the other,
+// before plan and run, which read them; null: they are too many.
+EXPORT(repeat) double* repeat(std::uint32_t count) {
+    lattice_count = count <= NETMESH_DIM_MAX ? count : 0;
+    return lattice_count != 0 ? lattice : nullptr;
+}
+
 // Bytes to plan for; 0 when nothing is known about such a request. id: of a filter, 0: the engine chooses.
 EXPORT(plan)
 double plan(std::uint32_t n, std::uint32_t dim, std::uint32_t id, std::uint32_t k, std::uint32_t max_degree,
@@ -92,7 +106,8 @@ int run(const double* points, std::uint32_t n, std::uint32_t dim, void* block, s
     netmesh::Request request = request_of(points, n, dim, id, k, max_degree, ratio);
     if (filter.is_on_points == 0 && bounds != 0) request.bounds = &netmesh_bounds;
     if ((id == 0 || filter.has_representatives != 0) && cycles != 0) request.cycles = &netmesh_cycles;
-    request.keep_mesh = id == 0 || filter.is_on_triangulation != 0;
+    // With periods the engine keeps no triangulation, of which the page draws the complex.
+    request.keep_mesh = lattice_count == 0 && (id == 0 || filter.is_on_triangulation != 0);
     const netmesh_status status = engine.persist(request);
     context = engine.context();
     report = engine.report();
@@ -106,9 +121,12 @@ EXPORT(version) const char* version_text() { return netmesh_version_text(); }
 
 // Of the last run.
 EXPORT(message) const char* message() { return detail.message != nullptr ? detail.message : ""; }
+EXPORT(field) const char* field() { return detail.field != NETMESH_FIELD_NONE ? netmesh_field_text(detail.field) : ""; }
 EXPORT(bytes_wanted) double bytes_wanted() { return static_cast<double>(detail.bytes_wanted); }
 EXPORT(vertices) double vertex_count() { return static_cast<double>(report.mesh.vertices); }
-EXPORT(inputs) double input_count() { return static_cast<double>(report.mesh.inputs); }
+EXPORT(inputs) double input_count() { return static_cast<double>(report.input.distinct); }
+EXPORT(copies) double copy_count() { return static_cast<double>(report.input.copies); }
+EXPORT(moved) double moved() { return report.input.moved; }
 EXPORT(cells) double cell_count() { return static_cast<double>(report.mesh.cells); }
 EXPORT(simplices) double simplex_count() { return static_cast<double>(report.diagram.simplices); }
 EXPORT(peak_bytes) double peak() { return static_cast<double>(report.memory.peak_bytes); }

@@ -19,6 +19,6 @@ def part(found):
 
 
 page, count = re.subn(r"@([A-Za-z./]+)@", part, (folder / "page.html").read_text(encoding="utf-8"))
-if count != 9:
-    sys.exit(f"the page has {count} parts and not 9")
+if count != 10:
+    sys.exit(f"the page has {count} parts and not 10")
 pathlib.Path(sys.argv[3]).write_text(page, encoding="utf-8")

@@ -7,6 +7,7 @@
 #include <cstddef>
 #include <cstring>
 #include <limits>
+#include <set>
 #include <vector>
 
 #include "common/inputs.hpp"
@@ -40,6 +41,71 @@ Points on_grid(Points points) {
 }
 
 constexpr std::size_t block = std::size_t(1) << 26;
+
+// A simplex whose first vertex is at its own place.
+using Corner = std::vector<std::int64_t>;  // its number, translations
+std::vector<Corner> corners_of(const netmesh_simplex& simplex, std::size_t axes) {
+    std::vector<Corner> corners;
+    for (std::uint32_t v = 0; v <= simplex.degree; ++v) {
+        corners.push_back({static_cast<std::int64_t>(simplex.vertices[v])});
+        corners.back().insert(corners.back().end(), simplex.translations[v], simplex.translations[v] + axes);
+    }
+    return corners;
+}
+std::vector<Corner> normal(std::vector<Corner> corners) {
+    std::sort(corners.begin(), corners.end());
+    const Corner first = corners.front();
+    for (Corner& corner : corners)
+        for (std::size_t j = 1; j < corner.size(); ++j) corner[j] -= first[j];
+    return corners;
+}
+
+// Cycles are closed, as late as their bars are born, made of edges no longer than their values say, and go around the
+// torus, modulo 2, where they last and only there.
+int faults_of_cycles(const netmesh::Engine& engine, int dim, const Points& points, const Points& lattice) {
+    const std::size_t d = static_cast<std::size_t>(dim), axes = lattice.size() / d;
+    int faults = 0;
+    std::vector<unsigned> around;  // of loops that last, a bit an axis
+    const std::vector<Bar> bars = bars_of(engine);
+    for (std::size_t i = 0; i < bars.size(); ++i) {
+        std::set<std::vector<Corner>> simplices, boundary;
+        double last = -std::numeric_limits<double>::infinity();
+        unsigned winding = 0;
+        engine.for_each_in_cycle(i, [&](std::uint64_t, const netmesh_simplex& simplex) {
+            const std::vector<Corner> corners = corners_of(simplex, axes);
+            faults += normal(corners) != corners || !simplices.insert(corners).second;
+            last = std::max(last, simplex.value);
+            for (std::size_t v = 0; v < corners.size() && corners.size() > 1; ++v) {
+                std::vector<Corner> facet = corners;
+                facet.erase(facet.begin() + std::ptrdiff_t(v));
+                facet = normal(facet);
+                if (!boundary.insert(facet).second) boundary.erase(facet);
+            }
+            if (corners.size() != 2) return;
+            double length2 = 0;
+            for (std::size_t k = 0; k < d; ++k) {
+                double x = points[std::size_t(corners[1][0]) * d + k] - points[std::size_t(corners[0][0]) * d + k];
+                for (std::size_t j = 0; j < axes; ++j) x += double(corners[1][1 + j]) * lattice[j * d + k];
+                length2 += x * x;
+            }
+            faults += engine.report().input.weighting == 0 && std::sqrt(length2) > 2 * simplex.value * (1 + 1e-14);
+            for (std::size_t j = 0; j < axes; ++j) winding ^= unsigned(corners[1][1 + j] & 1) << j;
+        });
+        const bool lasts = bars[i].death == std::numeric_limits<double>::infinity();
+        faults += simplices.empty() || !boundary.empty() || last != bars[i].birth;
+        if (bars[i].degree != 1) continue;
+        faults += !lasts && winding != 0;
+        if (lasts) around.push_back(winding);
+    }
+    // Each sum of some of them goes around.
+    faults += around.size() != axes;
+    for (unsigned some = 1; some < 1u << around.size(); ++some) {
+        unsigned sum = 0;
+        for (std::size_t i = 0; i < around.size(); ++i) sum ^= (some >> i & 1) != 0 ? around[i] : 0;
+        faults += sum == 0;
+    }
+    return faults;
+}
 
 }  // namespace
 
@@ -99,6 +165,42 @@ TEST_CASE("which basis, which copy, which order: the same bars, from one point t
             CHECK(bars_of(b.engine) == bars);
             CHECK(b.engine.report().diagram.why == NETMESH_WHY_ALONE);
         }
+}
+
+TEST_CASE("cycles: the same bars, closed modulo translations; loops that last go around") {
+    for (const int dim : {2, 3, 4})
+        for (const std::size_t n : {1, 6, 80, 700}) {
+            if (n * (dim - 1) > 1500) continue;
+            const std::size_t d = static_cast<std::size_t>(dim);
+            Points points = on_grid(inputs::uniform(dim, n, n + 3)), lattice = cube(dim);
+            lattice[d] = 3.25;                                                                   // not short
+            for (std::size_t i = 0; i < points.size(); ++i) points[i] += double(i * 7 % 5) - 2;  // by whole periods
+            if (n == 6) lattice.resize(d);                                                       // one period
+            Context a(block), b(block);
+            netmesh::Request request = request_of(dim, points, lattice);
+            REQUIRE(a.engine.persist(request) == NETMESH_OK);
+            request.cycles = &netmesh_cycles;
+            REQUIRE(b.engine.persist(request) == NETMESH_OK);
+            CHECK(bars_of(a.engine) == bars_of(b.engine));
+            CHECK(a.engine.report().fingerprint == b.engine.report().fingerprint);
+            CHECK(faults_of_cycles(b.engine, dim, points, lattice) == 0);
+            // Later there are none, and what is there stays.
+            netmesh::Request more(&netmesh_filter_alpha);
+            more.cycles = &netmesh_cycles;
+            CHECK(a.engine.persist(more) == NETMESH_NO_RESULT);
+            CHECK(bars_of(a.engine) == bars_of(b.engine));
+        }
+}
+
+TEST_CASE("a cycle cannot say translations of 2^30 and more") {
+    const Points points = {0.25, 0.5, 0.25 + 0x1p31, 0.75}, lattice = cube(2);
+    Context c(block);
+    netmesh::Request request = request_of(2, points, lattice);
+    REQUIRE(c.engine.persist(request) == NETMESH_OK);
+    request.cycles = &netmesh_cycles;
+    CHECK(c.engine.persist(request) == NETMESH_OUT_OF_RANGE);
+    CHECK(c.engine.detail().index_a == 1);
+    CHECK(report_of(c.engine).input.present == 0);
 }
 
 TEST_CASE("a large void, a cluster, a grid and one point: the same bars by another basis") {
@@ -274,9 +376,6 @@ TEST_CASE("refusals") {
     request.keep_mesh = 1;
     refused(request, NETMESH_FIELD_KEEP_MESH);
     request.keep_mesh = 0;
-    request.cycles = &netmesh_cycles;
-    refused(request, NETMESH_FIELD_CYCLES);
-    request.cycles = nullptr;
     request.bounds = &netmesh_bounds;
     refused(request, NETMESH_FIELD_BOUNDS);
     request.bounds = nullptr;
@@ -389,12 +488,14 @@ TEST_CASE("far points: taken near, or refused by row") {
 
 TEST_CASE("every block: a diagram or out of memory") {
     for (int dim = 2; dim <= 3; ++dim)
-        for (const bool weighted : {false, true}) {
+        for (int kind = 0; kind < 4; ++kind) {
+            const bool weighted = kind % 2 == 1, cycles = kind >= 2;
             const Points points = on_grid(inputs::uniform(dim, 40)), lattice = cube(dim);
             Points radii = inputs::uniform(1, 40, 9);
             for (double& r : radii) r *= 0.3;
             netmesh::Request request = request_of(dim, points, lattice);
             if (weighted) request.set_weights(&netmesh_radii, radii);
+            request.cycles = cycles ? &netmesh_cycles : nullptr;
             Context whole(block);
             REQUIRE(whole.engine.persist(request) == NETMESH_OK);
             const std::vector<Bar> bars = bars_of(whole.engine);
@@ -409,6 +510,7 @@ TEST_CASE("every block: a diagram or out of memory") {
                     ++fitted;
                     CHECK(bars_of(c.engine) == bars);
                     CHECK(hidden_of(c.engine) == hidden);
+                    if (cycles) CHECK(faults_of_cycles(c.engine, dim, points, lattice) == 0);
                 } else {
                     ++failed;
                     REQUIRE(status == NETMESH_OUT_OF_MEMORY);
@@ -423,21 +525,24 @@ TEST_CASE("every block: a diagram or out of memory") {
 }
 
 TEST_CASE("every poll can stop it") {
-    const Points points = on_grid(inputs::uniform(3, 300)), lattice = cube(3);
-    netmesh::Request request = request_of(3, points, lattice);
-    Context c(block);
-    Polls polls;
-    request.monitor = polls.monitor();
-    REQUIRE(c.engine.persist(request) == NETMESH_OK);
-    const std::vector<Bar> bars = bars_of(c.engine);
-    const long all = polls.made;
-    REQUIRE(all > 5);
-    for (long stop = 0; stop < all; ++stop) {
-        polls.made = 0;
-        polls.stop_at = stop;
-        REQUIRE(c.engine.persist(request) == NETMESH_CANCELLED);
+    for (const bool cycles : {false, true}) {
+        const Points points = on_grid(inputs::uniform(3, cycles ? 60 : 300)), lattice = cube(3);
+        netmesh::Request request = request_of(3, points, lattice);
+        request.cycles = cycles ? &netmesh_cycles : nullptr;
+        Context c(block);
+        Polls polls;
+        request.monitor = polls.monitor();
+        REQUIRE(c.engine.persist(request) == NETMESH_OK);
+        const std::vector<Bar> bars = bars_of(c.engine);
+        const long all = polls.made;
+        REQUIRE(all > 5);
+        for (long stop = 0; stop < all; ++stop) {
+            polls.made = 0;
+            polls.stop_at = stop;
+            REQUIRE(c.engine.persist(request) == NETMESH_CANCELLED);
+        }
+        polls.stop_at = -1;
+        REQUIRE(c.engine.persist(request) == NETMESH_OK);
+        CHECK(bars_of(c.engine) == bars);
     }
-    polls.stop_at = -1;
-    REQUIRE(c.engine.persist(request) == NETMESH_OK);
-    CHECK(bars_of(c.engine) == bars);
 }

@@ -155,6 +155,18 @@ assert.deepEqual([0, 1, 2].map(degree => births(square, degree)), [[0], [0.5, 0.
 assert.ok(square.copies > 0 && square.moved === 0 && diagram.copies === 0);
 assert.ok(netmesh.persist([[1 / 3, 0.1]], { lattice: [[1 / 3, 0], [0, 0.7]] }).moved > 0);
 const sides = [[1, 0, 0], [0, 1, 0], Float64Array.of(0, 0, 1)];
+{
+    // Its two loops go to the next copy along either axis; by a basis that is not short as well.
+    const around = (points, lattice) => {
+        const d = netmesh.persist(points, { lattice, representatives: true });
+        return Array.from({ length: d.length }, (_, i) => i).filter(i => d.degrees[i] === 1)
+            .map(i => Array.from(d.translations[i])).sort();
+    };
+    assert.deepEqual(around([[0.25, 0.75]], [[1, 0], [0, 1]]), [[0, 0, 0, 1], [0, 0, 1, 0]]);
+    assert.deepEqual(around([[0.25, 0.75]], [[1, 0], [5, 1]]).map(t => t.map(Math.abs)), [[0, 0, 1, 0], [0, 0, 5, 1]]);
+    const corner = netmesh.persist([[0, 0], [1, 0], [0, 1]], { filter: 'alpha', representatives: true });
+    assert.equal(corner.translations, null);
+}
 const cubic = netmesh.persist(new Float32Array(3), { dim: 3, lattice: sides });
 assert.deepEqual(births(cubic, 3), [Math.sqrt(3) / 2]);
 assert.deepEqual(births(netmesh.persist([[0, 0]], { lattice: [[1, 0], [0, 1]], radii: [0.25], squares: true }), 1),

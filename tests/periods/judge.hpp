@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <string>
 
+#include "periods/cycles.hpp"
 #include "periods/lattices.hpp"
 #include "weights/judge.hpp"
 
@@ -19,12 +20,33 @@ struct Answer {
     std::size_t duplicates = 0, periods = 0, copies = 0, distinct = 0;
     double moved = 0;
     std::vector<std::size_t> hidden;  // rows
+    std::vector<CycleOfBar> cycles;
 };
 
 struct Wish {
-    bool squares = false;
+    bool squares = false, cycles = false;
     std::uint32_t degree = NETMESH_DIM_MAX;  // the highest; more counts as dim
 };
+
+inline std::vector<CycleOfBar> cycles_of(const netmesh_context* context, const Cloud& cloud, const Bars& bars) {
+    std::vector<CycleOfBar> cycles;
+    for (std::size_t i = 0; i < bars.size(); ++i) {
+        cycles.push_back({bars[i], {}});
+        std::uint64_t count = 0;
+        netmesh_get_cycle(context, i, &count);
+        for (std::uint64_t s = 0; s < count; ++s) {
+            netmesh_simplex simplex = {};
+            simplex.struct_bytes = sizeof simplex;
+            if (netmesh_get_cycle_simplex(context, i, s, &simplex) != NETMESH_OK) std::abort();
+            CycleSimplex own{{}, simplex.value};
+            for (std::uint32_t v = 0; v <= simplex.degree; ++v)
+                own.corners.push_back(
+                    {simplex.vertices[v], {simplex.translations[v], simplex.translations[v] + cloud.periods()}});
+            cycles.back().simplices.push_back(own);
+        }
+    }
+    return cycles;
+}
 
 inline Answer ask(const Block& block, const Cloud& cloud, const Wish& wish = Wish()) {
     netmesh_request request = netmesh_default_request();
@@ -41,6 +63,7 @@ inline Answer ask(const Block& block, const Cloud& cloud, const Wish& wish = Wis
     request.filter = &netmesh_filter_alpha;
     request.max_degree = std::min(wish.degree, request.points.dim);
     request.squares = wish.squares;
+    request.cycles = wish.cycles ? &netmesh_cycles : nullptr;
     netmesh_context* const context = block.fresh();
     Answer answer;
     answer.status = netmesh_persist(context, &request);
@@ -61,6 +84,7 @@ inline Answer ask(const Block& block, const Cloud& cloud, const Wish& wish = Wis
     for (std::uint64_t i = 0; netmesh_get_hidden(context, i, &row) == NETMESH_OK; ++i)
         answer.hidden.push_back(static_cast<std::size_t>(row));
     if (report.input.hidden != answer.hidden.size()) answer.hidden.push_back(SIZE_MAX);
+    if (wish.cycles) answer.cycles = cycles_of(context, cloud, answer.bars);
     return answer;
 }
 

@@ -36,8 +36,8 @@ bool holds(const Bars& one, Bars other, double by) {
 }
 
 struct Seen {
-    std::size_t clouds = 0, flat = 0, bars = 0, weighted = 0, open = 0, duplicates = 0, hidden = 0, moved = 0, more = 0,
-                faults = 0;
+    std::size_t clouds = 0, flat = 0, bars = 0, cycles = 0, weighted = 0, open = 0, duplicates = 0, hidden = 0,
+                moved = 0, more = 0, faults = 0;
     double farthest = 0;
 };
 
@@ -125,6 +125,32 @@ std::string judge_supercell(const Block& block, Random& random, const Cloud& clo
     return compare("twice the cell", ask(block, twice), truth_of(twice, bars));
 }
 
+std::string cycles_complaint(const std::vector<CycleOfBar>& cycles, const CycleJudge& judge) {
+    for (const CycleOfBar& cycle : cycles) {
+        const std::string complaint = judge.judge(cycle);
+        if (!complaint.empty()) return "the cycle of" + text_of({cycle.bar}) + "    has " + complaint;
+    }
+    return "";
+}
+
+// By another basis and other copies, which cycles say translations of.
+std::string judge_cycles(const Block& block, Random& random, Cloud cloud, const Truth& truth, Seen* seen) {
+    skew(random, 2, &cloud);
+    move_by_lattice(random, 3, &cloud);
+    Wish wish;
+    wish.cycles = true;
+    wish.degree = static_cast<std::uint32_t>(random.whole(0, cloud.dim));
+    Truth less = truth;
+    less.bars.clear();
+    for (const Bar& bar : truth.bars)
+        if (bar.degree <= wish.degree) less.bars.push_back(bar);
+    const Answer answer = ask(block, cloud, wish);
+    const std::string fault = compare("with cycles", answer, less);
+    if (!fault.empty()) return fault;
+    seen->cycles += answer.cycles.size();
+    return cycles_complaint(answer.cycles, CycleJudge(cloud));
+}
+
 constexpr int changes = 11;
 
 std::string judge_change(const Block& block, Random& random, int change, const Cloud& cloud, const Truth& truth,
@@ -180,6 +206,7 @@ std::string judge(const Block& block, Random& random, std::size_t number, const 
         fault = compare_hidden(roots, cloud, extents);
         for (std::size_t i = 0; i < extents.size(); ++i) seen->hidden += extents[i] == Extent::nothing;
     }
+    if (fault.empty()) fault = judge_cycles(block, random, cloud, truth, seen);
     for (std::size_t i = 0; i < 3 && fault.empty(); ++i) {
         ++seen->more;
         fault = judge_change(block, random, static_cast<int>((number * 3 + i) % changes), cloud, truth, seen);
@@ -362,6 +389,70 @@ int plant_hidden(const Block& block, int* missed) {
     return planted;
 }
 
+// What is wrong with a cycle now; false: there is nothing to make wrong.
+bool spoil_cycle(Random& random, int kind, std::vector<CycleOfBar>* cycles) {
+    CycleOfBar& cycle = (*cycles)[random.bits() % cycles->size()];
+    const std::size_t at = random.bits() % cycle.simplices.size();
+    CycleSimplex& simplex = cycle.simplices[at];
+    switch (kind) {
+    case 0:
+        if (simplex.corners.size() < 2) return false;
+        simplex.corners.back().times[random.bits() % simplex.corners.back().times.size()] += 9;
+        break;
+    case 1: cycle.simplices.erase(cycle.simplices.begin() + static_cast<std::ptrdiff_t>(at)); break;
+    case 2: cycle.simplices.push_back(CycleSimplex(simplex)); break;
+    case 3: simplex.value = families::moved(simplex.value, 1); break;
+    case 4:  // a cycle of another bar, born and dying otherwise
+        for (const CycleOfBar& other : *cycles) {
+            if (other.bar.degree != cycle.bar.degree || other.bar.birth == cycle.bar.birth) continue;
+            cycle.simplices = std::vector<CycleSimplex>(other.simplices);
+            return true;
+        }
+        return false;
+    default:  // longer by what has no boundary but does not die by then
+        for (const CycleOfBar& other : *cycles) {
+            if (other.bar.degree != cycle.bar.degree || other.bar.degree == 0 || &other == &cycle) continue;
+            if (other.bar.birth > cycle.bar.birth || !(other.bar.death > cycle.bar.death)) continue;
+            for (const CycleSimplex& more : other.simplices) {
+                for (const CycleSimplex& own : cycle.simplices)
+                    if (own.value == more.value) return false;  // it may be the same
+            }
+            cycle.simplices.insert(cycle.simplices.end(), other.simplices.begin(), other.simplices.end());
+            return true;
+        }
+        return false;
+    }
+    return true;
+}
+
+int plant_in_cycles(const Block& block) {
+    constexpr int kinds = 6;
+    Random random(6);
+    Wish wish;
+    wish.cycles = true;
+    int planted[kinds] = {}, missed = 0, sound = 0;
+    for (std::size_t i = 0; sound < 60 && i < 600; ++i) {
+        const Cloud cloud = make_cloud_of(random, i);
+        const Answer answer = ask(block, cloud, wish);
+        if (answer.status != NETMESH_OK || answer.cycles.empty()) continue;
+        const CycleJudge judge(cloud);
+        if (!cycles_complaint(answer.cycles, judge).empty()) continue;
+        ++sound;
+        for (int kind = 0; kind < kinds; ++kind) {
+            std::vector<CycleOfBar> wrong = answer.cycles;
+            if (!spoil_cycle(random, kind, &wrong)) continue;
+            ++planted[kind];
+            if (!cycles_complaint(wrong, judge).empty()) continue;
+            ++missed;
+            std::printf("missed: an error of kind %d in a cycle\n", kind);
+        }
+    }
+    int kinds_seen = 0;
+    for (const int count : planted) kinds_seen += count > 0;
+    std::printf("%d kinds of errors planted in cycles of %d answers, %d missed\n", kinds_seen, sound, missed);
+    return sound < 60 || kinds_seen < kinds || missed > 0 ? 1 : 0;
+}
+
 int plant(const Block& block) {
     constexpr int kinds = 12;
     Random random(5);
@@ -401,7 +492,7 @@ int main(int argc, char** argv) {
     const Block block;
     for (int i = 1; i < argc; ++i) {
         const std::string word = argv[i];
-        if (word == "--plant") return plant(block);
+        if (word == "--plant") return plant(block) + plant_in_cycles(block);
         if (word == "--clouds" && i + 1 < argc) {
             clouds = std::strtoull(argv[++i], nullptr, 10);
         } else if (word == "--seed" && i + 1 < argc) {
@@ -426,10 +517,10 @@ int main(int argc, char** argv) {
         print_cloud(cloud);
     }
     std::printf(
-        "%zu clouds: %zu bars equal to the last bit, %zu changes; %zu clouds with weights, %zu with fewer "
+        "%zu clouds: %zu bars equal to the last bit, %zu cycles, %zu changes; %zu clouds with weights, %zu with fewer "
         "periods, %zu duplicates, %zu without a cell, %zu flat; %zu with long digits, moved by %g of their reach; "
         "%zu faults\n",
-        seen.clouds, seen.bars, seen.more, seen.weighted, seen.open, seen.duplicates, seen.hidden, seen.flat,
-        seen.moved, seen.farthest, seen.faults);
+        seen.clouds, seen.bars, seen.cycles, seen.more, seen.weighted, seen.open, seen.duplicates, seen.hidden,
+        seen.flat, seen.moved, seen.farthest, seen.faults);
     return seen.faults > 0 || seen.clouds == 0 ? 1 : 0;
 }

@@ -247,6 +247,11 @@ public:
         }
     }
     std::vector<Row> inverse;  // of the basis's Gram matrix
+    Vector whole(const Numbers& x, std::size_t row) const {
+        Vector v;
+        for (std::size_t c = 0; c < dim; ++c) v.push_back(units(mpq_class(x[row * dim + c])).get_num());
+        return v;
+    }
 
 private:
     static long scale_of(double x) {  // the least s >= 0 with 2^s x whole
@@ -265,11 +270,6 @@ private:
     mpq_class units(const mpq_class& x) const {
         mpz_class unit = mpz_class(1) << unit_;
         return x * unit;
-    }
-    Vector whole(const Numbers& x, std::size_t row) const {
-        Vector v;
-        for (std::size_t c = 0; c < dim; ++c) v.push_back(units(mpq_class(x[row * dim + c])).get_num());
-        return v;
     }
     // Replaces vectors by shorter ones of the same lattice for as long as that is simple.
     void shorten() {

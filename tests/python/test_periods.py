@@ -48,6 +48,25 @@ def test_cubic_lattice():
     assert given["periods"] == 3 and given["copies"] > 0 and given["moved"] == 0 and given["points"] == 1
 
 
+def test_cycles_say_which_copies():
+    """Two atoms of a chain along x: one loop around, over both, which none of them closes alone."""
+    diagram = netmesh.persist([[0.0, 0], [3.5, 0], [0, 40]], cell=[[1.0, 0], [0, 9]], pbc=[True, False],
+                              representatives=True)
+    bars = [i for i, bar in enumerate(diagram.pairs) if bar[0] == 1]
+    assert len(bars) == 2 and len(diagram.representatives.translations) == len(diagram)
+    edges, times = diagram.representatives[bars[0]], diagram.representatives.translations[bars[0]]
+    assert edges.dtype == times.dtype == np.int32 and times.shape == edges.shape + (1,)
+    points = np.array([[0.0, 0], [3.5, 0], [0, 40]])
+    places = points[edges] + times * np.array([1.0, 0])
+    assert np.all(np.linalg.norm(places[:, 1] - places[:, 0], axis=1) == 0.5)
+    assert np.count_nonzero(times[:, 0]) == 0
+    # Around once: the parts of the edges along x, from a point to the next copy, add up to a period.
+    square = netmesh.persist([[0.25, 0.75]], cell=[1, 1], representatives=True)
+    loops = [square.representatives.translations[i][0, 1].tolist() for i in np.nonzero(square.pairs[:, 0] == 1)[0]]
+    assert sorted(np.abs(loops).tolist()) == [[0, 1], [1, 0]]
+    assert netmesh.persist(POINTS[:4], "alpha", representatives=True).representatives.translations is None
+
+
 def test_lattices_that_are_the_same():
     box = netmesh.persist(POINTS, cell=[1, 1, 2])
     for cell in (np.diag([1, 1, 2]), [[0, 0, 2], [1, 0, 0], [0, 1, 0]], [[1, 0, 0], [1, 1, 0], [-1, 0, 2]],
@@ -133,8 +152,7 @@ def test_numbers_that_are_moved():
     (dict(pbc=True), "pbc"), (dict(cell=[1, 1, 1], pbc=[True, True]), "pbc"),
     (dict(cell=[1, 1, 1], pbc="TTF"), "pbc"), (dict(cell=[1, 1, 1], pbc=2), "pbc"),
     (dict(cell=[1, 1, 1], filter="rips"), "cell"), (dict(cell=[1, 1, 1], pieces=2), "cell"),
-    (dict(cell=[1, 1, 1], filter="alpha", bounds=True), "bounds"),
-    (dict(cell=[1, 1, 1], filter="alpha", representatives=True), "representatives")])
+    (dict(cell=[1, 1, 1], filter="alpha", bounds=True), "bounds")])
 def test_refusals(arguments, argument):
     with pytest.raises(errors.InvalidArgument) as raised:
         netmesh.persist(POINTS, **arguments)

@@ -20,7 +20,7 @@ inline bool needs_places(const std::string& ending) { return ending == ".vtu" ||
 // .obj and .svg alone.
 void write_cycles(const Engine& engine, const std::string& path, const std::vector<bool>& chosen,
                   const CyclePlaces& places, TextWriter& out);
-// The different points in their order, by which cycles of scales and of filters on points go.
+// The different points in their order, by which cycles of scales and of filters on points go. With periods all rows.
 CyclePlaces places_of(const PointCloud& cloud);
 
 // Empty when every cycle has boundary zero (in degree 0: is one vertex, or two of a pair that dies) and enters with its

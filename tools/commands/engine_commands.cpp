@@ -231,7 +231,7 @@ struct Result {
 // Cycles go by vertices of a mesh, or by points.
 CyclePlaces places_of(const Options& options, const EngineMesh& mesh, const PointCloud& cloud,
                       const netmesh_report& report) {
-    if (!has_cells(kind_of(options))) return places_of(cloud);
+    if (!has_cells(kind_of(options)) || report.input.periods > 0) return places_of(cloud);
     CyclePlaces places;
     places.dim = mesh.dim;
     for (std::uint64_t i = 0; i < mesh.vertex_count; i++) {

@@ -5,6 +5,7 @@
 
 #include "homology/cycles/spanning_forest.hpp"
 #include "homology/matrix/components.hpp"
+#include "homology/matrix/ranked_matrix.hpp"
 #include "homology/matrix/reduction.hpp"
 
 namespace netmesh {
@@ -12,7 +13,26 @@ namespace {
 
 using Simplices = FilteredComplex::Simplices;
 
-class Tracer {
+// Boundaries of a quotient.
+struct QuotientBoundary : BoundaryMatrix {
+    std::uint32_t pivot_of(std::uint32_t j) const {
+        const std::uint32_t* const faces = simplices.faces + std::size_t{j} * (k + 1);
+        std::uint32_t pivot = none;
+        for (std::uint32_t i = 0; i <= k; ++i) {
+            if ((pivot == none || faces[i] > pivot) && is_in_boundary(faces, k, faces[i])) pivot = faces[i];
+        }
+        return pivot;
+    }
+    bool repeats(std::uint32_t j) const {
+        const std::uint32_t* const faces = simplices.faces + std::size_t{j} * (k + 1);
+        for (std::uint32_t i = 1; i <= k; ++i)
+            for (std::uint32_t other = 0; other < i; ++other)
+                if (faces[i] == faces[other]) return true;
+        return false;
+    }
+};
+
+template <bool is_quotient> class Tracer {
 public:
     Tracer(const FilteredComplex& complex, DiagramRequest request, const Work& work)
         : complex_(complex), max_degree_(request.max_degree), top_(top_dimension(complex, max_degree_)),
@@ -44,7 +64,7 @@ private:
     std::uint64_t* paired_words_[2] = {};
 };
 
-bool Tracer::reserve() {
+template <bool is_quotient> bool Tracer<is_quotient>::reserve() {
     const std::uint32_t most = largest_count(complex_, top_), edges = complex_.edge_count();
     owner_ = arena_.take_high<std::uint32_t>(most);
     for (std::uint64_t*& words : column_words_) {
@@ -62,7 +82,8 @@ bool Tracer::reserve() {
 }
 
 // Writes a pair with what `cycle` holds, and empties that.
-Status Tracer::write(double birth, double death, std::uint32_t degree, CountedColumn& cycle) {
+template <bool is_quotient>
+Status Tracer<is_quotient>::write(double birth, double death, std::uint32_t degree, CountedColumn& cycle) {
     if (!writer_.keeps(birth, death, degree)) {
         cycle.clear();
         return Status::ok;
@@ -75,7 +96,7 @@ Status Tracer::write(double birth, double death, std::uint32_t degree, CountedCo
 }
 
 // Degree 0: the cycle of a component that dies is its oldest vertex and the oldest of the one that takes it in.
-struct Tracer::Components {
+template <bool is_quotient> struct Tracer<is_quotient>::Components {
     Tracer& tracer;
     ComponentWriter edges;
     CountedColumn& cycle;
@@ -95,7 +116,7 @@ struct Tracer::Components {
 };
 
 // Essential classes of degree 1: an edge and the way back through the forest of the edges before it.
-Status Tracer::close_edges() {
+template <bool is_quotient> Status Tracer<is_quotient>::close_edges() {
     if (complex_.dimension == 0 || max_degree_ == 0) return Status::ok;
     const Simplices& edges = of(1);
     CountedColumn cycle;
@@ -114,12 +135,15 @@ Status Tracer::close_edges() {
     return Status::ok;
 }
 
-class Tracer::Recorder {
+template <bool is_quotient> class Tracer<is_quotient>::Recorder {
 public:
-    using Columns = ListedColumns<BoundaryMatrix, KeptSums>;
-    Recorder(Tracer& tracer, Columns& columns, std::uint32_t k) : t_(tracer), columns_(columns), k_(k) {
+    using Matrix = std::conditional_t<is_quotient, QuotientBoundary, BoundaryMatrix>;
+    using Columns = ListedColumns<Matrix, KeptSums>;
+    Recorder(Tracer& tracer, const Matrix& matrix, Columns& columns, std::uint32_t k)
+        : t_(tracer), matrix_(matrix), columns_(columns), k_(k) {
         sources_.adopt(t_.column_words_[1], t_.of(k).count);
         cycle_.adopt(t_.column_words_[2], t_.of(k).count);
+        if (is_quotient) boundary_.adopt(t_.column_words_[2], t_.of(k - 1).count);
     }
 
     // What is a pivot itself gives birth to a pair that is written already.
@@ -139,6 +163,9 @@ public:
         t_.paired_.insert(pivot);
         if (!columns_.own_pivot(j)) return Status::out_of_memory;
         const std::uint32_t owner = columns_.owner(), cycle = owner == j ? j + 1 : owner;
+        if constexpr (is_quotient) {
+            if (owner == j && matrix_.repeats(j)) return write_boundary(j, pivot);
+        }
         const bool fits = t_.writer_.add(t_.of(k_ - 1).value[pivot], t_.of(k_).value[j], k_ - 1, cycle);
         return fits ? Status::ok : Status::out_of_memory;
     }
@@ -159,6 +186,11 @@ public:
     }
 
 private:
+    // The boundary of j as it is, without what is there twice.
+    Status write_boundary(std::uint32_t j, std::uint32_t pivot) {
+        matrix_.add(j, boundary_);
+        return t_.write(t_.of(k_ - 1).value[pivot], t_.of(k_).value[j], k_ - 1, boundary_);
+    }
     // The columns that were added to that of `at` when it was reduced.
     Status add_sources_of(std::uint32_t at) {
         for (columns_.load(at); !columns_.is_zero();) {
@@ -175,20 +207,25 @@ private:
     }
 
     Tracer& t_;
+    const Matrix& matrix_;
     Columns& columns_;
-    CountedColumn sources_, cycle_;
+    CountedColumn sources_, cycle_, boundary_;  // boundary_ and cycle_ in one place, which is empty between them
     std::uint32_t k_, next_ = 0;
 };
 
-Status Tracer::reduce(std::uint32_t k) {
+template <bool is_quotient> Status Tracer<is_quotient>::reduce(std::uint32_t k) {
     const std::uint32_t rows = of(k - 1).count;
     if (rows == 0 || of(k).count == 0) return Status::ok;
-    Recorder::Columns columns({of(k), k, nullptr}, {&store_}, rows, owner_, column_words_[0], progress_);
-    Recorder recorder(*this, columns, k);
+    typename Recorder::Matrix matrix;
+    matrix.simplices = of(k);
+    matrix.k = k;
+    matrix.dropped = nullptr;
+    typename Recorder::Columns columns(matrix, {&store_}, rows, owner_, column_words_[0], progress_);
+    Recorder recorder(*this, matrix, columns, k);
     return reduce_columns(columns, recorder);
 }
 
-Status Tracer::run(Representatives* out) {
+template <bool is_quotient> Status Tracer<is_quotient>::run(Representatives* out) {
     const std::size_t high = arena_.high_mark();
     std::uint64_t total = 0;
     for (std::uint32_t k = 1; k <= top_; ++k) total += of(k).count;
@@ -217,19 +254,29 @@ Status Tracer::run(Representatives* out) {
     return Status::ok;
 }
 
-}  // namespace
-
-Status persist_with_cycles(const FilteredComplex& complex, DiagramRequest request, const Work& work,
-                           Representatives* out) {
+template <bool is_quotient>
+Status trace(const FilteredComplex& complex, DiagramRequest request, const Work& work, Representatives* out) {
     if (complex.dimension > FilteredComplex::dimension_max) return Status::invalid_argument;
     const std::size_t low = work.arena.low_mark(), high = work.arena.high_mark();
     work.arena.release_high(high & ~(Arena::alignment - 1));
-    Tracer tracer(complex, limited(request, complex), work);
+    Tracer<is_quotient> tracer(complex, limited(request, complex), work);
     const Status status = tracer.run(out);
     if (status == Status::ok) return status;
     work.arena.release_low(low);
     work.arena.release_high(high);
     return status;
+}
+
+}  // namespace
+
+Status persist_with_cycles(const FilteredComplex& complex, DiagramRequest request, const Work& work,
+                           Representatives* out) {
+    return trace<false>(complex, request, work, out);
+}
+
+Status persist_quotient_with_cycles(const FilteredComplex& complex, DiagramRequest request, const Work& work,
+                                    Representatives* out) {
+    return trace<true>(complex, request, work, out);
 }
 
 Cycle cycle_of(const FilteredComplex& complex, const CycleStore& store, const Arena& arena, const Pair& pair) {

@@ -37,7 +37,11 @@ struct Representatives {
 // invalid_argument (dimension), out_of_memory, cancelled, internal.
 Status persist_with_cycles(const FilteredComplex& complex, DiagramRequest request, const Work& work,
                            Representatives* out);
-// The cycle of a pair that persist_with_cycles made, the complex being where it was. O(1).
+// The same of a quotient (persist_quotient): a simplex may have a facet more than once, which is in its boundary if
+// that is an odd number of times.
+Status persist_quotient_with_cycles(const FilteredComplex& complex, DiagramRequest request, const Work& work,
+                                    Representatives* out);
+// The cycle of a pair that one of these made, the complex being where it was. O(1).
 Cycle cycle_of(const FilteredComplex& complex, const CycleStore& store, const Arena& arena, const Pair& pair);
 
 // As persist_lower_star without pairs of zero length, each pair with a cycle; how many pairs there are is known from

@@ -120,12 +120,18 @@ netmesh_status netmesh_get_scale_step(const netmesh_context* context, uint64_t i
  * death on. In degree 0: a vertex and, when the pair dies (it may do so beyond the largest double), an older one that
  * it is then connected to. Of SCALES: see netmesh_cycles. Vertices are those of netmesh_get_vertex; of complexes on
  * points the points, numbered in input order after merging; of simplices their labels.
- * get_cycle tells the number of simplices, O(1); get_cycle_simplex one of them, in no particular order, O(degree^2). */
+ * get_cycle tells the number of simplices, O(1); get_cycle_simplex one of them, in no particular order, O(degree^2).
+ *
+ * With periods simplices are sets of copies, up to translation, and so are their facets, modulo 2: an edge from a point
+ * to its own copy has no boundary. Vertices are rows of the input, of equal points the first or the heaviest: vertex i
+ * is at what row vertices[i] says, and translations[i][j] times vector j of the lattice farther. Those of the first
+ * are 0. */
 typedef struct netmesh_simplex {
     uint32_t struct_bytes;
     uint32_t degree;
     double value;                              /* at which it enters */
-    uint32_t vertices[NETMESH_DEGREE_MAX + 1]; /* ascending; the first degree + 1 */
+    uint32_t vertices[NETMESH_DEGREE_MAX + 1]; /* ascending; the first degree + 1. Periods: may repeat */
+    int32_t translations[NETMESH_DIM_MAX + 1][NETMESH_DIM_MAX]; /* with periods; else 0 */
 } netmesh_simplex;
 netmesh_status netmesh_get_cycle(const netmesh_context* context, uint64_t pair, uint64_t* simplices);
 netmesh_status netmesh_get_cycle_simplex(const netmesh_context* context, uint64_t pair, uint64_t index,

@@ -136,8 +136,9 @@ typedef struct netmesh_piece_info {
 /* OK, CHECK_FAILED (info->fault), INVALID_ARGUMENT. */
 netmesh_status netmesh_read_piece(const netmesh_piece* piece, netmesh_piece_info* info);
 
-/* Gives piece i, for one that is kept in a file or far away: each once, in ascending order. What was given before is
- * looked at no more. Does not throw. What it returns other than NETMESH_OK ends the call. */
+/* Gives piece i, for one that is kept in a file or far away: all in ascending order, to count bars, and then all once
+ * more. What was given before is looked at no more. Does not throw. What it returns other than NETMESH_OK ends the
+ * call. */
 typedef netmesh_status (*netmesh_open_piece)(void* user, size_t i, netmesh_piece* piece);
 typedef struct netmesh_collect_request {
     uint32_t struct_bytes;
@@ -148,7 +149,7 @@ typedef struct netmesh_collect_request {
     netmesh_monitor monitor;
 } netmesh_collect_request;
 /* The diagram of all pieces: what the context holds is what netmesh_persist leaves of points and netmesh_filter_alpha.
- *   memory   24 bytes a bar
+ *   memory   16 bytes a bar
  *   errors   INVALID_ARGUMENT (PIECES; piece index_a), OUT_OF_MEMORY, CANCELLED, and what open says */
 netmesh_status netmesh_collect(netmesh_context* context, const netmesh_collect_request* request);
 

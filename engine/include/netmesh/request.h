@@ -52,7 +52,7 @@ extern const netmesh_filter netmesh_filter_alpha;
  * most a: the union of balls of radius sqrt(a + w), which are not there while a + w < 0. Such are balls around atoms,
  * and points that enter at different times.
  *   filter    alpha; auto takes it without a choice. netmesh_mesh with alpha, or with the method delaunay. All else
- *             refuses weights: other filters and methods, pieces, bounds, cycles
+ *             refuses weights: other filters and methods, pieces, bounds, cycles (but with periods)
  *   cells     the regular triangulation: some centre has equal powers of a cell's vertices, and less power of no other
  *             point. Ties are broken by index. It does not depend on the order of insertion
  *   hidden    a point can be in no cell: where it is nearest, others have less power. It is no vertex and has no bar;
@@ -88,7 +88,8 @@ typedef enum netmesh_weighting_id {
  * diagram is that of the union of balls in R^D modulo the lattice, with weights or without: a loop can run from a point
  * to its own copy. It takes any number of points from one on.
  *   filter    alpha; auto takes it without a choice. All else refuses periods: other filters, netmesh_mesh, pieces,
- *             bounds, cycles, keep_mesh
+ *             bounds, keep_mesh
+ *   cycles    as of complexes on points: made with the diagram alone. With translations (netmesh_get_cycle_simplex)
  *   degrees   to D. With all D periods the classes that last are those of the torus, 1, D, .., 1 of them, in degree
  *             D one where the balls cover all. Fewer periods: those of a smaller torus
  *   points    may lie anywhere; which copy of a point is given does not matter. Points equal to a copy of an earlier

@@ -319,7 +319,8 @@ class netmesh_scale_step(Structure):
 
 class netmesh_simplex(Structure):
     _fields_ = [("struct_bytes", c_uint32), ("degree", c_uint32), ("value", c_double),
-                ("vertices", c_uint32 * (NETMESH_DEGREE_MAX + 1))]
+                ("vertices", c_uint32 * (NETMESH_DEGREE_MAX + 1)),
+                ("translations", c_int32 * (NETMESH_DIM_MAX) * (NETMESH_DIM_MAX + 1))]
 
 
 class netmesh_vine_point(Structure):
@@ -690,6 +691,7 @@ FUNCTIONS = {
     "netmesh_array_steps": (c_int, [c_void_p, c_uint64, c_void_p]),
     "netmesh_array_cycle_starts": (c_int, [c_void_p, c_uint64, c_void_p]),
     "netmesh_array_cycle": (c_int, [c_void_p, c_uint64, c_uint32, c_uint64, c_void_p, c_void_p]),
+    "netmesh_array_cycle_translations": (c_int, [c_void_p, c_uint64, c_uint32, c_uint64, c_uint32, c_void_p]),
     "netmesh_array_vines": (c_int, [c_void_p, c_uint64, c_void_p, c_void_p, c_void_p, c_void_p]),
     "netmesh_array_source": (c_int, [c_void_p, c_void_p]),
     "netmesh_python_poll": (c_int, [c_void_p, c_void_p]),

@@ -24,10 +24,15 @@ class Bounds(NamedTuple):
 class Representatives:
     """A cycle for each bar, in the order of the diagram: ``representatives[i]`` is an array int32
     [simplices, degree + 1] of vertices, of a mesh by the order of its vertices, of points by their order after
-    duplicates were merged. Of a bar of degree 0: a vertex, and one that it is then connected to."""
+    duplicates were merged. Of a bar of degree 0: a vertex, and one that it is then connected to.
 
-    def __init__(self, cycles: List[np.ndarray]):
+    With periods vertices are rows of the points, and ``representatives.translations[i]`` is an array int32
+    [simplices, degree + 1, vectors]: a vertex is where its row says, and that often each vector of the cell farther;
+    the first of a simplex is at its own place. Otherwise ``translations`` is None."""
+
+    def __init__(self, cycles: List[np.ndarray], translations: Optional[List[np.ndarray]] = None):
         self._cycles = cycles
+        self.translations = translations
 
     def __len__(self) -> int:
         return len(self._cycles)
@@ -219,7 +224,7 @@ def read(session):
         "fingerprint": "%016x" % report.fingerprint,
     }
     bounds = _read_bounds(session, count, report.bounds.steps) if request.bounds else None
-    cycles = _read_cycles(session, starts) if request.cycles else None
+    cycles = _read_cycles(session, starts, report.input.periods) if request.cycles else None
     return Diagram(intervals, starts, facts, report, bounds, cycles)
 
 
@@ -232,19 +237,24 @@ def _read_bounds(session, count, step_count):
     return Bounds(numbers[:, 0:2], numbers[:, 2:4], certain.view(bool), numbers[:, 4], steps)
 
 
-def _read_cycles(session, starts):
+def _read_cycles(session, starts, axes):
     count = starts[-1]
     begins = np.empty(count + 1, dtype=np.uint64)
     session.call(lib.netmesh_array_cycle_starts, session.context, count, address(begins))
     sizes = np.diff(begins.astype(np.int64)).tolist()
-    cycles = []
+    cycles, translations = [], []
     for degree in range(len(starts) - 1):
         for pair in range(starts[degree], starts[degree + 1]):
             # In degree 0 a simplex is a vertex.
             cycle = np.empty((sizes[pair], degree + 1), dtype=np.int32)
             session.call(lib.netmesh_array_cycle, session.context, pair, degree, sizes[pair], address(cycle), None)
             cycles.append(cycle)
-    return Representatives(cycles)
+            if axes:
+                times = np.empty((sizes[pair], degree + 1, axes), dtype=np.int32)
+                session.call(lib.netmesh_array_cycle_translations, session.context, pair, degree, sizes[pair], axes,
+                             address(times))
+                translations.append(times)
+    return Representatives(cycles, translations if axes else None)
 
 
 def bars_of(diagram, argument):

@@ -140,6 +140,9 @@ export class Diagram implements Iterable<Bar> {
     readonly bounds: BarBounds | null;
     /** Of each bar the vertices of its simplices, degree + 1 each. */
     readonly representatives: Int32Array[] | null;
+    /** With periods, of each vertex of a cycle how many of each vector of the cell take its row there: those of the
+     * first of a simplex are 0. */
+    readonly translations: Int32Array[] | null;
     /** Of points that repeat: how many were triangulated beside those given, and by how much numbers were moved at most
      * so that copies are exact. */
     readonly copies: number;

@@ -318,18 +318,24 @@ function diagramOf(job) {
     const fields = { filter: filterOf(report['diagram.filter']), certifiedRatio: report['diagram.certified_ratio'] ?? 0,
         certifiedError: report['diagram.certified_error'] ?? 0, fingerprint: report.fingerprint,
         peakBytes: report['memory.peak_bytes'], why: job.text(job.exports.why()), bounds: null,
-        representatives: null, copies: report['input.copies'] ?? 0, moved: report['input.moved'] ?? 0 };
+        representatives: null, translations: null, copies: report['input.copies'] ?? 0,
+        moved: report['input.moved'] ?? 0 };
     if (report['diagram.certain']) {
         const [numbers, certain] = job.read('bounds', [BigInt(count)], [Float64Array, 5 * count], [Uint8Array, count]);
         fields.bounds = { numbers, certain };
     }
     if (report['diagram.representatives']) {
         const [begins] = job.read('cycle_starts', [BigInt(count)], [BigUint64Array, count + 1]);
+        const axes = report['input.periods'] ?? 0;
         fields.representatives = [];
+        fields.translations = axes > 0 ? [] : null;
         for (let k = 0; k + 1 < starts.length; ++k)
             for (let i = starts[k]; i < starts[k + 1]; ++i) {
                 const n = begins[i + 1] - begins[i], places = Number(n) * (k + 1);
                 fields.representatives.push(job.read('cycle', [BigInt(i), k, n], [Int32Array, places], null)[0]);
+                if (axes > 0)
+                    fields.translations.push(
+                        job.read('cycle_translations', [BigInt(i), k, n, axes], [Int32Array, places * axes])[0]);
             }
     }
     return new Diagram(fields, intervals, starts);

@@ -18,6 +18,10 @@ const samples = {
         return [Math.cos(t) + .2 * random(), Math.sin(t) + .2 * random()];
     }),
     'three clusters, 2D': random => each(90, i => [[0, 0], [3, .5], [1.2, 2.6]][i % 3].map(x => x + .6 * random())),
+    'circle in a periodic box, 2D': random => each(60, i => {
+        const t = i / 60 * 2 * Math.PI;
+        return [.3 * Math.cos(t) + .03 * random(), .3 * Math.sin(t) + .03 * random()].map(x => x - Math.floor(x));
+    }),
     'sphere, 3D': random => each(200, i => {
         const z = 2 * (i + .5) / 200 - 1, t = 2.399963 * i, r = Math.sqrt(1 - z * z);
         return [r * Math.cos(t), r * Math.sin(t), z].map(x => x + .04 * random());
@@ -36,6 +40,7 @@ const samples = {
         return x.map(c => c + .02 * random());
     }),
 };
+const sample_boxes = { 'circle in a periodic box, 2D': '0:1,0:1' };
 function each(count, place) { return Array.from({ length: count }, (_, i) => place(i)); }
 function sample_text(name) {
     let state = 7;

@@ -1,6 +1,6 @@
 'use strict';
 // One job after the other, in a thread of its own; whoever wants to cancel ends the thread.
-const OUT_OF_MEMORY = 2, PAGE = 65536;
+const OUT_OF_MEMORY = 2, FLAT = 6, PAGE = 65536;
 const stages = ['', 'sorting', 'triangulating', 'refining', 'certifying', 'filtering', 'pairing', 'reducing', 'checking',
     'measuring'];
 // Where each of them ends in a run, about.
@@ -46,7 +46,7 @@ function watch(exports, say) {
 }
 
 // Offsets in the structs of netmesh.h, all of which begin with their size.
-function results(exports, dim, asked) {
+function results(exports, dim, asked, periods) {
     const view = () => new DataView(exports.memory.buffer);
     const vertex_count = exports.vertices(), cell_count = exports.cells();
     const places = new Float64Array(vertex_count * dim), values = new Float64Array(vertex_count);
@@ -63,7 +63,7 @@ function results(exports, dim, asked) {
     const pairs = [];
     for (let i = 0; (at = exports.pair(i) >>> 0) !== 0; ++i) {
         pairs.push({ degree: data.getUint32(at + 4, true), birth: data.getFloat64(at + 8, true),
-            death: data.getFloat64(at + 16, true), exists: null, after: 0, cycle: null });
+            death: data.getFloat64(at + 16, true), exists: null, after: 0, cycle: null, copies: null });
     }
     const ratio = exports.certified_ratio(), from = exports.certified_from();
     pairs.forEach((pair, i) => {
@@ -74,38 +74,54 @@ function results(exports, dim, asked) {
         pair.exists = bounds !== 0 ? data.getUint32(bounds + 4, true) === 1
             : pair.death > pair.after || ratio === 1 && from === 0;
     });
-    if (asked.cycles) longest_cycles(exports, pairs, data);
+    if (asked.cycles) longest_cycles(exports, pairs, data, periods);
     const hex = word => (word >>> 0).toString(16).padStart(8, '0');
     return { dim, places, values, markers, cells, has_values, pairs, ratio, from, filter: exports.filter_taken(),
         why: text_at(exports, exports.why()),
         figures: { vertices: vertex_count, inputs: exports.inputs(), cells: cell_count, simplices: exports.simplices(),
+            copies: exports.copies(), moved: exports.moved(),
             aspect_ratio: exports.aspect_ratio(), peak_bytes: exports.peak_bytes(),
             fingerprint: hex(exports.fingerprint_high()) + hex(exports.fingerprint_low()),
             version: text_at(exports, exports.version()) } };
 }
 
-// Of the 24 longest bars of each degree from 1 on.
-function longest_cycles(exports, pairs, data) {
+// Of the 24 longest bars of each degree from 1 on: vertices, and with periods how many of each vector take them to the
+// copy that is meant.
+function longest_cycles(exports, pairs, data, periods) {
     for (let degree = 1; degree < 6; ++degree) {
         const order = pairs.map((pair, i) => i).filter(i => pairs[i].degree === degree);
         const length = i => pairs[i].death - pairs[i].birth;
-        order.sort((i, j) => length(j) - length(i));
+        order.sort((i, j) => length(j) === length(i) ? 0 : length(j) - length(i));
         for (const i of order.slice(0, 24)) {
             const count = exports.cycle_length(i);
-            const cycle = new Uint32Array(count * (degree + 1));
+            const cycle = new Uint32Array(count * (degree + 1)), copies = new Int32Array(cycle.length * periods);
             for (let j = 0; j < count; ++j) {
                 const at = exports.cycle_simplex(i, j) >>> 0;
-                for (let v = 0; v <= degree; ++v) cycle[j * (degree + 1) + v] = data.getUint32(at + 16 + 4 * v, true);
+                for (let v = 0; v <= degree; ++v) {
+                    const to = j * (degree + 1) + v;
+                    cycle[to] = data.getUint32(at + 16 + 4 * v, true);
+                    for (let k = 0; k < periods; ++k)
+                        copies[to * periods + k] = data.getInt32(at + 144 + 24 * v + 4 * k, true);
+                }
             }
-            if (count > 0) pairs[i].cycle = cycle;
+            if (count > 0) Object.assign(pairs[i], { cycle, copies });
         }
     }
 }
 
-function work({ module, points, dim, asked, limit }) {
+// The vectors by which points repeat, if they do.
+function repeat({ exports }, lattice, dim) {
+    if (lattice.length === 0) return;
+    const at = exports.repeat(lattice.length / dim) >>> 0;
+    new Float64Array(exports.memory.buffer, at, lattice.length).set(lattice);
+}
+
+function work({ module, points, dim, lattice, asked, limit }) {
     const count = points.length / dim;
     const arguments_of = [asked.filter, asked.k, asked.degree, asked.ratio];
-    const planned = program(module, 0, 0).exports.plan(count, dim, ...arguments_of);
+    const planner = program(module, 0, 0);
+    repeat(planner, lattice, dim);
+    const planned = planner.exports.plan(count, dim, ...arguments_of);
     let bytes = Math.min(limit, Math.max(4 << 20, Math.ceil(1.1 * planned))), reached = 0, again = false;
     for (let chosen = null;;) {
         const made = program(module, points.length, bytes);
@@ -113,6 +129,7 @@ function work({ module, points, dim, asked, limit }) {
         if (made === null) return { fault: 'the browser has no more memory', kind: 'memory', bytes, planned };
         const { exports, numbers, block } = made;
         new Float64Array(exports.memory.buffer, numbers, points.length).set(points);
+        repeat(made, lattice, dim);
         const start = reached;
         watch(exports, progress => {
             reached = Math.max(reached, start + (1 - start) * .9 * progress.share);
@@ -121,12 +138,15 @@ function work({ module, points, dim, asked, limit }) {
         const begin = performance.now();
         const status = exports.run(numbers, count, dim, block, bytes, ...arguments_of, asked.bounds, asked.cycles);
         if (status === 0) {
-            chosen = { ...results(exports, dim, asked), milliseconds: performance.now() - begin, bytes, planned };
+            chosen = { ...results(exports, dim, asked, lattice.length / dim), milliseconds: performance.now() - begin, bytes, planned };
             // What the engine chooses does not depend on how large the block happens to be.
             if (asked.filter !== 0 || exports.gave_up() === 0 || bytes >= limit) return chosen;
         } else if (status !== OUT_OF_MEMORY) {
-            const message = text_at(exports, exports.message());
-            return { fault: message || text_at(exports, exports.status_text(status)), kind: 'input', bytes, planned };
+            const words = status === FLAT && lattice.length > 0
+                ? 'the points and their copies lie on a line: give the other axis a period, too, or add a point beside the line'
+                : text_at(exports, exports.message()) || text_at(exports, exports.status_text(status));
+            const field = text_at(exports, exports.field()).replace(/^lattice$/, 'box');
+            return { fault: field === '' ? words : `${field}: ${words}`, kind: 'input', bytes, planned };
         }
         if (bytes >= limit) return { fault: 'the block is too small', kind: 'memory', bytes, planned };
         bytes = Math.min(limit, 2 * bytes);

@@ -3,6 +3,12 @@
 
 #include <doctest/doctest.h>
 
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <sstream>
+#include <vector>
+
 namespace {
 
 const std::string points = "0,0\n1,0.5\n0.25,2\n2.75,1\n4,4\n";
@@ -31,6 +37,48 @@ TEST_CASE("periods: a square and a cubic lattice") {
     }
     CHECK(bars(folder.run("persist three.csv --box 1,1,1 --max-degree 1 -q").out) ==
           "0 0 inf\n1 0.5 inf\n1 0.5 inf\n1 0.5 inf\n");
+}
+
+TEST_CASE("periods: cycles say which copies, and are laid out one simplex beside the other") {
+    const Folder folder;
+    folder.write("one.csv", "0.25,0.75\n");
+    CHECK(folder.run("persist one.csv --box 1,1 -q -o one.pers --representatives c.txt").exit == 0);
+    const std::string cycles = folder.read("c.txt");
+    CHECK(has(cycles, "bar 0 0 inf 1\n0\nbar 1 0.5 inf 1\n0 0:"));
+    CHECK(has(cycles, "\n0 0:1,0\n"));
+    CHECK(has(cycles, "\n0 0:0,1\n"));
+    CHECK(has(cycles, "bar 2 0.7071067811865476 inf 2\n0 0:"));
+    // A ring of eight across the corner of the box, closed where it is drawn.
+    folder.write("ring.csv", "0.3,0\n0.2,0.2\n0,0.3\n1.8,0.2\n1.7,0\n1.8,1.8\n0,1.7\n0.2,1.8\n");
+    CHECK(folder.run("persist ring.csv --box 2,2 -q -o ring.pers --max-degree 1 --representatives ring.obj").exit == 0);
+    CHECK(folder.run("persist ring.csv --box 2,2 -q -o ring.pers --max-degree 1 --representatives ring.txt").exit == 0);
+    CHECK(folder.run("persist ring.csv --box 2,2 -q -o ring.pers --representatives ring.svg").exit == 0);
+    CHECK(folder.run("persist ring.csv --box 2,2 -q -o ring.pers --representatives ring.vtu").exit == 0);
+    const std::string text = folder.read("ring.txt"), drawn = folder.read("ring.obj");
+    std::size_t edges = 0;
+    for (std::size_t at = text.find("bar 1 "); at < text.size(); at = text.find('\n', at + 1)) edges += 1;
+    CHECK(edges > 8);
+    CHECK(has(text, ":"));
+    // Places of the obj of the only ring that dies: all edges as long as edges of the ring are.
+    std::vector<std::array<double, 2>> places;
+    std::istringstream lines(drawn);
+    double longest = 0;
+    for (std::string line; std::getline(lines, line);) {
+        std::istringstream words(line);
+        std::string kind;
+        words >> kind;
+        if (kind == "v") {
+            places.emplace_back();
+            words >> places.back()[0] >> places.back()[1];
+        }
+        std::size_t a = 0, b = 0;
+        if (kind == "l" && words >> a >> b)
+            longest = std::max(longest, std::hypot(places.at(a - 1)[0] - places.at(b - 1)[0],
+                                                   places.at(a - 1)[1] - places.at(b - 1)[1]));
+    }
+    CHECK(places.size() > 8);
+    CHECK(longest > 0.2);
+    CHECK(longest < 1.5);
 }
 
 TEST_CASE("periods: heads, reports and JSON say the lattice") {
@@ -145,7 +193,6 @@ TEST_CASE("periods: what does not go with them is refused by its option") {
     refused("persist p.csv --box 4,4 --filter rips", "--box 4,4: of the filter alpha alone");
     refused("persist p.csv --box 4,4 --tau 3", "--box 4,4: of the filter alpha alone");
     refused("persist p.csv --box 4,4 --filter alpha --bounds", "leave out bounds");
-    refused("persist p.csv --box 4,4 --filter alpha --representatives c.txt", "there are no cycles with periods yet");
     refused("persist p.csv --box 4,4 --filter alpha --mesh m.node", "no triangulation is kept");
     refused("persist p.csv --box 4,4 --check", "--check does not go with --box");
     refused("persist p.csv --box 4,4 --pieces 2", "--box does not go with --pieces");

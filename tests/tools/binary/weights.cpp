@@ -63,7 +63,7 @@ TEST_CASE("what does not go with balls is refused by its option") {
     refused("--radii r --tau 3", "--radii r: of the filter alpha alone");
     refused("--radii r --filter alpha --bounds", "leave out bounds");
     refused("--radii r --pieces 2", "--radii r does not go with --pieces");
-    refused("--radii r --filter alpha --representatives c.txt", "there are no cycles with weights yet");
+    refused("--radii r --filter alpha --representatives c.txt", "cycles where there are periods alone");
     refused("--squares", "--squares: of points with weights alone");
     Result result = folder.run("persist b.csv --radii q");
     CHECK(result.exit == 3);
