@@ -278,7 +278,7 @@ private:
         const std::uint32_t more = tape_.byte();
         request.keep_mesh = (more & 3) == 3 ? 1 : 0;
         if (tape_.rarely()) request.bounds = &netmesh_bounds;
-        if (tape_.rarely()) request.cycles = &netmesh_cycles;
+        if (tape_.rarely() || (more & 64) != 0) request.cycles = &netmesh_cycles;
         if (tape_.rarely()) request.points.coordinates = nullptr;
         if (polls_left_ > 0) polls_left_ = 200;  // copies are many in four dimensions
         if ((more & 28) == 28) {
@@ -692,8 +692,11 @@ private:
         if (netmesh_get_cycle(context_, i, &simplices) != NETMESH_OK) return;
         const std::vector<netmesh_simplex> cycle = cycle_of(context_, i);
         require(cycle.size() == simplices);
+        // With periods two vertices can be one point.
+        const bool can_repeat = report().input.periods != 0;
         for (const netmesh_simplex& s : cycle)
-            for (std::uint32_t a = 1; a <= pair.degree; ++a) require(s.vertices[a - 1] < s.vertices[a]);
+            for (std::uint32_t a = 1; a <= pair.degree; ++a)
+                require(s.vertices[a - 1] < s.vertices[a] || (can_repeat && s.vertices[a - 1] == s.vertices[a]));
         auto s = netmesh::sized<netmesh_simplex>();
         require(netmesh_get_cycle_simplex(context_, i, simplices, &s) != NETMESH_OK);
     }
