@@ -259,6 +259,56 @@ private:
         const std::vector<double> x = make_points(c.dim);
         persisted(on_points(request, c, x), c);
     }
+    // Points with weights, with periods or with both: diagrams and triangulations, and what is refused.
+    void weigh_and_repeat() {
+        const Choices c = choose();
+        const std::uint32_t what = tape_.byte();
+        netmesh::Request request = c.request(&netmesh_filter_alpha);
+        if (what & 32) request.filter = &netmesh_filter_auto;
+        if (tape_.rarely()) request.filter = filters[tape_.below(filter_count)];
+        request.max_degree = tape_.rarely() ? tape_.byte() : tape_.below(8);
+        request.keep_zero_pairs = tape_.byte() & 1;
+        const std::vector<double> x = make_points(c.dim);
+        request.set_points(c.dim, x);
+        const std::size_t gap = what >> 3 & 3;
+        if (what & 4) put_in_rows(&request.points, x, &floats_, c.dim + gap);
+        if (!(what & 4) && gap > 0) put_in_rows(&request.points, x, &doubles_, c.dim + gap);
+        if ((what & 3) != 0) extras_.weigh(tape_, &request);
+        if ((what & 3) != 1) extras_.repeat(tape_, &request);
+        const std::uint32_t more = tape_.byte();
+        request.keep_mesh = (more & 3) == 3 ? 1 : 0;
+        if (tape_.rarely()) request.bounds = &netmesh_bounds;
+        if (tape_.rarely() || (more & 64) != 0) request.cycles = &netmesh_cycles;
+        if (tape_.rarely()) request.points.coordinates = nullptr;
+        if (polls_left_ > 0) polls_left_ = 200;  // copies are many in four dimensions
+        if ((more & 28) == 28) {
+            if (more & 32) request.filter = nullptr, request.mesh.method = &netmesh_method_delaunay;
+            netmesh_plan_mesh(&request);
+            if (ended(netmesh_mesh(context_, maybe<netmesh_request>(request, c))) == NETMESH_OK) {
+                const netmesh_status status = checked(tape_.below(16), c.mesh_request(nullptr), c);
+                require(status != NETMESH_CHECK_FAILED);
+            }
+        } else if (persisted(request, c) == NETMESH_OK && !c.sets_bytes) {
+            require_all_points(request);
+        }
+    }
+    // No point is lost, and with periods what is left in the end is a torus.
+    void require_all_points(const netmesh_request& request) {
+        const netmesh_report r = report();
+        require(r.input.distinct + r.input.duplicates + r.input.hidden == r.input.points);
+        require(request.weighting != nullptr || r.input.hidden == 0);
+        require(r.input.periods == request.points.lattice_count);
+        if (request.periods == nullptr) return;
+        std::uint64_t wanted = 1, left = r.input.periods;
+        std::vector<std::uint64_t> lasting(NETMESH_DIM_MAX + 1);
+        for (const netmesh_pair& pair : read_all(context_, netmesh_get_pair))
+            lasting[pair.degree] += std::isinf(pair.death);
+        for (std::uint32_t degree = 0; degree <= r.diagram.max_degree; ++degree) {
+            require(lasting[degree] == wanted);
+            wanted = wanted * left / (degree + 1);
+            left -= left > 0;
+        }
+    }
     void persist_auto() {
         const Choices c = choose();
         netmesh::Request request = c.request(&netmesh_filter_auto);
@@ -609,9 +659,18 @@ private:
         for (std::uint64_t i = 0; i < pairs; ++i) read_pair(i, list[i]);
         require(read_all(context_, netmesh_get_vine_point).size() == r.vineyard.points);
         require(read_all(context_, netmesh_get_cage).size() == r.mesh.hierarchy.cages);
+        read_hidden(r);
         double ratio;
         netmesh_get_vine_ratio(context_, tape_.byte(), &ratio);
         read_far_behind();
+    }
+    void read_hidden(const netmesh_report& r) {
+        std::uint64_t row = 0, before = 0, count = 0;
+        for (; netmesh_get_hidden(context_, count, &row) == NETMESH_OK; ++count) {
+            require(row < r.input.points && (count == 0 || row > before));
+            before = row;
+        }
+        require(count == r.input.hidden);
     }
     void read_far_behind() {
         auto v = netmesh::sized<netmesh_vertex>();
@@ -633,8 +692,11 @@ private:
         if (netmesh_get_cycle(context_, i, &simplices) != NETMESH_OK) return;
         const std::vector<netmesh_simplex> cycle = cycle_of(context_, i);
         require(cycle.size() == simplices);
+        // With periods two vertices can be one point.
+        const bool can_repeat = report().input.periods != 0;
         for (const netmesh_simplex& s : cycle)
-            for (std::uint32_t a = 1; a <= pair.degree; ++a) require(s.vertices[a - 1] < s.vertices[a]);
+            for (std::uint32_t a = 1; a <= pair.degree; ++a)
+                require(s.vertices[a - 1] < s.vertices[a] || (can_repeat && s.vertices[a - 1] == s.vertices[a]));
         auto s = netmesh::sized<netmesh_simplex>();
         require(netmesh_get_cycle_simplex(context_, i, simplices, &s) != NETMESH_OK);
     }
@@ -702,10 +764,11 @@ private:
         case 22: return fit();
         case 23: return tape_.rarely() ? start() : read_results();
         case 24: {
-            const std::uint32_t which = tape_.byte() % 4;
-            if (which == 0) return value_vineyard();
-            if (which == 1) return points_vineyard();
-            return which == 2 ? anything() : read_results();
+            const std::uint32_t which = tape_.byte();
+            if (which % 4 == 0) return value_vineyard();
+            if (which % 4 == 1) return points_vineyard();
+            if (which % 4 == 2) return anything();
+            return which < 64 ? read_results() : weigh_and_repeat();  // other calls read results, too
         }
         default: return read_results();
         }
@@ -715,6 +778,7 @@ private:
     fuzz::Handed handed_;
     std::vector<float> floats_;  // points that a call reads
     std::vector<double> doubles_;
+    fuzz::Extras extras_;
     void* block_;
     std::size_t block_bytes_ = 0;
     netmesh_context* context_ = nullptr;

@@ -137,6 +137,90 @@ inline Choices Choices::read(Tape& tape, std::uint32_t* dim, int* polls_left, We
     return c;
 }
 
+// Weights and a lattice for the points of a request, good ones and bad ones. Each array ends where its last number
+// does; it lives as long as this object.
+class Extras {
+public:
+    void weigh(Tape& tape, netmesh_request* request) {
+        const std::uint32_t how = tape.byte();
+        request->weighting = how & 1 ? &netmesh_radii : &netmesh_weights;
+        request->squares = tape.rarely() ? tape.byte() : how >> 1 & 1;
+        const bool are_floats = request->points.format == NETMESH_POINTS_FLOAT32;
+        are_floats ? place_weights(tape, how, &floats_, request) : place_weights(tape, how, &doubles_, request);
+        if (!tape.rarely()) return;
+        const std::size_t size = are_floats ? sizeof(float) : sizeof(double);
+        switch (tape.below(5)) {
+        case 0: request->points.weights = nullptr; break;
+        case 1: request->points.weights = shifted(request->points.weights, size / 2); break;
+        case 2: request->points.weights = shifted(request->points.weights, 1); break;
+        case 3: request->weighting = nullptr; break;
+        default: {  // no stride, whatever the numbers are
+            const std::size_t strides[] = {size / 2, size + 1, size + size / 2, SIZE_MAX - 1, SIZE_MAX / 16 * 16};
+            request->points.weight_stride_bytes = strides[tape.below(5)];
+            break;
+        }
+        }
+    }
+    void repeat(Tape& tape, netmesh_request* request) {
+        const std::uint32_t dim = request->points.dim, count = tape.below(dim + 2), how = tape.byte();
+        std::vector<double> all;
+        for (std::uint32_t j = 0; j < count; ++j)
+            for (std::uint32_t k = 0; k < dim; ++k) {
+                const double side = how & 4 ? 8 : 4 + j, small = tape.byte() % 5 - 2.0;
+                switch (how % 4) {
+                case 0: all.push_back(j == k ? side : 0); break;
+                case 1: all.push_back(j == k ? side : small); break;
+                case 2: all.push_back(j == k ? 0.7 * side : k < j ? 0.1 * small : 0); break;
+                default: all.push_back(j == k && how & 8 ? side : tape.number()); break;
+                }
+            }
+        all.push_back(1);  // behind the last number, where it lies between others
+        const bool is_shifted = tape.rarely();
+        lattice_ = std::vector<double>(all.begin(), all.end() - (is_shifted ? 0 : 1));  // no spare capacity
+        request->points.lattice = lattice_.data();
+        request->points.lattice_count = count;
+        request->periods = &netmesh_periodic;
+        if (is_shifted) {
+            const std::size_t by[] = {1, 2, 4};
+            request->points.lattice = static_cast<const double*>(shifted(lattice_.data(), by[tape.below(3)]));
+        }
+        if (!tape.rarely()) return;
+        switch (tape.below(3)) {
+        case 0: request->points.lattice = nullptr; break;
+        case 1: request->periods = nullptr; break;
+        default: request->points.lattice_count = 0; break;
+        }
+    }
+
+private:
+    static const void* shifted(const void* from, std::size_t by) { return static_cast<const char*>(from) + by; }
+    template <class Number>
+    static void place_weights(Tape& tape, std::uint32_t how, std::vector<Number>* numbers, netmesh_request* request) {
+        const std::size_t apart = how >> 2 & 3, count = request->points.count;
+        const double equal = tape.number();
+        std::vector<Number> all;
+        for (std::size_t i = 0; i < count; ++i) {
+            double number = equal;
+            switch (how >> 4 & 3) {
+            case 0: number = tape.byte() / 16.0; break;
+            case 1: number = tape.number(); break;
+            case 2: number = std::nextafter(equal, tape.byte() - 128.0); break;
+            default: break;
+            }
+            if (how & 1 && !tape.rarely()) number = std::fabs(number);
+            all.resize(i * (apart > 0 ? apart : 1), std::numeric_limits<Number>::quiet_NaN());
+            all.push_back(static_cast<Number>(number));
+        }
+        all.push_back(1);
+        *numbers = std::vector<Number>(all.begin(), all.end() - 1);  // no spare capacity
+        request->points.weights = numbers->data();
+        request->points.weight_stride_bytes = apart * sizeof(Number);
+    }
+
+    std::vector<float> floats_;
+    std::vector<double> doubles_, lattice_;
+};
+
 // Structs handed over by one call.
 class Handed {
 public:

@@ -26,10 +26,10 @@ Complaint settle_lattice(const Settling& s) {
 
 // Nothing where numbers are there. What the context holds stays.
 Complaint missing_numbers(const netmesh_request& r) {
-    if (r.weighting != nullptr && r.points.weights == nullptr)
-        return {NETMESH_FIELD_WEIGHTS, "a weighting without weights; give points.weights"};
+    const Complaint complaint = missing_weights(r);
+    if (complaint.text != nullptr) return complaint;
     if (r.points.lattice == nullptr) return {NETMESH_FIELD_LATTICE, "periods without a lattice; give points.lattice"};
-    return reinterpret_cast<std::uintptr_t>(r.points.lattice) % 4 != 0
+    return reinterpret_cast<std::uintptr_t>(r.points.lattice) % alignment_of_double != 0
                ? Complaint{NETMESH_FIELD_LATTICE, "the lattice is not aligned to its numbers"}
                : Complaint{};
 }

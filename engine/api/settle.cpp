@@ -256,11 +256,7 @@ Complaint complaint_about_point_count(std::uint64_t count) {
 }
 
 std::size_t alignment_of(const netmesh_points& points) {
-    struct AlignedDouble {
-        char before;
-        double x;
-    };
-    return points.format == NETMESH_POINTS_FLOAT32 ? alignof(float) : offsetof(AlignedDouble, x);
+    return points.format == NETMESH_POINTS_FLOAT32 ? alignof(float) : alignment_of_double;
 }
 
 Complaint complaint_about_rows(const netmesh_points& p) {

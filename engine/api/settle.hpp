@@ -1,5 +1,7 @@
 // What a request stands for: the one place that knows what goes together.
 #pragma once
+#include <cstddef>
+
 #include "api/call.hpp"
 #include "api/objects.hpp"
 #include "filtration/filter.hpp"
@@ -59,6 +61,11 @@ Complaint complaint_about_point_count(std::uint64_t count);
 // How many there are and how they lie; their dimension is known.
 Complaint complaint_about_rows(const netmesh_points& points);
 // What the platform aligns a number to inside of a struct: of doubles 4 bytes in 32 bits on x86, 8 elsewhere.
+struct AlignedDouble {
+    char before;
+    double x;
+};
+constexpr std::size_t alignment_of_double = offsetof(AlignedDouble, x);
 std::size_t alignment_of(const netmesh_points& points);
 // Where the numbers lie, which a plan does not read.
 Complaint complaint_about_coordinates(const netmesh_points& points);

@@ -8,6 +8,12 @@
 namespace netmesh {
 
 inline Complaint fine() { return {}; }
+// Of what a weighting reads when a job begins: a plan has no numbers.
+inline Complaint missing_weights(const netmesh_request& r) {
+    return r.weighting != nullptr && r.points.weights == nullptr
+               ? Complaint{NETMESH_FIELD_WEIGHTS, "a weighting without weights; give points.weights"}
+               : Complaint{};
+}
 inline bool is_length(double x) { return x >= 0 && is_finite(x); }
 inline bool is_valid_ratio(double ratio) { return ratio >= ratio_least && ratio < 0x1p100; }
 inline bool is_given(double x) { return x != 0; }

@@ -29,12 +29,6 @@ Complaint settle_weighting(const Settling& s) {
     return fine();
 }
 
-// Nothing where they are there. What the context holds stays.
-Complaint missing_weights(const netmesh_points& p) {
-    return {p.weights == nullptr ? NETMESH_FIELD_WEIGHTS : NETMESH_FIELD_NONE,
-            p.weights == nullptr ? "a weighting without weights; give points.weights" : nullptr};
-}
-
 // Why there is neither a triangulation nor a diagram.
 netmesh_status fail(netmesh_context* context, Status status, const InputReport& input, const HiddenPoints& hidden) {
     const std::uint64_t row = input.row_a;
@@ -52,7 +46,7 @@ void keep_weights(netmesh_context* context, const netmesh_request& r, const Hidd
 
 netmesh_status triangulate_with_weights(netmesh_context* context) {
     const netmesh_request& r = context->request;
-    const Complaint missing = missing_weights(r.points);
+    const Complaint missing = missing_weights(r);
     if (missing.text != nullptr) return refuse(context, missing);
     clear(context);
     Monitor monitor = monitor_of(r.monitor);
@@ -104,7 +98,7 @@ netmesh_status diagram_with_weights(netmesh_context* context) {
         const netmesh_status status = triangulate_with_weights(context);
         return status == NETMESH_OK ? filter_with_weights(context) : status;
     }
-    const Complaint missing = missing_weights(r.points);
+    const Complaint missing = missing_weights(r);
     if (missing.text != nullptr) return refuse(context, missing);
     clear(context);
     Monitor monitor = monitor_of(r.monitor);

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstddef>
 #include <cstring>
 #include <limits>
 #include <set>
@@ -152,6 +153,12 @@ TEST_CASE("which basis, which copy, which order: the same bars, from one point t
             weighted.set_weights(&netmesh_weights, zero);
             REQUIRE(b.engine.persist(weighted) == NETMESH_OK);
             CHECK(bars_of(b.engine) == bars);
+            CHECK(report_of(b.engine).input.weighting == NETMESH_WEIGHTING_WEIGHTS);
+            CHECK(report_of(b.engine).input.squares == 0);
+            weighted.set_weights(&netmesh_radii, zero).squares = 1;
+            REQUIRE(b.engine.persist(weighted) == NETMESH_OK);
+            CHECK(report_of(b.engine).input.weighting == NETMESH_WEIGHTING_RADII);
+            CHECK(report_of(b.engine).input.squares == 1);
             other = request_of(dim, points, lattice);
             other.filter = &netmesh_filter_auto;
             REQUIRE(b.engine.persist(other) == NETMESH_OK);
@@ -273,6 +280,29 @@ TEST_CASE("one axis with a period: as a strip of many copies has it inside") {
     }
 }
 
+TEST_CASE("few points far above a strip: balls beyond the hull want copies far along") {
+    // Between the upper points centres are above all points, and what counts is their part within.
+    for (const std::uint64_t seed : {1, 2, 3}) {
+        Points points = inputs::uniform(2, 200, seed);
+        for (std::size_t i = 0; i < points.size(); i += 2) points[i] *= 64;
+        for (const double x : {3.0, 25.0, 41.0}) {
+            points.push_back(x + static_cast<double>(seed));
+            points.push_back(4);
+        }
+        points = on_grid(points);
+        const Points along = {64, 0};
+        Context a(block), b(block);
+        REQUIRE(a.engine.persist(request_of(2, points, along)) == NETMESH_OK);
+        CHECK(report_of(a.engine).input.copies > 100);
+        for (int k = 1; k < 8; ++k) {  // cut elsewhere
+            Points moved = points;
+            for (std::size_t i = 0; i < moved.size(); i += 2) moved[i] += 8 * k;
+            REQUIRE(b.engine.persist(request_of(2, moved, along)) == NETMESH_OK);
+            CHECK(bars_of(b.engine) == bars_of(a.engine));
+        }
+    }
+}
+
 TEST_CASE("floats, rows apart, and equal copies") {
     const std::vector<float> rows = {0.25f, 0.5f, -1, 1.25f, 2.5f, -1, 0.75f, 0.125f, -1};
     const Points exact = {0.25, 0.5, 0.75, 0.125}, lattice = cube(2);
@@ -313,15 +343,24 @@ TEST_CASE("refusals") {
     lattice = {0, 0, 0};
     refused(request_of(3, points, lattice), NETMESH_FIELD_LATTICE);
     CHECK(c.engine.detail().index_a == 0);
+    lattice = {1, 0, 0, 1, 0x1p-50, 0, 0, 0, 1};  // a difference of vectors is shorter than 2^-45 of others
+    refused(request_of(3, points, lattice), NETMESH_FIELD_LATTICE);
+    CHECK(c.engine.detail().index_a == 1);
     for (const double far : {1e200, 1e-200}) {
         lattice = cube(3, far);
         CHECK(c.engine.persist(request_of(3, points, lattice)) == NETMESH_OUT_OF_RANGE);
     }
     lattice = cube(3);
     request = request_of(3, points, lattice);
-    request.points.lattice =
-        reinterpret_cast<const double*>(reinterpret_cast<const unsigned char*>(lattice.data()) + 1);
-    refused(request, NETMESH_FIELD_LATTICE);
+    struct AlignedDouble {
+        char before;
+        double x;
+    };
+    for (const std::size_t by : {std::size_t(1), offsetof(AlignedDouble, x) / 2}) {
+        request.points.lattice =
+            reinterpret_cast<const double*>(reinterpret_cast<const unsigned char*>(lattice.data()) + by);
+        refused(request, NETMESH_FIELD_LATTICE);
+    }
     request.points.lattice = lattice.data();
     request.points.lattice_count = 4;
     refused(request, NETMESH_FIELD_LATTICE_COUNT);
@@ -408,6 +447,25 @@ TEST_CASE("halves to eighths and thirds of vectors stay what they are") {
             CHECK(std::fabs(first - side / parts / 2) < 1e-14 * side);
             CHECK(report_of(c.engine).input.moved < 1e-14 * side);
         }
+}
+
+TEST_CASE("the middle of a skew cell stays its middle") {
+    // It is as far from one corner as from the opposite one, to the last bit.
+    inputs::Random random(4);
+    for (int i = 0; i < 40; ++i) {
+        const double side = 1 + random.uniform(), turn = 0.3 * random.uniform();
+        const Points lattice = {side, turn, side * (0.2 + 0.3 * random.uniform()),
+                                side * (0.8 + 0.4 * random.uniform())};
+        const Points points = {0, 0, 0.5 * (lattice[0] + lattice[2]), 0.5 * (lattice[1] + lattice[3])};
+        Context c(block);
+        REQUIRE(c.engine.persist(request_of(2, points, lattice)) == NETMESH_OK);
+        double joined = 0, loop = std::numeric_limits<double>::infinity();
+        for (const Bar& bar : bars_of(c.engine)) {
+            if (bar.degree == 0 && bar.death < std::numeric_limits<double>::infinity()) joined = bar.death;
+            if (bar.degree == 1 && bar.birth < loop) loop = bar.birth;
+        }
+        CHECK(joined == loop);
+    }
 }
 
 TEST_CASE("far points: taken near, or refused by row") {

@@ -1,12 +1,9 @@
 // Alpha diagrams of points with weights against the exact ones of GUDHI, which are powers. NETMESH_WEIGHT_CLOUDS=200:
 // 200 clouds of up to 5,000 points; without it a few of up to 600.
 #include <gudhi/Alpha_complex.h>
-#include <gudhi/Persistent_cohomology.h>
-#include <gudhi/Simplex_tree.h>
 
 #include <doctest/doctest.h>
 
-#include <algorithm>
 #include <cmath>
 #include <cstdlib>
 #include <limits>
@@ -14,18 +11,11 @@
 
 #include "common/inputs.hpp"
 #include "netmesh.hpp"
+#include "oracle/bars.hpp"
 
 namespace {
 
-struct Bar {
-    int degree;
-    double birth, death;
-};
-using Bars = std::vector<Bar>;
-
-bool before(const Bar& a, const Bar& b) {
-    return a.degree != b.degree ? a.degree < b.degree : a.birth != b.birth ? a.birth < b.birth : a.death < b.death;
-}
+using oracle::Bars;
 
 Bars bars_of_peer(int dim, const inputs::Points& points, const inputs::Points& weights) {
     using Kernel = CGAL::Epeck_d<CGAL::Dynamic_dimension_tag>;
@@ -35,16 +25,7 @@ Bars bars_of_peer(int dim, const inputs::Points& points, const inputs::Points& w
     Gudhi::alpha_complex::Alpha_complex<Kernel, true> complex(rows, numbers);
     Gudhi::Simplex_tree<> tree;
     REQUIRE(complex.create_complex(tree, std::numeric_limits<double>::infinity(), true));
-    tree.initialize_filtration();
-    Gudhi::persistent_cohomology::Persistent_cohomology<Gudhi::Simplex_tree<>, Gudhi::persistent_cohomology::Field_Zp>
-        cohomology(tree);
-    cohomology.init_coefficients(2);
-    cohomology.compute_persistent_cohomology(-1);
-    Bars bars;
-    for (const auto& pair : cohomology.get_persistent_pairs())
-        bars.push_back({tree.dimension(std::get<0>(pair)), tree.filtration(std::get<0>(pair)),
-                        tree.filtration(std::get<1>(pair))});
-    return bars;
+    return oracle::bars_of_tree(tree, false);
 }
 
 Bars bars_of_engine(int dim, const inputs::Points& points, const inputs::Points& weights, std::uint64_t* hidden) {
@@ -61,15 +42,6 @@ Bars bars_of_engine(int dim, const inputs::Points& points, const inputs::Points&
     for (const netmesh_pair& pair : engine.pairs())
         bars.push_back({static_cast<int>(pair.degree), pair.birth, pair.death});
     return bars;
-}
-
-// Bars that are longer than what roundings can make, in order.
-Bars long_ones(const Bars& bars, double slack) {
-    Bars kept;
-    for (const Bar& bar : bars)
-        if (bar.death - bar.birth > 4 * slack) kept.push_back(bar);
-    std::sort(kept.begin(), kept.end(), before);
-    return kept;
 }
 
 }  // namespace
@@ -97,20 +69,10 @@ TEST_CASE("diagrams of weighted points are GUDHI's") {
         for (double& w : weights) w = size * (low + (1 - low) * random.uniform());
         INFO("cloud " << i << ", " << dim << "D, " << n << " points, weights of " << size);
         const double slack = 1e-12 * (kind == 1 ? 100 : 1);
-        const Bars ours = long_ones(bars_of_engine(dim, points, weights, &hidden), slack);
-        const Bars theirs = long_ones(bars_of_peer(dim, points, weights), slack);
+        const Bars ours = oracle::long_ones(bars_of_engine(dim, points, weights, &hidden), slack);
+        const Bars theirs = oracle::long_ones(bars_of_peer(dim, points, weights), slack);
         REQUIRE(ours.size() == theirs.size());
-        const auto near = [=](double a, double b) { return a == b || std::fabs(a - b) <= slack; };
-        std::size_t wrong = 0;
-        // By birth they are in the same order but for births that are nearly equal.
-        for (std::size_t k = 0; k < ours.size(); ++k) {
-            bool found = false;
-            for (std::size_t j = k > 20 ? k - 20 : 0; j < std::min(k + 20, theirs.size()) && !found; ++j)
-                found = ours[k].degree == theirs[j].degree && near(ours[k].birth, theirs[j].birth) &&
-                        near(ours[k].death, theirs[j].death);
-            wrong += !found;
-        }
-        CHECK(wrong == 0);
+        CHECK(oracle::count_unlike(ours, theirs, slack) == 0);
         compared += ours.size();
     }
     CHECK(hidden > 0);

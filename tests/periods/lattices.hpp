@@ -3,6 +3,7 @@
 #pragma once
 #include <cmath>
 #include <cstdint>
+#include <cstdio>
 #include <string>
 #include <vector>
 
@@ -182,6 +183,36 @@ inline Cloud make_cloud(Random& random, int dim, std::size_t count_max) {
     if (random.one_in(3)) skew(random, 3, &cloud);
     if (random.one_in(3)) move_by_lattice(random, 2, &cloud);
     return cloud;
+}
+
+inline void print_cloud(const Cloud& cloud) {
+    const std::size_t d = cloud.width();
+    std::printf("  %dD, %s\n", cloud.dim, cloud.numbers.empty() ? "no weights" : cloud.are_radii ? "radii" : "weights");
+    for (std::size_t j = 0; j < cloud.periods(); ++j) {
+        std::printf("  period");
+        for (std::size_t c = 0; c < d; ++c) std::printf(" %.17g", cloud.lattice[j * d + c]);
+        std::printf("\n");
+    }
+    for (std::size_t i = 0; i < cloud.count(); ++i) {
+        std::printf("  point ");
+        for (std::size_t c = 0; c < d; ++c) std::printf(" %.17g", cloud.x[i * d + c]);
+        if (!cloud.numbers.empty()) std::printf("  %.17g", cloud.numbers[i]);
+        std::printf("\n");
+    }
+}
+
+inline bool lasts(const Bar& bar) { return std::isinf(bar.death); }
+inline bool lasts(const ExactBar& bar) { return bar.is_essential; }
+// Classes that last are those of a torus of as many dimensions as there are periods.
+template <class List> bool is_torus(const Cloud& cloud, const List& bars) {
+    std::size_t wanted = 1;
+    for (std::size_t degree = 0; degree <= cloud.width(); ++degree) {
+        std::size_t count = 0;
+        for (const auto& bar : bars) count += bar.degree == degree && lasts(bar);
+        if (count != wanted) return false;
+        wanted = degree < cloud.periods() ? wanted * (cloud.periods() - degree) / (degree + 1) : 0;
+    }
+    return true;
 }
 
 // ---- by hand ----

@@ -4,133 +4,20 @@
 // translation, another order of rows, other copies, weights 0, another unit; twice the cell; numbers whose copies are
 // no doubles. Of more points, whose copies are inserted as they are asked for, the same changes, without rationals.
 //
-//   periods [--clouds N] [--seed S]    N clouds, or a slice
-//   periods --plant                    errors planted in what came, which have to be seen
+//   periods [--clouds N] [--seed S] [--in-space POINTS]    N clouds, or a slice; in space with up to so many points, 4
+//   periods --plant                                        errors planted in what came, which have to be seen
 //
 // Ends with 1 on a difference, after the cloud.
-#include <netmesh.h>
-
 #include <cmath>
 #include <cstdio>
 #include <cstdlib>
 #include <string>
 
-#include "cycles.hpp"
-#include "lattices.hpp"
+#include "judge.hpp"
 
 namespace {
 
 using namespace periods;
-
-class Block {
-public:
-    Block() : memory_(std::aligned_alloc(16, bytes)) {}
-    ~Block() { std::free(memory_); }
-    netmesh_context* fresh() const {
-        netmesh_context* context = nullptr;
-        if (netmesh_init(memory_, bytes, &context) != NETMESH_OK) std::abort();
-        return context;
-    }
-
-private:
-    static constexpr std::size_t bytes = std::size_t(256) << 20;
-    void* memory_;
-};
-
-struct Answer {
-    netmesh_status status;
-    Bars bars;
-    std::size_t duplicates = 0, periods = 0, copies = 0;
-    double moved = 0;
-    std::vector<CycleOfBar> cycles;
-};
-
-struct Wish {
-    bool squares = false, cycles = false;
-    std::uint32_t degree = NETMESH_DIM_MAX;  // the highest; more counts as dim
-};
-
-std::vector<CycleOfBar> cycles_of(const netmesh_context* context, const Cloud& cloud, const Bars& bars) {
-    std::vector<CycleOfBar> cycles;
-    for (std::size_t i = 0; i < bars.size(); ++i) {
-        cycles.push_back({bars[i], {}});
-        std::uint64_t count = 0;
-        netmesh_get_cycle(context, i, &count);
-        for (std::uint64_t s = 0; s < count; ++s) {
-            netmesh_simplex simplex = {};
-            simplex.struct_bytes = sizeof simplex;
-            if (netmesh_get_cycle_simplex(context, i, s, &simplex) != NETMESH_OK) std::abort();
-            CycleSimplex own{{}, simplex.value};
-            for (std::uint32_t v = 0; v <= simplex.degree; ++v)
-                own.corners.push_back(
-                    {simplex.vertices[v], {simplex.translations[v], simplex.translations[v] + cloud.periods()}});
-            cycles.back().simplices.push_back(own);
-        }
-    }
-    return cycles;
-}
-
-Answer ask(const Block& block, const Cloud& cloud, const Wish& wish = Wish()) {
-    netmesh_request request = netmesh_default_request();
-    request.points.coordinates = cloud.x.data();
-    request.points.count = cloud.count();
-    request.points.dim = static_cast<std::uint32_t>(cloud.dim);
-    request.points.lattice = cloud.lattice.data();
-    request.points.lattice_count = static_cast<std::uint32_t>(cloud.periods());
-    request.periods = &netmesh_periodic;
-    if (!cloud.numbers.empty()) {
-        request.points.weights = cloud.numbers.data();
-        request.weighting = cloud.are_radii ? &netmesh_radii : &netmesh_weights;
-    }
-    request.filter = &netmesh_filter_alpha;
-    request.max_degree = std::min(wish.degree, request.points.dim);
-    request.squares = wish.squares;
-    request.cycles = wish.cycles ? &netmesh_cycles : nullptr;
-    netmesh_context* const context = block.fresh();
-    Answer answer;
-    answer.status = netmesh_persist(context, &request);
-    if (answer.status != NETMESH_OK) return answer;
-    netmesh_pair pair;
-    pair.struct_bytes = sizeof pair;
-    for (std::uint64_t i = 0; netmesh_get_pair(context, i, &pair) == NETMESH_OK; ++i)
-        answer.bars.push_back({pair.degree, pair.birth, pair.death});
-    netmesh_report report = {};
-    report.struct_bytes = sizeof report;
-    netmesh_get_report(context, &report);
-    answer.duplicates = static_cast<std::size_t>(report.input.duplicates);
-    answer.periods = report.input.periods;
-    answer.copies = static_cast<std::size_t>(report.input.copies);
-    answer.moved = report.input.moved;
-    if (wish.cycles) answer.cycles = cycles_of(context, cloud, answer.bars);
-    return answer;
-}
-
-std::string text_of(const Bars& bars) {
-    std::string text;
-    char line[200];
-    for (const Bar& bar : bars) {
-        std::snprintf(line, sizeof line, "    %u %.17g %.17g\n", bar.degree, bar.birth, bar.death);
-        text += line;
-    }
-    return text;
-}
-
-// What is asked for, and what has to come.
-struct Truth {
-    Bars bars;
-    std::size_t duplicates = 0, periods = 0;
-};
-Truth truth_of(const Cloud& cloud, const Bars& bars) { return {bars, count_duplicates(cloud), cloud.periods()}; }
-
-std::string compare(const std::string& what, const Answer& answer, const Truth& truth) {
-    const std::string of = what + ": ";
-    if (answer.status != NETMESH_OK) return of + netmesh_status_text(answer.status);
-    if (answer.duplicates != truth.duplicates) return of + std::to_string(answer.duplicates) + " duplicates";
-    if (answer.periods != truth.periods) return of + "another number of periods";
-    if (answer.moved != 0) return of + "numbers were moved, and there is no need to";
-    if (answer.bars == truth.bars) return "";
-    return of + "other bars\n  came\n" + text_of(answer.bars) + "  truth\n" + text_of(truth.bars);
-}
 
 bool is_near(double a, double b, double by) { return a == b || std::fabs(a - b) <= by; }
 
@@ -149,26 +36,10 @@ bool holds(const Bars& one, Bars other, double by) {
 }
 
 struct Seen {
-    std::size_t clouds = 0, flat = 0, bars = 0, cycles = 0, weighted = 0, open = 0, duplicates = 0, moved = 0, more = 0,
-                faults = 0;
+    std::size_t clouds = 0, flat = 0, bars = 0, cycles = 0, weighted = 0, open = 0, duplicates = 0, hidden = 0,
+                moved = 0, more = 0, faults = 0;
     double farthest = 0;
 };
-
-void print_cloud(const Cloud& cloud) {
-    const std::size_t d = cloud.width();
-    std::printf("  %dD, %s\n", cloud.dim, cloud.numbers.empty() ? "no weights" : cloud.are_radii ? "radii" : "weights");
-    for (std::size_t j = 0; j < cloud.periods(); ++j) {
-        std::printf("  period");
-        for (std::size_t c = 0; c < d; ++c) std::printf(" %.17g", cloud.lattice[j * d + c]);
-        std::printf("\n");
-    }
-    for (std::size_t i = 0; i < cloud.count(); ++i) {
-        std::printf("  point ");
-        for (std::size_t c = 0; c < d; ++c) std::printf(" %.17g", cloud.x[i * d + c]);
-        if (!cloud.numbers.empty()) std::printf("  %.17g", cloud.numbers[i]);
-        std::printf("\n");
-    }
-}
 
 void print_exactly(const Cloud& cloud) {
     std::printf("  lattice");
@@ -317,7 +188,9 @@ std::string judge(const Block& block, Random& random, std::size_t number, const 
         ++seen->flat;
         return roots.status == NETMESH_FLAT ? "" : std::string("flat: ") + netmesh_status_text(roots.status);
     }
-    const ExactBars exact = bars_of_cells(cloud);
+    const bool has_all_periods = cloud.periods() == cloud.width();
+    std::vector<Extent> extents;
+    const ExactBars exact = bars_of_cells(cloud, has_all_periods ? &extents : nullptr);
     const Truth truth = truth_of(cloud, rounded(exact, false));
     seen->bars += truth.bars.size();
     seen->weighted += !cloud.numbers.empty();
@@ -329,6 +202,10 @@ std::string judge(const Block& block, Random& random, std::size_t number, const 
         wish.squares = true;
         fault = compare("powers", ask(block, cloud, wish), truth_of(cloud, rounded(exact, true)));
     }
+    if (fault.empty() && has_all_periods) {
+        fault = compare_hidden(roots, cloud, extents);
+        for (std::size_t i = 0; i < extents.size(); ++i) seen->hidden += extents[i] == Extent::nothing;
+    }
     if (fault.empty()) fault = judge_cycles(block, random, cloud, truth, seen);
     for (std::size_t i = 0; i < 3 && fault.empty(); ++i) {
         ++seen->more;
@@ -337,20 +214,9 @@ std::string judge(const Block& block, Random& random, std::size_t number, const 
     return fault;
 }
 
-Cloud make_cloud_of(Random& random, std::size_t number) {
+Cloud make_cloud_of(Random& random, std::size_t number, std::size_t most_in_space = 4) {
     const int dim = number % 3 == 2 ? 3 : 2;
-    return make_cloud(random, dim, dim == 2 ? 8 : 4);
-}
-
-bool is_torus(const Cloud& cloud, const Bars& bars) {
-    std::size_t wanted = 1;
-    for (std::uint32_t degree = 0; degree <= cloud.width(); ++degree) {
-        std::size_t count = 0;
-        for (const Bar& bar : bars) count += bar.degree == degree && std::isinf(bar.death);
-        if (count != wanted) return false;
-        wanted = degree < cloud.periods() ? wanted * (cloud.periods() - degree) / (degree + 1) : 0;
-    }
-    return true;
+    return make_cloud(random, dim, dim == 2 ? 8 : most_in_space);
 }
 
 // Points, most of whose copies nobody asks for: which these are another basis, place or order must not tell.
@@ -417,6 +283,53 @@ std::size_t judge_found(const Block& block, Seen* seen) {
     return !fault.empty();
 }
 
+// A basis of long vectors, of which short ones are differences that no double has, and points 2^30 periods away.
+// Against the truth of the short basis and of points nearby, both found in rationals and rounded.
+std::size_t judge_long(const Block& block, std::uint64_t seed, std::size_t clouds) {
+    std::size_t faults = 0;
+    for (std::size_t i = 0; i < clouds; ++i) {
+        Random random(seed * 0x9E3779B97F4A7C15u + i);
+        // The second short vector is shorter than the first, so that they change places.
+        const double first[] = {random.uniform(1, 2), random.uniform(0, 0.1)};
+        const mpq_class times(std::ldexp(1, 21) + 2 * random.whole(0, 1000000) + 1);
+        Cloud given, near;
+        given.lattice = {first[0], first[1]};
+        near.lattice = given.lattice;
+        Row second;
+        for (std::size_t k = 0; k < 2; ++k) {
+            const double wanted = k == 0 ? random.uniform(-0.3, 0.3) : random.uniform(0.4, 0.7);
+            const mpq_class sum = times * mpq_class(first[k]) + mpq_class(wanted);
+            given.lattice.push_back(sum.get_d());
+            second.push_back(mpq_class(given.lattice.back()) - times * mpq_class(first[k]));
+            near.lattice.push_back(second.back().get_d());
+        }
+        for (int point = 0; point < 3; ++point) {
+            const mpq_class a(std::ldexp(random.whole(-1000, 1000), 20)), b(std::ldexp(random.whole(-1000, 1000), 20));
+            for (std::size_t k = 0; k < 2; ++k) {
+                const mpq_class by = a * mpq_class(first[k]) + b * second[k];
+                const mpq_class far = by + mpq_class(random.uniform());
+                given.x.push_back(far.get_d());
+                const mpq_class left = mpq_class(given.x.back()) - by;
+                near.x.push_back(left.get_d());
+            }
+        }
+        const Answer answer = ask(block, given);
+        std::string fault = answer.status != NETMESH_OK ? netmesh_status_text(answer.status) : "";
+        if (fault.empty()) {
+            const Bars bars = rounded(bars_of_cells(near), false);
+            const double by = 1e-12;
+            if (!holds(bars, answer.bars, by) || !holds(answer.bars, bars, by))
+                fault = "other bars\n  came\n" + text_of(answer.bars) + "  truth\n" + text_of(bars);
+        }
+        if (fault.empty()) continue;
+        ++faults;
+        std::printf("long vectors, cloud %zu: %s\n", i, fault.c_str());
+        print_exactly(given);
+    }
+    std::printf("%zu clouds of long vectors and far points, %zu faults\n", clouds, faults);
+    return faults;
+}
+
 // What is wrong with an answer now; false: there is nothing to make wrong.
 bool spoil(Random& random, int kind, Answer* wrong) {
     const std::size_t at = random.bits() % wrong->bars.size();
@@ -446,6 +359,34 @@ bool spoil(Random& random, int kind, Answer* wrong) {
     default: wrong->status = NETMESH_FLAT; break;
     }
     return true;
+}
+
+// Lists of hidden points that lack one, have one too many, or are in another order, and a count that is off.
+int plant_hidden(const Block& block, int* missed) {
+    Random random(6);
+    int planted = 0;
+    for (std::size_t i = 0; planted < 60 && i < 2000; ++i) {
+        const Cloud cloud = make_cloud(random, 2, 8);
+        const Answer answer = ask(block, cloud);
+        if (answer.status != NETMESH_OK || answer.hidden.empty() || cloud.periods() < cloud.width()) continue;
+        std::vector<Extent> extents;
+        bars_of_cells(cloud, &extents);
+        for (int kind = 0; kind < 4; ++kind) {
+            Answer wrong = answer;
+            std::size_t other = 0;
+            while (other < cloud.count() && extents[other] != Extent::inside) ++other;
+            const std::size_t first = wrong.hidden.front();
+            if (kind == 0 && extents[first] != Extent::nothing) continue;
+            if (kind == 0) wrong.hidden.erase(wrong.hidden.begin());
+            if (kind == 1) wrong.hidden.front() = other;
+            if (kind == 2 && wrong.hidden.size() < 2) continue;
+            if (kind == 2) std::swap(wrong.hidden.front(), wrong.hidden.back());
+            if (kind == 3) ++wrong.distinct;
+            ++planted;
+            *missed += compare_hidden(wrong, cloud, extents).empty();
+        }
+    }
+    return planted;
 }
 
 // What is wrong with a cycle now; false: there is nothing to make wrong.
@@ -532,19 +473,21 @@ int plant(const Block& block) {
             std::printf("missed: an error of kind %d\n", kind);
         }
     }
+    const int hidden = plant_hidden(block, &missed);
     int all = 0, kinds_seen = 0;
     for (const int count : planted) {
         all += count;
         kinds_seen += count > 0;
     }
-    std::printf("%d errors of %d kinds planted in %d answers, %d missed\n", all, kinds_seen, sound, missed);
-    return sound < 60 || kinds_seen < kinds || missed > 0 ? 1 : 0;
+    std::printf("%d errors of %d kinds planted in %d answers, and %d in lists of hidden points, %d missed\n", all,
+                kinds_seen, sound, hidden, missed);
+    return sound < 60 || hidden < 60 || kinds_seen < kinds || missed > 0 ? 1 : 0;
 }
 
 }  // namespace
 
 int main(int argc, char** argv) {
-    std::size_t clouds = 400;
+    std::size_t clouds = 400, in_space = 4;
     std::uint64_t seed = 1;
     const Block block;
     for (int i = 1; i < argc; ++i) {
@@ -554,16 +497,19 @@ int main(int argc, char** argv) {
             clouds = std::strtoull(argv[++i], nullptr, 10);
         } else if (word == "--seed" && i + 1 < argc) {
             seed = std::strtoull(argv[++i], nullptr, 10);
+        } else if (word == "--in-space" && i + 1 < argc) {
+            in_space = std::strtoull(argv[++i], nullptr, 10);
         } else {
-            std::fprintf(stderr, "periods [--clouds N] [--seed S] | --plant\n");
+            std::fprintf(stderr, "periods [--clouds N] [--seed S] [--in-space POINTS] | --plant\n");
             return 2;
         }
     }
     Seen seen;
-    seen.faults = judge_named(block) + judge_found(block, &seen) + judge_many(block, seed, clouds / 4);
+    seen.faults = judge_named(block) + judge_found(block, &seen) + judge_many(block, seed, clouds / 4) +
+                  judge_long(block, seed, clouds / 10);
     for (std::size_t i = 0; i < clouds && seen.faults < 5; ++i) {
         Random random(seed * 0x9E3779B97F4A7C15u + i);
-        const Cloud cloud = make_cloud_of(random, i);
+        const Cloud cloud = make_cloud_of(random, i, in_space);
         const std::string fault = judge(block, random, i, cloud, &seen);
         if (fault.empty()) continue;
         ++seen.faults;
@@ -572,8 +518,9 @@ int main(int argc, char** argv) {
     }
     std::printf(
         "%zu clouds: %zu bars equal to the last bit, %zu cycles, %zu changes; %zu clouds with weights, %zu with fewer "
-        "periods, %zu duplicates, %zu flat; %zu with long digits, moved by %g of their reach; %zu faults\n",
-        seen.clouds, seen.bars, seen.cycles, seen.more, seen.weighted, seen.open, seen.duplicates, seen.flat,
-        seen.moved, seen.farthest, seen.faults);
+        "periods, %zu duplicates, %zu without a cell, %zu flat; %zu with long digits, moved by %g of their reach; "
+        "%zu faults\n",
+        seen.clouds, seen.bars, seen.cycles, seen.more, seen.weighted, seen.open, seen.duplicates, seen.hidden,
+        seen.flat, seen.moved, seen.farthest, seen.faults);
     return seen.faults > 0 || seen.clouds == 0 ? 1 : 0;
 }

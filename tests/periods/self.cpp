@@ -20,21 +20,6 @@ std::string text_of(const ExactBars& bars) {
                 (bar.is_essential ? "inf" : bar.death.get_str()) + "\n";
     return text;
 }
-void print_cloud(const Cloud& cloud) {
-    const std::size_t d = cloud.width();
-    std::printf("  %dD, %s\n", cloud.dim, cloud.numbers.empty() ? "no weights" : cloud.are_radii ? "radii" : "weights");
-    for (std::size_t j = 0; j < cloud.periods(); ++j) {
-        std::printf("  period");
-        for (std::size_t c = 0; c < d; ++c) std::printf(" %.17g", cloud.lattice[j * d + c]);
-        std::printf("\n");
-    }
-    for (std::size_t i = 0; i < cloud.count(); ++i) {
-        for (std::size_t c = 0; c < d; ++c) std::printf(" %.17g", cloud.x[i * d + c]);
-        if (!cloud.numbers.empty()) std::printf("  %.17g", cloud.numbers[i]);
-        std::printf("\n");
-    }
-}
-
 struct Seen {
     std::size_t clouds = 0, compared = 0, bars = 0, sets = 0, ball_sets = 0, faults = 0;
     double slowest = 0;
@@ -43,18 +28,6 @@ struct Seen {
 bool differ(const char* what, const ExactBars& came, const ExactBars& other) {
     if (came == other) return false;
     std::printf("%s\n  cells\n%s  other\n%s", what, text_of(came).c_str(), text_of(other).c_str());
-    return true;
-}
-
-// Essential classes are those of a torus of as many dimensions as there are periods.
-bool is_torus(const Cloud& cloud, const ExactBars& bars) {
-    std::size_t wanted = 1;
-    for (std::size_t degree = 0; degree <= cloud.width(); ++degree) {
-        std::size_t count = 0;
-        for (const ExactBar& bar : bars) count += bar.degree == degree && bar.is_essential;
-        if (count != wanted) return false;
-        wanted = degree < cloud.periods() ? wanted * (cloud.periods() - degree) / (degree + 1) : 0;
-    }
     return true;
 }
 

@@ -336,24 +336,35 @@ inline bool is_flat(const Cloud& cloud) {
     return !eliminate(&a);
 }
 
+inline bool are_copies(const Scene& scene, std::size_t i, std::size_t j) {
+    bool are = false;
+    // The only copy that could be the point itself.
+    Vector least, last;
+    scene.range(sum_of(scene.point[j], scene.point[i], -1), Row(scene.basis.size()), &least, &last);
+    for_each_between(least, last, [&](const Vector& k) { are = are || scene.at(scene.point[j], k) == scene.point[i]; });
+    return are;
+}
 // Points that are a copy of another one before.
 inline std::size_t count_duplicates(const Cloud& cloud) {
     const Scene scene(cloud);
-    const std::size_t m = scene.basis.size();
     std::size_t count = 0;
     for (std::size_t i = 0; i < scene.point.size(); ++i) {
         bool is_again = false;
-        for (std::size_t j = 0; j < i && !is_again; ++j) {
-            // The only copy that could be the point itself.
-            Vector least, last;
-            scene.range(sum_of(scene.point[j], scene.point[i], -1), Row(m), &least, &last);
-            for_each_between(least, last, [&](const Vector& k) {
-                is_again = is_again || scene.at(scene.point[j], k) == scene.point[i];
-            });
-        }
+        for (std::size_t j = 0; j < i && !is_again; ++j) is_again = are_copies(scene, i, j);
         count += is_again;
     }
     return count;
+}
+// Of equal points only the first of the heaviest is there.
+inline std::vector<bool> those_that_stay(const Cloud& cloud) {
+    const Scene scene(cloud);
+    std::vector<bool> stay(scene.point.size(), true);
+    for (std::size_t i = 0; i < stay.size(); ++i)
+        for (std::size_t j = 0; j < stay.size(); ++j) {
+            const bool is_before = scene.weight[j] > scene.weight[i] || (scene.weight[j] == scene.weight[i] && j < i);
+            if (is_before && are_copies(scene, i, j)) stay[i] = false;
+        }
+    return stay;
 }
 
 // ---- by cells ----
@@ -369,18 +380,49 @@ inline mpz_class whole_of(__int128 z) {
 inline void narrow(const mpz_class& z, mpz_class* to) { *to = z; }
 inline void narrow(const mpz_class& z, __int128* to) { *to = z.get_si(); }
 
+// Of a power cell.
+enum class Extent { nothing, flat, inside };
+
 // Z: mpz_class, or __int128 where numbers are so small that no sum can leave it.
 template <class Z> class Cells {
 public:
     Cells(const Scene& scene, const std::vector<std::vector<Copy>>& near) : scene_(scene), near_(near) {}
 
     Values find() {
+        vertices_.assign(near_.size(), 0);
+        sum_.assign(near_.size(), Row(scene_.dim));
         for (std::size_t i = 0; i < near_.size(); ++i) {
             load(i);
             std::vector<std::size_t> chosen;
             choose(i, 0, &chosen);
         }
         return values_;
+    }
+
+    // After find, where there are as many periods as dimensions, which bounds power cells: how much of each point's
+    // cell there is. At the mean of its vertices no other point has as little power where the cell has an inside.
+    std::vector<Extent> extents() {
+        std::vector<Extent> all;
+        for (std::size_t i = 0; i < near_.size(); ++i) {
+            if (vertices_[i] == 0) {
+                all.push_back(Extent::nothing);
+                continue;
+            }
+            load(i);
+            bool has_inside = true;
+            for (const Neighbour& neighbour : neighbours_) {
+                mpq_class more(whole_of(neighbour.lift));
+                bool is_there = false;
+                for (std::size_t c = 0; c < scene_.dim; ++c) {
+                    const mpq_class v(whole_of(neighbour.v[c]));
+                    is_there = is_there || v != 0;
+                    more -= 2 * v * sum_[i][c] / mpq_class(static_cast<unsigned long>(vertices_[i]));
+                }
+                has_inside = has_inside && (!is_there || more > 0);
+            }
+            all.push_back(has_inside ? Extent::inside : Extent::flat);
+        }
+        return all;
     }
 
 private:
@@ -464,6 +506,7 @@ private:
             if (more < 0) return true;
             if (more == 0) full.push_back(neighbour.copy);
         }
+        if (k == scene_.dim) add_vertex(i, full, under, over);
         settle(&full);
         if (!full_.insert(full).second) return true;
         mpz_class square = 0;
@@ -472,6 +515,19 @@ private:
         value.canonicalize();
         add_sets(full, scene_.value(value - scene_.weight[i]));
         return true;
+    }
+    // Of the cells of all points in the set, as seen from each.
+    void add_vertex(std::size_t i, const Simplex& full, const Z& under, const std::vector<Z>& over) {
+        for (const Copy& copy : full) {
+            const std::size_t own = static_cast<std::size_t>(copy[0]);
+            const Vector away = sum_of(scene_.place(copy), scene_.point[i], -1);
+            ++vertices_[own];
+            for (std::size_t c = 0; c < scene_.dim; ++c) {
+                mpq_class centre(whole_of(over[c]), 2 * whole_of(under));
+                centre.canonicalize();
+                sum_[own][c] += centre - mpq_class(away[c]);
+            }
+        }
     }
     void add_sets(const Simplex& full, const mpq_class& value) {
         std::vector<std::size_t> chosen;
@@ -500,6 +556,8 @@ private:
     std::vector<std::vector<Z>> product_;
     std::set<Simplex> full_;
     Values values_;
+    std::vector<std::size_t> vertices_;  // of each point's power cell, some of them several times
+    std::vector<Row> sum_;               // of them
 };
 
 // For each point all copies whose cells can meet its own, and short translations of itself. Where x is nearest to p
@@ -550,12 +608,20 @@ inline bool fits(const Scene& scene, const std::vector<std::vector<Copy>>& near)
     return true;
 }
 
-inline Values values_of_cells(const Cloud& cloud) {
+// extents: null, or of the power cells of all points, with as many periods as dimensions.
+inline Values values_of_cells(const Cloud& cloud, std::vector<Extent>* extents = nullptr) {
     const Scene scene(cloud);
     const std::vector<std::vector<Copy>> near = near_copies(scene);
-    return fits(scene, near) ? Cells<__int128>(scene, near).find() : Cells<mpz_class>(scene, near).find();
+    const auto find = [&](auto&& cells) {
+        Values values = cells.find();
+        if (extents != nullptr) *extents = cells.extents();
+        return values;
+    };
+    return fits(scene, near) ? find(Cells<__int128>(scene, near)) : find(Cells<mpz_class>(scene, near));
 }
 
-inline ExactBars bars_of_cells(const Cloud& cloud) { return reduce(values_of_cells(cloud), cloud.width()); }
+inline ExactBars bars_of_cells(const Cloud& cloud, std::vector<Extent>* extents = nullptr) {
+    return reduce(values_of_cells(cloud, extents), cloud.width());
+}
 
 }  // namespace periods

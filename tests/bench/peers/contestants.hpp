@@ -26,4 +26,18 @@ void phat_persist(Trial& trial, int dim, const inputs::Points& points, double ta
 void ours_alpha(Trial& trial, int dim, const inputs::Points& points);
 void gudhi_alpha(Trial& trial, int dim, const inputs::Points& points);  // 2..4
 
+// With weights: regular triangulation; figures: cells (finite), hidden. Diagram of powers; figure: simplices.
+void ours_regular(Trial& trial, int dim, const inputs::Points& points, const inputs::Points& weights);
+void cgal_regular_2(Trial& trial, const inputs::Points& points, const inputs::Points& weights);
+void cgal_regular_3(Trial& trial, const inputs::Points& points, const inputs::Points& weights);
+void ours_weighted_alpha(Trial& trial, int dim, const inputs::Points& points, const inputs::Points& weights);
+void gudhi_weighted_alpha(Trial& trial, int dim, const inputs::Points& points, const inputs::Points& weights);  // 2, 3
+
+// Points in the unit cube with all periods. Ours and GUDHI's are diagrams; figure: simplices. CGAL's are Delaunay
+// triangulations alone; figure: cells.
+void ours_periodic_alpha(Trial& trial, int dim, const inputs::Points& points);
+void gudhi_periodic_alpha_3(Trial& trial, const inputs::Points& points);
+void cgal_periodic_2(Trial& trial, const inputs::Points& points);
+void cgal_periodic_3(Trial& trial, const inputs::Points& points);
+
 }  // namespace bench

@@ -1,6 +1,6 @@
 // Us and the peers on the same inputs in the same run, pair by pair.
 //
-//   bench_peers [delaunay | refine | persist | alpha]... [--reps N] [--scale S]
+//   bench_peers [delaunay | refine | persist | alpha | weights | periods]... [--reps N] [--scale S]
 //
 // --reps: repetitions of every pair, alternating (3). --scale: factor on the numbers of points (1).
 // CPU seconds on one core; ratio = the peer's median over ours. Exits 1 when results that must be equal are not.
@@ -67,13 +67,16 @@ void print_times(const char* who, const Summary& s) {
 }
 
 // Every bar of one diagram next to one of the other, within rounding; bars shorter than rounding do not count.
-[[maybe_unused]] bool equal_diagrams(std::vector<netmesh_pair> a, std::vector<netmesh_pair> b) {
+// slack: added to what roundings of a number may be. from: the least degree that is compared.
+[[maybe_unused]] bool equal_diagrams(std::vector<netmesh_pair> a, std::vector<netmesh_pair> b, double slack = 0,
+                                     std::uint32_t from = 0) {
     const double tolerance = 1e-7;
     const auto close = [&](double x, double y) {
-        return x == y || std::fabs(x - y) <= tolerance * std::max(std::fabs(x), std::fabs(y));
+        return x == y || std::fabs(x - y) <= tolerance * std::max(std::fabs(x), std::fabs(y)) + slack;
     };
     const auto clean = [&](std::vector<netmesh_pair>& d) {
-        d.erase(std::remove_if(d.begin(), d.end(), [&](const netmesh_pair& p) { return close(p.birth, p.death); }),
+        d.erase(std::remove_if(d.begin(), d.end(),
+                               [&](const netmesh_pair& p) { return p.degree < from || close(p.birth, p.death); }),
                 d.end());
         std::sort(d.begin(), d.end(), [](const netmesh_pair& p, const netmesh_pair& q) {
             return p.degree != q.degree ? p.degree < q.degree
@@ -275,6 +278,98 @@ void alpha() {
     }
 }
 
+// Uniform points; weights are squares of radii from 0 to so many mean distances of neighbours, about.
+void weights() {
+    std::printf("\nPoints with weights, uniform: regular triangulation against CGAL, diagram against GUDHI (3D: "
+                "Alpha_complex_3d, whose components are born otherwise; degrees from 1 are compared)\n");
+    for (const int dim : {2, 3})
+        for (const double spacings : {0.5, 1.5}) {
+            const std::size_t n = scaled(1e5);
+            const inputs::Points points = inputs::uniform(dim, n);
+            inputs::Points numbers = inputs::uniform(1, n, 2);
+            const double most = spacings * std::pow(static_cast<double>(n), -1.0 / dim);
+            for (double& w : numbers) w *= w * most * most;
+            std::printf("%dD %7zu, radii to %.1f spacings\n", dim, n, spacings);
+            std::vector<bench::Contestant> contestants = {
+                [&](Trial& t) { bench::ours_regular(t, dim, points, numbers); }};
+#ifdef NETMESH_BENCH_CGAL
+            contestants.push_back([&](Trial& t) {
+                dim == 2 ? bench::cgal_regular_2(t, points, numbers) : bench::cgal_regular_3(t, points, numbers);
+            });
+#endif
+            std::vector<Summary> s = play(contestants);
+            print_times("  triangulation: netmesh", s[0]);
+            std::printf(" (%.0f cells, %.0f hidden)", s[0].figure(bench::cells), s[0].figure(bench::hidden));
+            all_equal = all_equal && s[0].finished();
+            if (s.size() > 1) {
+                print_times("; CGAL", s[1]);
+                std::printf("; ratio %.2f\n", ratio(s[0], s[1]));
+                expect(s[0].figure(bench::cells) == s[1].figure(bench::cells), "number of cells");
+                expect(s[0].figure(bench::hidden) == s[1].figure(bench::hidden), "number of hidden points");
+            } else {
+                std::printf("\n");
+            }
+            contestants = {[&](Trial& t) { bench::ours_weighted_alpha(t, dim, points, numbers); }};
+#ifdef NETMESH_BENCH_GUDHI
+            contestants.push_back([&](Trial& t) { bench::gudhi_weighted_alpha(t, dim, points, numbers); });
+#endif
+            s = play(contestants);
+            print_times("  diagram: netmesh", s[0]);
+            std::printf(" (%.0f simplices)", s[0].figure(bench::simplices));
+            all_equal = all_equal && s[0].finished();
+            if (s.size() > 1) {
+                print_times("; GUDHI", s[1]);
+                std::printf("; ratio %.2f\n", ratio(s[0], s[1]));
+                expect(equal_diagrams(s[0].runs[0].diagram, s[1].runs[0].diagram, 1e-7 * most * most, dim == 3 ? 1 : 0),
+                       "diagrams");
+            } else {
+                std::printf("\n");
+            }
+        }
+}
+
+// Uniform points in a cube.
+void periods() {
+    std::printf("\nPoints with all periods, uniform in a cube: our diagram against GUDHI's (3D), and against CGAL's "
+                "Delaunay triangulation alone\n");
+    for (const int dim : {2, 3}) {
+        const std::size_t n = scaled(1e5);
+        const inputs::Points points = inputs::uniform(dim, n);
+        std::vector<const char*> names = {"netmesh"};
+        std::vector<bench::Contestant> contestants = {[&](Trial& t) { bench::ours_periodic_alpha(t, dim, points); }};
+#ifdef NETMESH_BENCH_CGAL
+        names.push_back("CGAL, triangulation");
+        contestants.push_back(
+            [&](Trial& t) { dim == 2 ? bench::cgal_periodic_2(t, points) : bench::cgal_periodic_3(t, points); });
+#endif
+#ifdef NETMESH_BENCH_GUDHI
+        if (dim == 3) {
+            names.push_back("GUDHI, diagram");
+            contestants.push_back([&](Trial& t) { bench::gudhi_periodic_alpha_3(t, points); });
+        }
+#endif
+        const std::vector<Summary> s = play(contestants);
+        std::printf("%dD %7zu  ", dim, n);
+        print_times("netmesh", s[0]);
+        std::printf(" (%.0f simplices)", s[0].figure(bench::simplices));
+        all_equal = all_equal && s[0].finished();
+        for (std::size_t i = 1; i < s.size(); ++i) {
+            std::printf("; ");
+            print_times(names[i], s[i]);
+            if (s[0].finished() && s[i].finished()) std::printf("; ratio %.2f", ratio(s[0], s[i]));
+        }
+        std::printf("\n");
+        // On a torus n - edges + triangles = 0 and 2 edges = 3 triangles; in space n - edges + triangles - cells = 0
+        // and triangles = 2 cells.
+        const double points_twice = 2 * static_cast<double>(n), all = s[0].figure(bench::simplices);
+        const double cells = dim == 2 ? all / 3 : (all - points_twice) / 4;
+        for (std::size_t i = 1; i < s.size() && s[0].finished() && s[i].finished(); ++i) {
+            if (names[i][0] == 'C') expect(s[i].figure(bench::cells) == cells, "number of cells");
+            if (names[i][0] == 'G') expect(equal_diagrams(s[0].runs[0].diagram, s[i].runs[0].diagram), "diagrams");
+        }
+    }
+}
+
 void print_machine() {
     std::printf("netmesh %d.%d.%d, built with %s\n", NETMESH_VERSION_MAJOR, NETMESH_VERSION_MINOR,
                 NETMESH_VERSION_PATCH, __VERSION__);
@@ -306,8 +401,9 @@ void print_machine() {
 }  // namespace
 
 int main(int argc, char** argv) {
-    const std::pair<const char*, void (*)()> groups[] = {
-        {"delaunay", delaunay}, {"refine", refine}, {"persist", persist}, {"alpha", alpha}};
+    const std::pair<const char*, void (*)()> groups[] = {{"delaunay", delaunay}, {"refine", refine},
+                                                         {"persist", persist},   {"alpha", alpha},
+                                                         {"weights", weights},   {"periods", periods}};
     std::vector<void (*)()> chosen;
     for (int i = 1; i < argc; ++i) {
         const std::string word = argv[i];
@@ -326,8 +422,10 @@ int main(int argc, char** argv) {
                 known = true;
             }
         if (!known) {
-            std::fprintf(stderr, "usage: %s [delaunay | refine | persist | alpha]... [--reps N] [--scale S]\n",
-                         argv[0]);
+            std::fprintf(
+                stderr,
+                "usage: %s [delaunay | refine | persist | alpha | weights | periods]... [--reps N] [--scale S]\n",
+                argv[0]);
             return 2;
         }
     }

@@ -73,4 +73,56 @@ void ours_alpha(Trial& trial, int dim, const inputs::Points& points) {
     trial.outcome.diagram = session.pairs();
 }
 
+namespace {
+
+netmesh::Request weighted(const Session& session, const inputs::Points& points, const inputs::Points& weights) {
+    netmesh::Request request(&netmesh_filter_alpha);
+    request.set_points(session.dim(), points).set_weights(&netmesh_weights, weights);
+    request.squares = 1;
+    return request;
+}
+void persist_in_block(Trial& trial, const netmesh::Request& request, Session& session) {
+    trial.start();
+    session.reserve(block_bytes);
+    demand(session.persist(request), session);
+    trial.stop();
+    const netmesh_report report = session.report();
+    trial.figure(simplices, static_cast<double>(report.diagram.simplices));
+    trial.figure(hidden, static_cast<double>(report.input.hidden));
+    trial.figure(arena_bytes, static_cast<double>(report.memory.peak_bytes));
+    trial.outcome.diagram = session.pairs();
+}
+
+}  // namespace
+
+void ours_regular(Trial& trial, int dim, const inputs::Points& points, const inputs::Points& weights) {
+    Session session(dim);
+    netmesh::Request request = weighted(session, points, weights);
+    request.filter = nullptr;
+    request.mesh.method = &netmesh_method_delaunay;
+    request.squares = 0;
+    trial.start();
+    session.reserve(block_bytes);
+    demand(netmesh_mesh(session.context, &request), session);
+    trial.stop();
+    const netmesh_report report = session.report();
+    trial.figure(cells, static_cast<double>(report.mesh.cells));
+    trial.figure(hidden, static_cast<double>(report.input.hidden));
+    trial.figure(arena_bytes, static_cast<double>(report.memory.peak_bytes));
+}
+
+void ours_weighted_alpha(Trial& trial, int dim, const inputs::Points& points, const inputs::Points& weights) {
+    Session session(dim);
+    persist_in_block(trial, weighted(session, points, weights), session);
+}
+
+void ours_periodic_alpha(Trial& trial, int dim, const inputs::Points& points) {
+    Session session(dim);
+    inputs::Points cube(static_cast<std::size_t>(dim * dim), 0.0);
+    for (int k = 0; k < dim; ++k) cube[static_cast<std::size_t>(k * dim + k)] = 1;
+    netmesh::Request request(&netmesh_filter_alpha);
+    request.set_points(session.dim(), points).set_lattice(cube);
+    persist_in_block(trial, request, session);
+}
+
 }  // namespace bench

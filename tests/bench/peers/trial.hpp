@@ -13,6 +13,7 @@ enum Figure {
     cells,
     vertices,
     simplices,
+    hidden,
     aspect_worst,
     aspect_mean,
     aspect_clipped,
