@@ -719,7 +719,7 @@ def main():
     size = sub.add_parser("size")
     size.add_argument("--records", required=True)
     size.add_argument("--objects")
-    size.add_argument("--bytes", type=int, default=1_725_000)
+    size.add_argument("--bytes", type=int, default=1_760_000)
     size.add_argument("--nm", default="nm")
     options = parser.parse_args()
     if options.check == "size":

@@ -13,6 +13,20 @@ namespace {
 
 using Simplices = FilteredComplex::Simplices;
 
+// Writes a pair with what `cycle` holds, and empties that.
+Status write_with_cycle(PairWriter& writer, ColumnStore& store, double birth, double death, std::uint32_t degree,
+                        CountedColumn& cycle) {
+    if (!writer.keeps(birth, death, degree)) {
+        cycle.clear();
+        return Status::ok;
+    }
+    std::uint32_t handle;
+    std::uint32_t* const simplices = store.append(cycle.members(), none, &handle);
+    if (simplices == nullptr) return Status::out_of_memory;
+    cycle.take(simplices);
+    return writer.add(birth, death, degree, handle) ? Status::ok : Status::out_of_memory;
+}
+
 // Boundaries of a quotient.
 struct QuotientBoundary : BoundaryMatrix {
     std::uint32_t pivot_of(std::uint32_t j) const {
@@ -45,7 +59,6 @@ private:
     struct Components;
 
     bool reserve();
-    Status write(double birth, double death, std::uint32_t degree, CountedColumn& cycle);
     Status close_edges();
     Status reduce(std::uint32_t k);
     const Simplices& of(std::uint32_t k) const { return complex_.of[k]; }
@@ -81,20 +94,6 @@ template <bool is_quotient> bool Tracer<is_quotient>::reserve() {
     return true;
 }
 
-// Writes a pair with what `cycle` holds, and empties that.
-template <bool is_quotient>
-Status Tracer<is_quotient>::write(double birth, double death, std::uint32_t degree, CountedColumn& cycle) {
-    if (!writer_.keeps(birth, death, degree)) {
-        cycle.clear();
-        return Status::ok;
-    }
-    std::uint32_t handle;
-    std::uint32_t* const simplices = store_.append(cycle.members(), none, &handle);
-    if (simplices == nullptr) return Status::out_of_memory;
-    cycle.take(simplices);
-    return writer_.add(birth, death, degree, handle) ? Status::ok : Status::out_of_memory;
-}
-
 // Degree 0: the cycle of a component that dies is its oldest vertex and the oldest of the one that takes it in.
 template <bool is_quotient> struct Tracer<is_quotient>::Components {
     Tracer& tracer;
@@ -107,11 +106,12 @@ template <bool is_quotient> struct Tracer<is_quotient>::Components {
         edges.joining.insert(e);
         cycle.toggle(older);
         cycle.toggle(younger);
-        return tracer.write(tracer.of(0).value[younger], tracer.of(1).value[e], 0, cycle);
+        return write_with_cycle(tracer.writer_, tracer.store_, tracer.of(0).value[younger], tracer.of(1).value[e], 0,
+                                cycle);
     }
     Status keep(std::uint32_t v) {
         cycle.toggle(v);
-        return tracer.write(tracer.of(0).value[v], __builtin_inf(), 0, cycle);
+        return write_with_cycle(tracer.writer_, tracer.store_, tracer.of(0).value[v], __builtin_inf(), 0, cycle);
     }
 };
 
@@ -129,7 +129,7 @@ template <bool is_quotient> Status Tracer<is_quotient>::close_edges() {
             forest_.path(edges.faces[2 * std::size_t{e}], edges.faces[2 * std::size_t{e} + 1],
                          [&cycle](std::uint32_t tree_edge) { cycle.toggle(tree_edge); });
             if (progress_.stop(1 + static_cast<std::uint32_t>(cycle.members() / 16))) return Status::cancelled;
-            const Status status = write(edges.value[e], __builtin_inf(), 1, cycle);
+            const Status status = write_with_cycle(writer_, store_, edges.value[e], __builtin_inf(), 1, cycle);
             if (status != Status::ok) return status;
         }
     return Status::ok;
@@ -182,14 +182,15 @@ public:
             const Status status = add_sources_of(at);
             if (status != Status::ok) return status;
         }
-        return t_.write(t_.of(k_).value[j], __builtin_inf(), k_, cycle_);
+        return write_with_cycle(t_.writer_, t_.store_, t_.of(k_).value[j], __builtin_inf(), k_, cycle_);
     }
 
 private:
     // The boundary of j as it is, without what is there twice.
     Status write_boundary(std::uint32_t j, std::uint32_t pivot) {
         matrix_.add(j, boundary_);
-        return t_.write(t_.of(k_ - 1).value[pivot], t_.of(k_).value[j], k_ - 1, boundary_);
+        return write_with_cycle(t_.writer_, t_.store_, t_.of(k_ - 1).value[pivot], t_.of(k_).value[j], k_ - 1,
+                                boundary_);
     }
     // The columns that were added to that of `at` when it was reduced.
     Status add_sources_of(std::uint32_t at) {
