@@ -130,10 +130,9 @@ class Case:
                 line = f"# input {self.points_fingerprint():016x}"
             if line.startswith("# points "):
                 line = f"# points {len(self.rows)}"
-            if not line.startswith("# duplicates "):
-                head.append(line)
-        if len(self.distinct()) < len(self.rows):
-            head.append(f"# duplicates {len(self.rows) - len(self.distinct())}")
+            if line.startswith("# duplicates "):
+                line = f"# duplicates {len(self.rows) - len(self.distinct())}"
+            head.append(line)
         with open(stem + ".pers", "w", encoding="ascii") as file:
             file.writelines(line + "\n" for line in head)
             file.writelines(f"{d} {b!r} {e!r}\n" for d, b, e in self.bars)
@@ -445,4 +444,5 @@ def main():
     return 1 if runner.faults else 0
 
 
-sys.exit(main())
+if __name__ == "__main__":
+    sys.exit(main())

@@ -171,6 +171,7 @@ Outcome judge_alpha_of_points(const DiagramClaim& claim, const PointCloud& point
         }
     }
     if (!claim.cycles_path.empty()) return usage_error("--representatives: " + why + ", so cycles cannot be checked");
+    if (claim.is_proven) return {};  // in all degrees
     return judge_degree_zero(claim, points, why + "; netmesh-verify looks at them, by a proof (persist --proof)",
                              checked);
 }
