@@ -81,6 +81,15 @@ def honest():
     rows = read("s.txt").split("\n")[:-1]
     write("s.off", f"OFF\n{len(rows)} 0 0\n" + read("s.txt"))
     expect("off", run("check", "s.pers", "--points", "s.off"), 0, "points that netmesh reads in s.off")
+    # Balls: the weight in a column that has a number, or a name, which netmesh-verify takes for the last one.
+    write("balls.csv", "r,x,y\n" + "".join(f"{1 + i % 3},{line}\n" for i, line in enumerate(lines)))
+    for name, column in (("number", "1"), ("name", "r")):
+        done = run("persist", "balls.csv", "--filter", "alpha", "--radii", column, "-q", "-o", name + ".pers", "--proof",
+                   name + ".proof")
+        expect("made balls", done, 0)
+    expect("balls", run("check", "number.pers", "--points", "balls.csv"), 0, "for the points in balls.csv; verified by")
+    expect("balls by name", run("check", "name.pers", "--points", "balls.csv"), 0,
+           "for the points that netmesh reads in balls.csv; verified by")
     # Above what the second opinion takes: the proof is in its place, for all degrees.
     expect("large", run("check", "large.pers", "--points", "large.csv"), 0, "proof: by large.proof",
            never=["second opinion"])

@@ -10,6 +10,7 @@
 #include "tools/commands/check_parts.hpp"
 #include "tools/commands/output.hpp"
 #include "tools/io/npy_writer.hpp"
+#include "tools/io/numbers.hpp"
 
 namespace netmesh::tool {
 
@@ -25,15 +26,24 @@ public:
         if (!folder_.empty()) platform::remove_folder(folder_);
         platform::forget(removal_);
     }
-    Outcome write(const PointCloud& points) {
+    // weights: the column that has them, if it is a number of one of these.
+    Outcome write(const PointCloud& points, const std::string& weights) {
         std::string why;
         folder_ = platform::temporary_folder(&why);
         if (folder_.empty()) return data_error("netmesh: " + why);
         path_ = folder_ + "/points.npy";
         removal_ = platform::remove_when_killed(path_.c_str());
+        const std::uint32_t width = points.dim + (points.weights.empty() ? 0 : 1);
+        std::uint64_t column = 0;
+        if (!parse_unsigned(weights, &column) || column == 0 || column > width) column = width;
+        const auto write_row = [&](std::size_t row, TextWriter& out) {
+            const double* x = &points.coordinates[row * points.dim];
+            for (std::uint32_t c = 1; c <= width; c++)
+                write_npy_double(!points.weights.empty() && c == column ? points.weights[row] : *x++, out);
+        };
         return write_files({{path_, [&](TextWriter& out) {
-                                 write_npy_head(points.rows(), points.dim, out);
-                                 for (const double x : points.coordinates) write_npy_double(x, out);
+                                 write_npy_head(points.rows(), width, out);
+                                 for (std::size_t row = 0; row < points.rows(); row++) write_row(row, out);
                              }}});
     }
     const std::string& path() const { return path_; }
@@ -92,9 +102,7 @@ Outcome verify_proof(const PointCloud& points, DiagramClaim* claim, RunReport* r
     const std::string name = shown_name(proof);
     if (!is_there(proof)) {
         if (is_given) return file_error(name, "no such file, which --proof names");
-        run->checked->push_back(
-            "no proof beside it: there is no " + name +
-            (made.table.weights.empty() ? "; persist --proof writes one" : ", nor one of balls yet"));
+        run->checked->push_back("no proof beside it: there is no " + name + "; persist --proof writes one");
         return {};
     }
     Verdict verdict;
@@ -111,7 +119,7 @@ Outcome verify_proof(const PointCloud& points, DiagramClaim* claim, RunReport* r
         if (outcome.good() && (!is_plain || verdict.is == Verdict::refused)) {
             HandedOver handed;
             whose = "points that netmesh reads in " + points.name;
-            outcome = handed.write(points);
+            outcome = handed.write(points, made.table.weights);
             if (outcome.good()) outcome = run_verifier(program, {handed.path(), diagram, proof}, &verdict);
             const std::size_t at = verdict.why.find(handed.path());
             if (at != std::string::npos) verdict.why.replace(at, handed.path().size(), points.name);
