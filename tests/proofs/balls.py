@@ -9,9 +9,12 @@
 import argparse
 import os
 import random
+from fractions import Fraction
 import subprocess
 import sys
 
+sys.path.insert(0, os.path.join(os.path.dirname(os.path.abspath(__file__)), "../../tools/verify"))
+import netmesh_verify
 import run
 from run import ACCEPTED, Case, Runner, next_double
 
@@ -31,12 +34,16 @@ def cloud(r, dim, kind):
     elif kind == "one lift":  # |p|^2 - w is an affine function: all points are on one facet of the hull
         rows = [[float(r.randrange(4)) for _ in range(dim)] for _ in range(count)]
         rows, radii = [row + [sum(x * x - x for x in row) + r.choice([0, 0, -1])] for row in rows], False
+    elif kind == "wide":  # numbers of all sizes, beyond what doubles decide
+        bits = r.choice([20, 120, 260])
+        rows = [[r.uniform(-1, 1) * 2.0 ** r.randrange(-bits, bits) for _ in range(dim + 1)] for _ in range(count)]
+        rows = [row[:-1] + [abs(row[-1]) if radii else row[-1] * r.choice([1, abs(row[-1])])] for row in rows]
     else:  # nearly so
         rows = [[r.randrange(4) / 4 for _ in range(dim)] for _ in range(count)]
         rows, radii = [row + [sum(x * x for x in row)] for row in rows], False
         for row in rows:
             row[-1] = next_double(row[-1], r.random() < 0.5) if row[-1] and r.random() < 0.3 else row[-1]
-    if not radii and kind != "one lift":
+    if not radii and kind not in ("one lift", "wide"):
         rows = [row[:-1] + [row[-1] - r.choice([0, 0.5])] for row in rows]
     if r.random() < 0.3:
         rows += [list(r.choice(rows)) for _ in range(3)]
@@ -47,7 +54,7 @@ def cloud(r, dim, kind):
     return rows, radii
 
 
-KINDS = ["random", "lattice", "equal", "hidden", "one lift", "near"]
+KINDS = ["random", "lattice", "equal", "hidden", "one lift", "near", "wide"]
 
 
 def drop_hidden(case, r):
@@ -145,7 +152,8 @@ def raise_hidden(case, r):
     if not case.hidden:
         return None
     row = case.rows[r.choice(case.hidden)[0]]
-    row[-1] = 2 * max(abs(other[-1]) for other in case.rows) + 4 * max(abs(x) for other in case.rows for x in other) ** 2
+    largest = max(abs(x) for other in case.rows for x in other)
+    row[-1] = 2 * largest + 4 * largest * largest
     return row[-1] < 1e100 or None
 
 
@@ -205,10 +213,72 @@ def other_sign(case, r):
     return run.sort_bars(case) if bar[1] < bar[2] else None
 
 
+def exact(case, rows):
+    """Points and weights of these rows in integers, over a unit, and that."""
+    power = 2 if case.kinds == ["radii"] else 1
+    numbers = [[Fraction(x) for x in case.rows[row]] for row in rows]
+    unit = max(x.denominator for number in numbers for x in number)
+    return ([tuple(int(x * unit) for x in number[:-1]) for number in numbers],
+            [int(number[-1] ** power * unit**2) for number in numbers], unit)
+
+
+def take_its_bars(case):
+    """The bars become those that follow from the triangulation, be it regular or not. False where a cell is flat."""
+    points, weights, unit = exact(case, case.list)
+    if any(netmesh_verify.side([points[p] for p in cell[1:]], points[cell[0]]) == 0 for cell in case.cells):
+        return False
+    levels = netmesh_verify.rounded_values(points, weights, unit, "# squares" in case.head, case.cells, case.dim)
+    if any(value == float("inf") for level in levels for value in level.values()):
+        return False
+    case.bars = [list(bar) for bar in netmesh_verify.persistence(levels, case.dim - 1)]
+    return True
+
+
+def flip_with_its_bars(case, r):
+    """Where that is a triangulation all fits together, but it is not regular."""
+    if run.flip(case, r) is None or not take_its_bars(case):
+        return None
+    return False
+
+
+def unhide_with_its_bars(case, r):
+    """The same of a hidden point that is made a vertex of the cells that it parts another one into."""
+    return False if unhide_in_cell(case, r) is not None and take_its_bars(case) else None
+
+
 class BallRunner(Runner):
     forgeries = SHARED + [move_bar, other_sign, drop_hidden, unhide, unhide_in_cell, hide_vertex, other_cell, other_row,
                           lighter_equal, change_weight, nudge_weight, raise_hidden, negative_radius, other_kind,
-                          other_squares, no_weights, both_kinds]
+                          other_squares, no_weights, both_kinds, flip_with_its_bars, unhide_with_its_bars,
+                          "hide with bars"]
+
+    def __init__(self, arguments):
+        super().__init__(arguments)
+        self.forgeries = [self.hide_with_its_bars if f == "hide with bars" else f for f in self.forgeries]
+
+    def hide_with_its_bars(self, case, r):
+        """The proof of all points but one, a vertex, which is said to be hidden by the cell that contains it."""
+        left_out = r.choice(case.list)
+        stem, bars = os.path.join(self.a.work, "fewer"), case.bars
+        row = case.rows[left_out]
+        rest = [other for other in case.rows if other[:-1] != row[:-1]]
+        with open(stem + ".txt", "w", encoding="ascii") as file:
+            file.writelines(" ".join(repr(x) for x in other) + "\n" for other in rest)
+        words = ["--" + case.kinds[0], str(case.dim + 1)] + ["--squares"] * ("# squares" in case.head)
+        done = subprocess.run([self.a.netmesh, "persist", stem + ".txt", "--filter", "alpha", *words, "-q", "-o",
+                               stem + ".pers", "--proof", stem + ".proof"], capture_output=True, check=False)
+        if done.returncode != 0:
+            return None
+        case.__dict__ = Case(stem).__dict__
+        case.rows.append(row)
+        points, _, _ = exact(case, case.list + [len(case.rows) - 1])
+        for cell in case.cells:
+            if all(netmesh_verify.side([points[p] for p in f], points[-1]) !=
+                   -netmesh_verify.side([points[p] for p in f], points[apex])
+                   for f, apex in netmesh_verify.facets(cell)):
+                case.hidden.append((len(case.rows) - 1, cell))
+                return case.bars != bars or False
+        return None
 
     def honest(self):
         r = random.Random(self.a.seed)

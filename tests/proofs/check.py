@@ -84,8 +84,8 @@ def honest():
     # Balls: the weight in a column that has a number, or a name, which netmesh-verify takes for the last one.
     write("balls.csv", "r,x,y\n" + "".join(f"{1 + i % 3},{line}\n" for i, line in enumerate(lines)))
     for name, column in (("number", "1"), ("name", "r")):
-        done = run("persist", "balls.csv", "--filter", "alpha", "--radii", column, "-q", "-o", name + ".pers", "--proof",
-                   name + ".proof")
+        words = ["--radii", column, "-q", "-o", name + ".pers", "--proof", name + ".proof"]
+        done = run("persist", "balls.csv", "--filter", "alpha", *words)
         expect("made balls", done, 0)
     expect("balls", run("check", "number.pers", "--points", "balls.csv"), 0, "for the points in balls.csv; verified by")
     expect("balls by name", run("check", "name.pers", "--points", "balls.csv"), 0,
