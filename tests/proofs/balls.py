@@ -256,6 +256,20 @@ class BallRunner(Runner):
         super().__init__(arguments)
         self.forgeries = [self.hide_with_its_bars if f == "hide with bars" else f for f in self.forgeries]
 
+    def expect(self, stem, kind, surely_wrong):
+        """What is accepted has to be true: the engine makes the same bars of these points."""
+        code = super().expect(stem, kind, surely_wrong)
+        if code == ACCEPTED:
+            case = Case(stem)
+            words = ["--" + case.kinds[0], str(case.dim + 1)] + ["--squares"] * ("# squares" in case.head)
+            done = subprocess.run([self.a.netmesh, "persist", stem + ".txt", "--filter", "alpha", *words, "-q"],
+                                  capture_output=True, text=True, check=False)
+            bars = [line.split() for line in done.stdout.splitlines() if not line.startswith("#")]
+            if [[int(d), float(b), float(e)] for d, b, e in bars] != case.bars:
+                self.fault(stem, f"{kind}: what is accepted is not true")
+            self.counts["accepted, and true"] += 1
+        return code
+
     def hide_with_its_bars(self, case, r):
         """The proof of all points but one, a vertex, which is said to be hidden by the cell that contains it."""
         left_out = r.choice(case.list)
