@@ -70,8 +70,9 @@ const std::vector<CommandEntry>& command_entries() {
          "certificate\n"
          "unless options say it. Other code then gives a second opinion. With --points it makes exact diagrams again, "
          "in exact\n"
-         "arithmetic: every bar, to the last bit; of too many points degree 0, or a sample of it. With --mesh: filter "
-         "values\n"
+         "arithmetic: every bar, to the last bit; of too many points degree 0, or a sample of it. netmesh-verify "
+         "verifies\n"
+         "the proof of an alpha diagram that stands beside it or that --proof names. With --mesh: filter values\n"
          "and ratios from the Voronoi cells, the pairs by a plain reduction. With --representatives cycles' births and "
          "deaths.\n"
          "What was not looked at is said.\n"
@@ -392,6 +393,8 @@ const std::vector<OptionEntry>& option_entries() {
          "also write the mesh that is filtered, with the filter's values"},
         {"--proof", persist, "FILE", apply_path<&Options::proof>,
          "of filter alpha: also write the triangulation that proves the diagram, for netmesh-verify"},
+        {"--proof", check, "FILE", apply_path<&Options::proof_path>,
+         "of filter alpha, with --points: the proof that netmesh-verify is to verify (DIAGRAM.proof, if it is there)"},
         {"--tau", mesh | persist | vineyard | size | check, "T", "tau",
          "bound on the aspect ratio of Voronoi cells, above 2 (2.5 for D = 2, 3; 3.08; 4 for D = 5, 6)"},
         {"--eps", mesh | size | check, "E", "size_eps",

@@ -232,10 +232,8 @@ Outcome check_together(const Options& options) {
             if (was_given(options, name))
                 return usage_error("--proof does not go with " + std::string(name) +
                                    ": it proves all bars, and no other");
-        if (!options.table.weights.empty() || options.table.lattice.kind != Lattice::none)
-            return usage_error("--proof does not go with " +
-                               std::string(options.table.weights.empty() ? options.table.lattice.option()
-                                                                         : weights_option(options.table)) +
+        if (options.table.lattice.kind != Lattice::none)
+            return usage_error("--proof does not go with " + std::string(options.table.lattice.option()) +
                                ": there are no such proofs yet");
     }
     if (!options.table.weights.empty() && goes_by_pieces(options))

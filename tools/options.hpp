@@ -65,6 +65,7 @@ struct Options {
     std::uint32_t dim = 0;                   // size, sample
     std::uint64_t point_count = 0;           // size: --points, sample: -n
     std::string points_path, mesh_path;      // check
+    std::string proof_path;                  // check; empty: the one beside the diagram
     bool distances = false, sparse = false;  // persist: the file has distances and no points
     std::uint32_t pieces = 0;                // persist, pieces: into so many, a power of 2; 0: not given
     bool pieces_auto = false;                // as many as are advised

@@ -51,7 +51,7 @@ def spelled(n):
 
 
 class Case:
-    """Points, diagram and proof, each as a list that can be forged."""
+    """Points, diagram and proof, each as a list that can be forged. With weights these are the last numbers of rows."""
 
     def __init__(self, stem):
         with open(stem + ".txt", encoding="ascii") as file:
@@ -63,6 +63,7 @@ class Case:
         for line in lines[len(self.head):]:
             degree, birth, death = line.split()
             self.bars.append([int(degree), float(birth), float(death)])
+        self.kinds = [line.split()[1] for line in self.head if line.split()[1] in ("radii", "weights")]
         with open(stem + ".proof", "rb") as file:
             self.read(file.read())
 
@@ -70,23 +71,34 @@ class Case:
         self.kind, self.dim, n, c = struct.unpack_from("<IIQQ", data, 16)
         width = self.row_bytes()
         at = HEAD_BYTES
-        self.list = [int.from_bytes(data[at + i * width:at + (i + 1) * width], "little") for i in range(n)]
-        at += n * width
+        hidden = 0
+        if self.kinds:
+            hidden = struct.unpack_from("<Q", data, at)[0]
+            at += 8
+        rows = [int.from_bytes(data[at + i * width:at + (i + 1) * width], "little") for i in range(n + hidden)]
+        at += (n + hidden) * width
+
+        def number():
+            nonlocal at
+            value, shift = 0, 0
+            while True:
+                byte = data[at]
+                at += 1
+                value |= (byte & 0x7F) << shift
+                shift += 7
+                if byte < 0x80:
+                    return value
+
         self.cells, first = [], 0
         for _ in range(c):
             cell = []
             for j in range(self.dim + 1):
-                value, shift = 0, 0
-                while True:
-                    byte = data[at]
-                    at += 1
-                    value |= (byte & 0x7F) << shift
-                    shift += 7
-                    if byte < 0x80:
-                        break
+                value = number()
                 cell.append(first + value if j == 0 else cell[-1] + 1 + value)
             first = cell[0]
             self.cells.append(tuple(cell))
+        self.list = rows[:n]
+        self.hidden = [(row, self.cells[number()]) for row in rows[n:]]
         assert at + 8 == len(data)
 
     def row_bytes(self):
@@ -95,23 +107,28 @@ class Case:
     def distinct(self):
         seen, points = set(), []
         for row in self.rows:
-            key = tuple(x + 0.0 if x != 0 else 0.0 for x in row)
+            key = tuple(x + 0.0 if x != 0 else 0.0 for x in row[:self.dim])
             if key not in seen:
                 seen.add(key)
                 points.append(row)
         return points
 
     def points_fingerprint(self):
-        return fingerprint([self.dim] + [bits_of(x) for row in self.rows for x in row])
+        of_points = fingerprint([self.dim] + [bits_of(x) for row in self.rows for x in row[:self.dim]])
+        if not self.kinds:
+            return of_points
+        return fingerprint([of_points, int(self.kinds == ["radii"])] + [bits_of(row[-1]) for row in self.rows])
 
     def bars_fingerprint(self):
         return fingerprint([w for d, b, e in self.bars for w in (d, bits_of(b), bits_of(e))])
 
     def body(self):
-        out = bytearray(b"netmesh proof 1\n")
+        out = bytearray(b"netmesh proof 2\n" if self.kinds else b"netmesh proof 1\n")
         out += struct.pack("<IIQQQQ", self.kind, self.dim, len(self.list), len(self.cells), self.points_fingerprint(),
                            self.bars_fingerprint())
-        for row in self.list:
+        if self.kinds:
+            out += struct.pack("<Q", len(self.hidden))
+        for row in self.list + [row for row, _ in self.hidden]:
             out += row.to_bytes(self.row_bytes(), "little")
         first = 0
         for cell in self.cells:
@@ -119,6 +136,8 @@ class Case:
             first = cell[0]
             for a, b in zip(cell, cell[1:]):
                 out += spelled(b - a - 1)
+        for _, cell in self.hidden:
+            out += spelled(self.cells.index(cell) if cell in self.cells else len(self.cells) - 1)
         return bytes(out)
 
     def write(self, stem, body=None):
@@ -130,10 +149,9 @@ class Case:
                 line = f"# input {self.points_fingerprint():016x}"
             if line.startswith("# points "):
                 line = f"# points {len(self.rows)}"
-            if not line.startswith("# duplicates "):
-                head.append(line)
-        if len(self.distinct()) < len(self.rows):
-            head.append(f"# duplicates {len(self.rows) - len(self.distinct())}")
+            if line.startswith("# duplicates "):
+                line = f"# duplicates {len(self.rows) - len(self.distinct())}"
+            head.append(line)
         with open(stem + ".pers", "w", encoding="ascii") as file:
             file.writelines(line + "\n" for line in head)
             file.writelines(f"{d} {b!r} {e!r}\n" for d, b, e in self.bars)
@@ -310,10 +328,14 @@ def other_list(case, r):
     r.shuffle(order)
     place = {old: new for new, old in enumerate(order)}
     case.list = [case.list[old] for old in order]
-    case.cells = sorted(tuple(sorted(place[p] for p in cell)) for cell in case.cells)
+    renamed = {cell: tuple(sorted(place[p] for p in cell)) for cell in case.cells}
+    case.cells = sorted(renamed.values())
+    case.hidden = [(row, renamed[cell]) for row, cell in case.hidden]
 
 
 class Runner:
+    forgeries = FORGERIES
+
     def __init__(self, arguments):
         self.a = arguments
         self.counts = collections.Counter()
@@ -373,9 +395,10 @@ class Runner:
         while done < self.a.forgeries:
             case = Case(r.choice(good))
             stem = os.path.join(self.a.work, f"forged-{done}")
-            turn = done % (len(FORGERIES) + 4)
-            if turn < len(FORGERIES):
-                forgery = FORGERIES[turn]
+            forgeries = self.forgeries
+            turn = done % (len(forgeries) + 4)
+            if turn < len(forgeries):
+                forgery = forgeries[turn]
                 surely = None
                 for _ in range(20000):
                     case = Case(r.choice(good))
@@ -386,16 +409,16 @@ class Runner:
                     sys.exit(f"{forgery.__name__}: applies to no cloud")
                 case.write(stem)
                 self.expect(stem, forgery.__name__, surely)
-            elif turn == len(FORGERIES):
+            elif turn == len(forgeries):
                 other_list(case, r)
                 case.write(stem)
                 if self.expect(stem, "another order", False) != ACCEPTED:
                     self.fault(stem, "another order of the list is refused")
-            elif turn == len(FORGERIES) + 1:
+            elif turn == len(forgeries) + 1:
                 body = case.body()
                 case.write(stem, body[:r.randrange(len(body))] if r.random() < 0.7 else body + b"\0")
                 self.expect(stem, "other length", True)
-            elif turn == len(FORGERIES) + 2:
+            elif turn == len(forgeries) + 2:
                 other = Case(r.choice(good))
                 body = case.body()
                 if other.body()[HEAD_BYTES:] == body[HEAD_BYTES:]:
@@ -445,4 +468,5 @@ def main():
     return 1 if runner.faults else 0
 
 
-sys.exit(main())
+if __name__ == "__main__":
+    sys.exit(main())

@@ -63,6 +63,8 @@ Outcome run_check(const Options& given) {
     if (!options.mesh_path.empty() && ending_of(options.mesh_path) != ".node") {
         return usage_error("--mesh " + options.mesh_path + ": must be a .node file");
     }
+    if (!options.proof_path.empty() && (ending != ".pers" || options.points_path.empty() || !options.mesh_path.empty()))
+        return usage_error("--proof goes with a diagram (.pers) and --points, without --mesh");
     if (options.complex_path.empty() != options.values_path.empty())
         return usage_error("--complex COMPLEX and --values FILE belong together");
     if (!options.complex_path.empty() && ending != ".vines")

@@ -198,6 +198,7 @@ Outcome compare_count(const DiagramFile& file, const char* name, std::uint64_t c
 
 // Rips complexes of distances, or with a threshold.
 Outcome check_with_distances(const Options& open, const DiagramFile& file, const std::string& cycles, RunReport* run) {
+    if (!open.proof_path.empty()) return usage_error("--proof is of filter alpha alone, not of distances");
     RipsInput input;
     Outcome outcome = read_rips_input(open, open.points_path, &input);
     if (!outcome.good()) return outcome;
@@ -223,7 +224,8 @@ Outcome check_with_distances(const Options& open, const DiagramFile& file, const
     add_report(session, run);
     run->engine->input = report.input;
     run->checked->push_back(again.said());
-    return second_opinion_on_complex({file, made, cycles}, complex_of(input, made, made.request.max_degree + 1), run);
+    return second_opinion_on_complex({file, made, cycles, false}, complex_of(input, made, made.request.max_degree + 1),
+                                     run);
 }
 
 Outcome check_with_points(const Options& open, const DiagramFile& file, const std::string& cycles, RunReport* run) {
@@ -258,7 +260,9 @@ Outcome check_with_points(const Options& open, const DiagramFile& file, const st
     if (!outcome.good()) return outcome;
     add_report(session, run);
     run->checked->push_back(again.said());
-    return second_opinion_on_points({file, made, cycles}, points, run);
+    DiagramClaim claim = {file, made, cycles, false};
+    outcome = verify_proof(points, &claim, run);
+    return outcome.good() ? second_opinion_on_points(claim, points, run) : outcome;
 }
 
 // The only thing that a mesh tells of what it was made of. Without a domain all vertices are inputs.
@@ -341,7 +345,7 @@ Outcome check_with_mesh(const Options& open, const DiagramFile& file, const std:
                                  ? ", of the values in " + shown_name(made.values_at)
                                  : "; how the mesh was made, and of which points, is for --points alone to tell"));
     outcome = check_vertex_values(made, files, run, session);
-    return outcome.good() ? second_opinion_on_mesh({file, made, cycles}, files, run) : outcome;
+    return outcome.good() ? second_opinion_on_mesh({file, made, cycles, false}, files, run) : outcome;
 }
 
 // How the diagram was made: as the file says, else as the options say.
@@ -351,6 +355,7 @@ Options making_of(const Options& options, const DiagramFile& file) {
     made.positionals = options.positionals;
     made.points_path = options.points_path;
     made.mesh_path = options.mesh_path;
+    made.proof_path = options.proof_path;
     made.values_at = options.values_at;
     made.table = options.table;
     if (file.head) {

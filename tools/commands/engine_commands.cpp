@@ -247,6 +247,12 @@ CyclePlaces places_of(const Options& options, const EngineMesh& mesh, const Poin
     return places;
 }
 
+std::vector<std::uint64_t> hidden_rows(const Engine& engine, const netmesh_report& report) {
+    std::vector<std::uint64_t> rows(report.input.hidden);
+    for (std::size_t i = 0; i < rows.size(); i++) netmesh_get_hidden(engine.context(), i, &rows[i]);
+    return rows;
+}
+
 // Files, pictures, data on stdout: what the options ask for. All that is handed over must outlive the jobs.
 std::vector<FileJob> diagram_jobs(const Options& options, const Engine& engine, const Result& result,
                                   const PointCloud& cloud, const netmesh_report& report) {
@@ -257,7 +263,10 @@ std::vector<FileJob> diagram_jobs(const Options& options, const Engine& engine, 
                         }});
     if (!options.mesh_out.empty()) add_mesh_files(result.mesh, options.mesh_out, &jobs);
     if (!options.proof.empty())
-        jobs.push_back({options.proof, [&](TextWriter& out) { write_proof(result.mesh, cloud, result.bars, out); }});
+        jobs.push_back({options.proof, [&](TextWriter& out) {
+                            write_proof(result.mesh, cloud, hidden_rows(engine, report), result.bars,
+                                        options.table.are_radii, out);
+                        }});
     if (!options.svg.empty()) {
         const auto draw = [&](TextWriter& out) {
             out << diagram_picture(result.list, report, result.bounds, options.axis);

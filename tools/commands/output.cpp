@@ -229,6 +229,10 @@ void tell_note(const Options& options, const std::string& file, const std::strin
     if (!note.empty() && !options.quiet) print_message(file + ": " + note + "\n", "33");
 }
 
+void tell_warning(const std::string& file, const std::string& warning) {
+    print_message(file + ": " + warning + "\n", "33");
+}
+
 Outcome read_cloud(const Options& options, const std::string& path, PointCloud* cloud) {
     const bool any = options.command == Command::persist && filter_of(options) == NETMESH_FILTER_RIPS;
     const Outcome outcome = read_points(path, options.table, cloud, any ? NETMESH_RIPS_DIM_MAX : dim_max);

@@ -63,6 +63,8 @@ inline Bounds bounds_of(const Engine& engine) { return bounds_of(engine, engine.
 
 // "FILE: note" on stderr, unless there is none or --quiet was given.
 void tell_note(const Options& options, const std::string& file, const std::string& note);
+// The same whatever the options: what a caller must not miss.
+void tell_warning(const std::string& file, const std::string& warning);
 
 // read_points, and on stderr its note unless --quiet was given. Of filter rips with any number of columns.
 Outcome read_cloud(const Options& options, const std::string& path, PointCloud* cloud);

@@ -1,14 +1,13 @@
 // netmesh-verify POINTS DIAGRAM PROOF [--quiet]
 //
-// Verifies that a persistence diagram of points is the exact one, by the proof beside it. What is claimed, what the
-// files hold and why the checks are enough is on the page tools/docs/proofs.md; steps 1 to 6 below are those of that
-// page. This file is all of the program, it shares no code with netmesh, and needs nothing but GMP:
+// Verifies that a persistence diagram of points, or of balls, is the exact one, by the proof beside it. What is
+// claimed, what the files hold and why the checks are enough is on the page tools/docs/proofs.md; steps 1 to 6 below
+// are those of that page. This file is all of the program, it shares no code with netmesh, and needs nothing but GMP:
 //
 //     c++ -std=c++17 -O2 -ffp-contract=off netmesh-verify.cpp -lgmpxx -lgmp
 //
-// The bounds on rounding hold for IEEE doubles, each operation rounded to nearest: no -ffast-math, no x87, no
-// contraction to fused operations. Exit: 0 verified; 7 not proven (stderr names the step and the place); 2 usage; 3 a
-// file that can not be read or is not of its format.
+// The bounds on rounding hold for IEEE doubles, each operation rounded to nearest: no -ffast-math, no x87, no fused
+// operations. Exit: 0 verified; 7 not proven, with step and place; 2 usage; 3 a file that is not of its format.
 
 #include <algorithm>
 #include <charconv>
@@ -17,8 +16,8 @@
 #include <cstdio>
 #include <cstdlib>
 #include <cstring>
-#include <ctime>
 #include <filesystem>
+#include <fstream>
 #include <gmpxx.h>
 #include <map>
 #include <queue>
@@ -29,30 +28,25 @@
 #include <vector>
 
 namespace {
-
 using std::size_t, std::string, std::string_view, std::vector;
 using Word = std::uint64_t;
 using Id = std::uint32_t;
 using Ids = vector<Id>;
 constexpr Id kNone = 0xFFFFFFFF;
-constexpr double kInf = HUGE_VAL;
-constexpr double kUnit = 0x1p-53;        // the relative error of one rounding
-using Failure = std::pair<int, string>;  // exit code, message
-[[noreturn]] void badFile(const string& text) { throw Failure(3, text); }
-[[noreturn]] void refuse(const string& step, const string& text) {
-    throw Failure(7, "not proven: step " + step + ": " + text);
+constexpr double kInf = HUGE_VAL, kUnit = 0x1p-53;  // the relative error of one rounding
+using Failure = std::pair<int, string>;             // exit code, message
+[[noreturn]] void badFile(const string& s) { throw Failure(3, s); }
+[[noreturn]] void refuse(const string& step, const string& s) {
+    throw Failure(7, "not proven: step " + step + ": " + s);
 }
 template <class T> string str(T v) { return std::to_string(v); }
-string str(double v, int digits = 17) {
+string str(double v) {
     char s[40];
-    std::snprintf(s, sizeof s, "%.*g", digits, v);
-    return s;
+    return std::snprintf(s, sizeof s, "%.17g", v), s;
 }
 template <class To, class From> To bitsAs(From v) {
-    static_assert(sizeof(To) == sizeof(From));
     To to;
-    std::memcpy(&to, &v, sizeof v);
-    return to;
+    return *static_cast<To*>(std::memcpy(&to, &v, sizeof v));
 }
 Word littleEndian(const char* bytes, size_t count) {
     Word w = 0;
@@ -70,11 +64,10 @@ struct Fingerprint {
     void add(Word w) { state = mix(state ^ w) + 0x632BE59BD9B4E019 * w; }
     Word value() const { return mix(state); }
 };
-
 //---- STEP 1: FILES ------------------------------------------------------------------------------------------------
 struct Points {
     size_t dim = 0, rows = 0;
-    vector<double> x;  // rows * dim, never -0
+    vector<double> x, weight;  // rows * dim, never -0; of the rows, or none
 };
 struct Bar {
     Word degree;
@@ -86,21 +79,20 @@ struct Bar {
 struct Diagram {
     string name, input;
     std::map<string, Word> head;
-    Word fingerprint = 0;
+    int kind = 0;  // 1: of radii, 2: of weights, in column `column` of the points, from 1, or in the last one
+    bool squares = false;
+    Word fingerprint = 0, column = 0;
     vector<Bar> bars;
 };
 string readFile(const string& name) {
     std::error_code error;
-    std::FILE* file = std::filesystem::is_regular_file(name, error) ? std::fopen(name.c_str(), "rb") : nullptr;
-    if (!file) badFile(name + ": no file that can be read");
+    std::ifstream file(name, std::ios::binary);
+    if (!file || !std::filesystem::is_regular_file(name, error)) badFile(name + ": no file that can be read");
     string bytes(std::filesystem::file_size(name), '\0');
-    const size_t read = std::fread(&bytes[0], 1, bytes.size(), file);
-    std::fclose(file);
-    if (read != bytes.size()) badFile(name + ": can not be read");
+    if (!file.read(&bytes[0], std::streamsize(bytes.size()))) badFile(name + ": can not be read");
     return bytes;
 }
-// Calls line(words, number) for each line. Between words are blanks or, if `marks`, one comma or semicolon with blanks
-// around it or none.
+// Calls line(words, number) for each line. Words are parted by blanks or, if `marks`, by one comma or semicolon, too.
 template <class Fn> void forLines(const string& text, bool marks, Fn line) {
     const auto blank = [](char c) { return c == ' ' || c == '\t' || c == '\r'; };
     const auto mark = [&](char c) { return marks && (c == ',' || c == ';'); };
@@ -121,7 +113,6 @@ template <class Fn> void forLines(const string& text, bool marks, Fn line) {
         line(words, ++number);
     }
 }
-
 template <class T> bool readNumber(string_view word, T& value) {
     if (word.size() > 1 && word[0] == '+') word.remove_prefix(1);
     if (word.find_first_of("anAN") != word.npos) return false;  // nan and inf
@@ -131,7 +122,7 @@ template <class T> bool readNumber(string_view word, T& value) {
         return value = T(std::strtod(string(word).c_str(), nullptr)), whole;
     return whole && error == std::errc();
 }
-Points readPoints(const string& name) {
+Points readPoints(const string& name, const Diagram& diagram) {
     const string bytes = readFile(name);
     Points points;
     if (bytes.compare(0, 6, "\x93NUMPY") == 0) {  // as numpy writes it
@@ -143,7 +134,7 @@ Points readPoints(const string& name) {
         if (begin < bytes.size()) std::sscanf(&bytes[8 + wide], head, &rows, &dim, &length);
         if (length == 0 || bytes.size() - begin != 8 * rows * dim)
             badFile(name + ": not an .npy file of little endian doubles of shape (rows, dim), by rows");
-        points = {size_t(dim), size_t(rows), vector<double>(rows * dim)};
+        points.dim = dim, points.rows = rows, points.x.resize(rows * dim);
         for (size_t i = 0; i < rows * dim; ++i) {
             points.x[i] = bitsAs<double>(littleEndian(&bytes[begin + 8 * i], 8)) + 0.0;  // -0 becomes 0
             if (!std::isfinite(points.x[i])) badFile(name + ": byte " + str(begin + 8 * i) + ": not a finite number");
@@ -166,15 +157,25 @@ Points readPoints(const string& name) {
                 badFile(name + ", line " + str(line) + ": not finite numbers, as many as before");
         });
     }
+    if (diagram.kind > 0 && points.rows > 0) {
+        const size_t width = points.dim--, column = std::min<size_t>(diagram.column - 1, width - 1);
+        size_t to = 0;
+        for (size_t i = 0; i < width * points.rows; ++i)
+            (i % width == column ? points.weight.emplace_back() : points.x[to++]) = points.x[i];
+        points.x.resize(to);
+        if (diagram.kind == 1 && *std::min_element(points.weight.begin(), points.weight.end()) < 0)
+            badFile(name + ": a radius is negative");
+    }
     if (points.rows == 0 || points.rows >= kNone || points.dim < 2 || points.dim > 6)
         badFile(name + ": no points, or too many, or not of dimension 2 to 6");
     return points;
 }
-
 Diagram readDiagram(const string& name) {
-    Diagram diagram{name, "", {}, 0, {}};
+    Diagram diagram;
+    diagram.name = name;
     Fingerprint sum;
     std::map<string, string> head;
+    size_t negative = 0;  // a line with a negative number
     forLines(readFile(name), false, [&](const vector<string_view>& words, size_t line) {
         const auto bad = [&](const char* what) { badFile(name + ", line " + str(line) + ": " + what); };
         if (!words.empty() && words[0][0] == '#') {
@@ -188,14 +189,20 @@ Diagram readDiagram(const string& name) {
             (words[2] != "inf" && !readNumber(words[2], bar.death)))
             bad("not degree, birth and death");
         if (words[2] == "inf") bar.death = kInf;
-        if (std::signbit(bar.birth) || std::signbit(bar.death) || (bar.death == kInf && words[2] != "inf"))
-            bad("a negative number, or one beyond the largest double");
+        if (std::isinf(bar.birth) || bar.death == -kInf || (bar.death == kInf && words[2] != "inf"))
+            bad("a number beyond the largest double");
+        if (std::signbit(bar.birth) || std::signbit(bar.death)) negative = line;
         if (!diagram.bars.empty() && bar < diagram.bars.back()) bad("bars are not sorted");
-        for (const Word w : {bar.degree, bitsAs<Word>(bar.birth), bitsAs<Word>(bar.death)}) sum.add(w);
+        for (const Word w : {bar.degree, bitsAs<Word>(bar.birth + 0.0), bitsAs<Word>(bar.death + 0.0)}) sum.add(w);
         diagram.bars.push_back(bar);
     });
-    for (const char* claim : {"radii", "weights", "squares", "box", "cell", "a"})  // a: a choice of bars
+    for (const char* claim : {"box", "cell", "a"})  // a: a choice of bars
         if (head.count(claim)) badFile(name + ": by its head it claims something else: # " + claim);
+    diagram.kind = int(head.count("radii") + 2 * head.count("weights"));
+    diagram.squares = head.count("squares") > 0;
+    if (diagram.kind == 3 || (diagram.squares && diagram.kind == 0)) badFile(name + ": not one of # radii, # weights");
+    if (diagram.kind == 0 && negative > 0) badFile(name + ", line " + str(negative) + ": a negative number");
+    readNumber(head[diagram.kind == 1 ? "radii" : "weights"], diagram.column);
     head.emplace("duplicates", "0");
     if (head["filter"] != "alpha") badFile(name + ": not one line # filter alpha");
     for (const char* key : {"dim", "max-degree", "points", "duplicates"})
@@ -204,10 +211,14 @@ Diagram readDiagram(const string& name) {
     diagram.input = head["input"];
     return diagram;
 }
-// The row for each place, and the cells, of dim + 1 places each.
-std::pair<Ids, Ids> readProof(const string& name, const Points& points, Word n, Word pointsSum, Word diagramSum) {
+struct Proof {
+    Ids rows, cells, hidden;  // a row for each place; dim + 1 places each; for each of the last places its cell
+};
+Proof readProof(const string& name, const Points& points, Word n, Word pointsSum, Word diagramSum) {
     const string bytes = readFile(name);
-    if (bytes.compare(0, 16, "netmesh proof 1\n") != 0) badFile(name + ": not a proof of version 1");
+    const bool weighted = !points.weight.empty();
+    if (bytes.compare(0, 16, weighted ? "netmesh proof 2\n" : "netmesh proof 1\n") != 0)
+        badFile(name + ": not a proof of version " + (weighted ? "2, for balls" : "1, for points"));
     size_t at = bytes.size(), end = at - 8, width = 1;
     const auto bad = [&](const string& what) { refuse("1", name + ", before byte " + str(at) + ": " + what); };
     const auto take = [&](size_t count) {
@@ -220,38 +231,44 @@ std::pair<Ids, Ids> readProof(const string& name, const Points& points, Word n, 
     for (size_t i = 0; i < end; i += 8) sum.add(littleEndian(&bytes[i], std::min<size_t>(8, end - i)));
     if (littleEndian(&bytes[end], 8) != sum.value()) bad("the file is damaged, by its fingerprint");
     at = 16;
-    if (take(4) != 1) bad("not of kind 1, the alpha complex");
+    if (take(4) != 1u + weighted) bad("not of the kind of its version, an alpha complex");
     if (take(4) != points.dim) bad("not the dimension of the points");
-    if (take(8) != n) bad("not as many points as the file has different ones");
+    const Word vertices = take(8);
     const size_t c = take(8), size = points.dim + 1;
     if (take(8) != pointsSum) bad("not of these points, by their fingerprint");
     if (take(8) != diagramSum) bad("not of this diagram, by its fingerprint");
+    const Word hidden = weighted ? take(8) : 0;
+    if (vertices > n || hidden != n - vertices) bad("not as many points as the file has different ones");
     Ids rows(n);
     while ((points.rows - 1) >> (8 * width) != 0) ++width;
     for (Id& row : rows)
         if ((row = Id(take(width))) >= points.rows) bad("there is no row " + str(row));
     if (c > (end - at) / size || c >= kNone) bad("more cells than the file can hold");
-    Ids cells(c * size);
-    for (size_t i = 0; i < c * size; ++i) {
+    const auto number = [&]() {
         Word v = 0, byte = 128;
         for (int shift = 0; byte >= 128; shift += 7) {
             byte = take(1);
             v |= (byte & 127) << shift;
             if (shift > 28 || (byte == 0 && shift > 0)) bad("a number of more bytes than it takes");
         }
-        v += i % size > 0 ? Word(cells[i - 1]) + 1 : i > 0 ? cells[i - size] : 0;
-        if (v >= n) bad("there is no place " + str(v));
+        return v;
+    };
+    Ids cells(c * size), cellsOfHidden(hidden);
+    for (size_t i = 0; i < c * size; ++i) {
+        const Word v = number() + (i % size > 0 ? Word(cells[i - 1]) + 1 : i > 0 ? cells[i - size] : 0);
+        if (v >= vertices) bad("there is no vertex at place " + str(v));
         cells[i] = Id(v);
         const Id* const next = &cells[i] + 1;
         if (i > size && i % size == points.dim &&
             !std::lexicographical_compare(next - 2 * size, next - size, next - size, next))
             bad("cell " + str(i / size) + " is not after the one before");
     }
-    if (at != end) bad("bytes behind the cells");
-    return {std::move(rows), std::move(cells)};
+    for (Id& cell : cellsOfHidden)
+        if ((cell = Id(number())) >= c) bad("there is no cell " + str(cell));
+    if (at != end) bad("bytes behind the end");
+    return {std::move(rows), std::move(cells), std::move(cellsOfHidden)};
 }
-// For each row the first one that is equal to it.
-Ids firstEqual(const Points& points) {
+Ids firstEqual(const Points& points) {  // for each row the first one at the same place
     size_t size = 4;
     while (size < 2 * points.rows) size *= 2;
     Ids table(size, kNone), first(points.rows);
@@ -266,14 +283,12 @@ Ids firstEqual(const Points& points) {
     }
     return first;
 }
-
-//---- NUMBERS ------------------------------------------------------------------------------------------------------
 // An expression of coordinates is written once, as a template, and computed with Approx and, if that leaves its sign
 // open, with mpz_class. Approx is a double v with a bound: |v - the true value| <= c kUnit m, where c counts roundings,
 // see Verifier::sign. If coordinates are integers, v is exact as long as products have m < 2^50 and sums few terms.
 struct Approx {
     double v = 0, m = 0;
-    static bool exact;
+    static inline bool exact = false;
     void operator+=(const Approx& b) { v += b.v, m += b.m; }
     friend Approx operator-(const Approx& a, const Approx& b) { return {a.v - b.v, a.m + b.m}; }
     friend Approx operator*(const Approx& a, const Approx& b) {
@@ -282,9 +297,7 @@ struct Approx {
         return product;
     }
 };
-bool Approx::exact = false;
-// By the first rows, one after the other: minor[s] is the determinant of the first |s| rows and the columns in s.
-// leading: that of all rows and columns but the last.
+// minor[s]: determinant of the first |s| rows and the columns in s; leading: that of all rows and columns but the last.
 template <class T, int N> T det(const T (&a)[N][N], T* leading = nullptr) {
     T minor[1 << N];
     for (int c = 0; c < N; ++c) minor[1 << c] = a[0][c];
@@ -296,53 +309,49 @@ template <class T, int N> T det(const T (&a)[N][N], T* leading = nullptr) {
     if (leading) *leading = minor[(1 << (N - 1)) - 1];
     return minor[(1 << N) - 1];
 }
-// The double nearest to 2^exponent sqrt(numerator / denominator), ties to even.
-double nearestRoot(const mpz_class& numerator, const mpz_class& denominator, long exponent) {
+// The double nearest to 2^exponent sqrt(numerator / denominator), or without the root, ties to even.
+double nearest(const mpz_class& numerator, const mpz_class& denominator, long exponent, bool isRoot) {
     const auto bits = [](const mpz_class& z) { return long(mpz_sizeinbase(z.get_mpz_t(), 2)); };
-    const long shift = std::max(0L, (133 + bits(denominator) - bits(numerator)) / 2);  // the root has 65 bits or more
-    const mpz_class scaled = numerator << (2 * shift);
-    mpz_class root = sqrt(mpz_class(scaled / denominator));
-    if (root * root * denominator != scaled) root |= 1;  // stands for what is below
+    if (numerator == 0) return 0;
+    const long lack = 133 + bits(denominator) - bits(numerator);
+    const long shift = std::max(0L, isRoot ? lack / 2 : lack);  // what follows has 65 bits or more
+    const mpz_class scaled = numerator << (isRoot ? 2 * shift : shift);
+    mpz_class root = scaled / denominator;
+    if (isRoot) root = sqrt(root);
+    if ((isRoot ? mpz_class(root * root) : root) * denominator != scaled) root |= 1;  // stands for what is below
     exponent -= shift;
     const long last = std::max(-1074L, exponent + bits(root) - 53);  // the exponent of the last bit of the double
     const unsigned long drop = last - exponent;                      // bits; at least 12
     root += (mpz_class(1) << (drop - 1)) - 1 + mpz_tstbit(root.get_mpz_t(), drop);
     return std::ldexp(mpz_class(root >> drop).get_d(), int(std::min(last, 2000L)));
 }
-// Error free: high + low is the sum, the product.
-inline void twoSum(double a, double b, double& high, double& low) {
-    high = a + b;
-    const double c = high - a;
+void twoSum(double a, double b, double& high, double& low) {  // error free: high + low is the sum, the product
+    const double c = (high = a + b) - a;
     low = (a - (high - c)) + (b - c);
 }
-inline void twoProduct(double a, double b, double& high, double& low) {
-    high = a * b;
-    low = std::fma(a, b, -high);
-}
+void twoProduct(double a, double b, double& high, double& low) { high = a * b, low = std::fma(a, b, -high); }
 template <int D> double dot(const double* a, const double* b) {
     double s = a[0] * b[0];
     for (int j = 1; j < D; ++j) s += a[j] * b[j];
     return s;
 }
-
 // The smallest sphere through p_0 .. p_K in R^D, in doubles, with proven bounds. Let e_i = p_i - p_0 for i = 1 .. K, E
 // the matrix of these rows, c the centre from p_0 on: the vector in their span with 2 e_i.c = |e_i|^2, and u = kUnit.
 // Coordinates are below 2^100, |e_i| >= 2^-150, |F| <= 2^200, |x| <= 2^150, else nothing is claimed. So nothing
 // overflows and what underflows, below 2^-1000, is much smaller than the bounds, which have terms of at least u^2
 // 2^-302, and room for it. Bounds of sums are by Cauchy and Schwarz: sum |a_j b_j| <= |a||b|.
-//
 // Whatever doubles f_i (rows of F) and x are, let M = I - F E^T. If |M| <= 1/2, then E has rank K, and for a vector
 // d = sum a_i e_i in the span F d = F E^T a = (I - M) a, so |a| <= 2 |F||d|. Let x = c + d + d', d in the span, d'
 // normal to it, and rho_i = e_i.(2x - e_i) = 2 e_i.d. Then |d|^2 = sum a_i e_i.d = a.rho / 2, so |d| <= |F||rho|.
 // |d'| is at most the distance of x to any vector y of the span; y = sum b_i e_i, b_i = f_i.x. For K = D it is 0.
 template <int D, int K> struct Sphere {
+    static constexpr int N = K > 0 ? K : 1;  // no array is empty
     const double* p[K + 1];
-    double e[K][D], length[K], b[K], x[D] = {};
-    double norm, gap, delta;  // |x|; at least |y - x|; at least |x - c|, or infinite, then nothing is claimed
+    double e[N][D], length[N], b[N], x[D] = {};
+    double norm, gap, delta = kInf;  // |x|; at least |y - x|; at least |x - c|, or infinite, then nothing is claimed
     Sphere(const double* coordinates, const Id* vertices, bool claim) {
-        double q[K][D], r[K][K] = {}, qq[K], f[K][D];  // Gram and Schmidt: e_i = q_i + sum r_ih q_h
+        double q[N][D], r[N][N] = {}, qq[N], f[N][D];  // Gram and Schmidt: e_i = q_i + sum r_ih q_h
         double sumE = 0, sumF = 0, sumM = 0, sumRho = 0;
-        delta = kInf;
         if (!claim) return;
         for (int i = 0; i <= K; ++i) p[i] = coordinates + size_t(vertices[i]) * D;
         for (int i = 0; i < K; ++i) {
@@ -405,16 +414,14 @@ template <int D, int K> struct Sphere {
         const double v = std::sqrt(vv), bound = 1.0001 * v * (2 * delta + (D + 5) * kUnit * (v + 2 * norm));
         return s > bound ? 1 : s < -bound ? -1 : 2;
     }
-    // The nearest double to the radius, or -1 if that is not sure.
-    //
-    // R^2 = |c|^2 = Q + error, Q = |x|^2 + sum b_i e_i.(e_i - 2x). For, with x = c + g and e_i.(e_i - 2c) = 0,
-    // Q = |c|^2 + 2 c.g + |g|^2 - 2 y.g, so |Q - R^2| = ||g|^2 - 2 (y - c).g| <= |g|^2 + 2 (|y - x| + |g|)|g|.
-    //
-    // Q with about twice as many bits: e_i = h + l exactly, |l| <= u|h|; h - 2x = zh + zl exactly, and zl + l is
-    // rounded. For one coordinate let A = |e|(|e| + 2|x|) >= |h||zh|, up to a factor below 1.01. Left out is
-    // l zl and the rounding of zl: below 5 u^2 A. h zh is summed without error; all the rest, less than
-    // (5.5 A + 1.1 D sum A) u, in doubles, with at most 4 D + 2 roundings of each part: below 320 u^2 sum A for D <= 6.
-    // |x|^2 likewise: below 100 u^2 |x|^2.
+    // The nearest double to the radius, or -1 if that is not sure. R^2 = |c|^2 = Q + error, Q = |x|^2 + sum b_i
+    // e_i.(e_i
+    // - 2x). For, with x = c + g and e_i.(e_i - 2c) = 0, Q = |c|^2 + 2 c.g + |g|^2 - 2 y.g, so |Q - R^2| = ||g|^2 - 2
+    // (y - c).g| <= |g|^2 + 2 (|y - x| + |g|)|g|. Q with about twice as many bits: e_i = h + l exactly, |l| <= u|h|;
+    // h - 2x = zh + zl exactly, and zl + l is rounded. For one coordinate let A = |e|(|e| + 2|x|) >= |h||zh|, up to a
+    // factor below 1.01. Left out is l zl and the rounding of zl: below 5 u^2 A. h zh is summed without error; all the
+    // rest, less than (5.5 A + 1.1 D sum A) u, in doubles, with at most 4 D + 2 roundings of each part: below 320 u^2
+    // sum A for D <= 6. |x|^2 likewise: below 100 u^2 |x|^2.
     double radius() const {
         double square = 0, low = 0, high, rest, error;
         for (int j = 0; j < D; ++j) {
@@ -451,12 +458,8 @@ template <int D, int K> struct Sphere {
         return -1;
     }
 };
-
-//---- FACES --------------------------------------------------------------------------------------------------------
-// The simplices of one dimension.
-struct Level {
-    Ids vertices;          // ascending; as long as they are needed
-    Ids facets;            // for each simplex those opposite to its vertices
+struct Level {             // the simplices of one dimension
+    Ids vertices, facets;  // ascending, as long as they are needed; for each simplex those opposite to its vertices
     vector<double> value;  // rounded
     size_t count() const { return value.size(); }
 };
@@ -507,28 +510,32 @@ template <Id W, class Fn> void forGroups(const Ids& simplices, const vector<Face
         group(here, f, g);
     }
 }
-
 //---- STEPS 3 AND 4 ------------------------------------------------------------------------------------------------
-template <int D> class Verifier {
-public:
+template <int D> struct Verifier {
     Level levels[D + 1];
-    size_t gmpSigns = 0, gmpValues = 0;
     // Coordinates are scaled by 2^-scale, to integers if they are below 2^100 then, else below 1 if that is possible
     // without error, else all is left to GMP.
-    Verifier(const Points& points, Ids& rows, Ids& cells) : n_(rows.size()), rows_(rows), x_(n_ * D) {
-        levels[D].vertices.swap(cells);
-        int high = -1074, low = 1024, exponent;  // the bits of coordinates are below 2^high, from 2^low on
-        for (size_t i = 0; i < n_ * D; ++i) {
-            x_[i] = points.x[size_t(rows_[i / D]) * D + i % D];
-            if (x_[i] == 0) continue;
-            const double m = std::ldexp(std::abs(std::frexp(x_[i], &exponent)), 53);
-            high = std::max(high, exponent);
-            low = std::min(low, exponent - 53 + __builtin_ctzll(Word(m)));
+    Verifier(const Points& points, Proof& proof, int kind, bool squares)
+        : n_(proof.rows.size() - proof.hidden.size()), rows_(proof.rows), hidden_(proof.hidden), kind_(kind),
+          squares_(squares) {
+        levels[D].vertices.swap(proof.cells);
+        int high = -1074, low = 1024, exponent;  // bits are below 2^high, from 2^low on; those of weights: squared
+        const auto take = [&](vector<double>& to, double v, int power) {
+            to.push_back(v);
+            if (v == 0) return;
+            const double m = std::ldexp(std::abs(std::frexp(v, &exponent)), 53);
+            high = std::max(high, (exponent + 2148) / power - 2148 / power + power - 1);
+            low = std::min(low, (exponent - 53 + __builtin_ctzll(Word(m)) + 2148) / power - 2148 / power);
+        };
+        for (const Id row : rows_) {
+            for (int j = 0; j < D; ++j) take(x_, points.x[size_t(row) * D + j], 1);
+            if (kind > 0) take(weight_, points.weight[row], kind);
         }
-        fast_ = high - low < 1074;
+        fast_ = high - low < (kind == 0 ? 1074 : 500);  // so that weights do not underflow
         if (fast_) scale_ = high - low <= 100 ? low : high;
         lowest_ = low - scale_;
         for (double& v : x_) v = std::ldexp(v, -scale_);
+        for (double& v : weight_) v = std::ldexp(v, -kind * scale_);
     }
     void triangulation() {
         Level& cells = levels[D];
@@ -545,18 +552,38 @@ public:
             const Id* const c = cell(i);
             orientation[i] = sign([&](auto t) { return sideOf<decltype(t)>(c + 1, c); });
             if (orientation[i] == 0) refuse("3a", "cell " + str(i) + ", " + name(c, D + 1) + ", is flat");
-            cells.value[i] = radius(Sphere<D, D>(x_.data(), c, fast_), c);
+            cells.value[i] = value(sphereOf<D>(c), c);
         }
         // On which side of its facet a cell is: the orientation of (vertex, facet).
         const auto sideOfCell = [&](Id i, Id pos) { return pos % 2 == 0 ? orientation[i] : -orientation[i]; };
+        // a, of hidden points
+        for (Id h = Id(n_), pos; h < rows_.size(); ++h) {
+            const Id k = hidden_[h - n_], *const c = cell(k);
+            Id facet[D];
+            for (pos = 0; pos <= D; ++pos) {
+                std::copy(c + pos + 1, c + D + 1, std::copy(c, c + pos, facet));
+                if (sign([&](auto t) { return sideOf<decltype(t)>(facet, &h); }) == -sideOfCell(k, pos)) break;
+            }
+            if (pos <= D || sideOfSphere<D>(sphereOf<D>(c), c, h, orientation[k]) < 0)
+                refuse("3a", "row " + str(rows_[h]) + " is not hidden by cell " + str(k) + ", " + name(c, D + 1));
+        }
         // b
         facets_ = sortedFaces<D + 1>(cells.vertices, n_);
         Ids hull;          // vertices of hull facets
         vector<int> side;  // sides on which their cells are
+        vector<bool> outside(count, false);
         forGroups<D + 1>(cells.vertices, facets_, [&](const Id* facet, const Face* f, const Face* end) {
+            // c and e. The ray of e is not needed: on a ray from o that avoids lower faces the number of cells over a
+            // place is the same behind a facet of two cells, by b, and one less behind a hull facet, by c, and 0 in the
+            // end. So the ray meets as many hull facets as there are cells near o.
+            const int s = sign([&](auto t) { return sideOf<decltype(t)>(facet, cell(0), D + 1); });
+            for (const Face* g = f; g < end; ++g)
+                if (s == -sideOfCell(g->parent, g->pos)) outside[g->parent] = true;
             if (end - f == 1) {
                 hull.insert(hull.end(), facet, facet + D);
                 side.push_back(sideOfCell(f->parent, f->pos));
+                if (s != side.back())
+                    refuse("3c", "the centroid of cell 0 is not inside of hull facet " + name(facet, D));
                 return;
             }
             const Id a = f[0].parent, b = f[1].parent, vb = cell(b)[f[1].pos];
@@ -565,26 +592,14 @@ public:
             };
             if (end - f > 2) bad(" are not alone");
             if (sideOfCell(a, f[0].pos) == sideOfCell(b, f[1].pos)) bad(" are on one side");
-            const Sphere<D, D> sphere(x_.data(), cell(a), fast_);  // that of b gives the same, by the line before
-            if (sideOfSphere<D>(sphere, cell(a), vb, orientation[a]) < 0) bad(" are not Delaunay");
-        });
-        // c and e. The ray of e is not needed: on a ray from o that avoids lower faces the number of cells over a place
-        // is the same behind a facet of two cells, by b, and one less behind a hull facet, by c, and 0 in the end. So
-        // the ray meets as many hull facets as there are cells near o.
-        vector<bool> outside(count, false);
-        forGroups<D + 1>(cells.vertices, facets_, [&](const Id* facet, const Face* f, const Face* end) {
-            const int s = sign([&](auto t) { return sideOf<decltype(t)>(facet, cell(0), D + 1); });
-            if (end - f == 1 && s != sideOfCell(f->parent, f->pos))
-                refuse("3c", "the centroid of cell 0 is not inside of hull facet " + name(facet, D));
-            for (; f < end; ++f)
-                if (s == -sideOfCell(f->parent, f->pos)) outside[f->parent] = true;
+            // The sphere of b gives the same, by the line before.
+            if (sideOfSphere<D>(sphereOf<D>(cell(a)), cell(a), vb, orientation[a]) < 0) bad(" are not Delaunay");
         });
         for (size_t i = 1; i < count; ++i)
             if (!outside[i]) refuse("3e", "the centroid of cell 0 is also in cell " + str(i));
         // d. The side of the hyperplane through o and the ridge on which the vertex at pos is: det(f_i - o) with row
-        // pos moved to the end, with the sign by c. One test of convexity will do: of the linear functions from o on
-        // that are 1 on one of the facets, the difference is 0 on the hyperplane, so of different signs, or 0, at the
-        // two vertices.
+        // pos moved to the end, with the sign by c. One test of convexity will do: the difference of the two functions,
+        // linear from o on, that are 1 on one of the facets is 0 there, so of different signs, or 0, at the vertices.
         forGroups<D>(hull, sortedFaces<D>(hull, n_), [&](const Id* ridge, const Face* f, const Face* end) {
             const auto bad = [&](const char* what) { refuse("3d", "hull ridge " + name(ridge, D - 1) + what); };
             if (end - f != 2) bad(" is not in two hull facets");
@@ -600,47 +615,52 @@ public:
         const vector<Face> faces = K == D - 1 ? std::move(facets_) : sortedFaces<K + 2>(above.vertices, n_);
         above.facets.resize(above.vertices.size());
         forGroups<K + 2>(above.vertices, faces, [&](const Id* s, const Face* begin, const Face* end) {
-            const Sphere<D, K> sphere(x_.data(), s, fast_);
+            const Sphere<D, K> sphere = sphereOf<K>(s);
             bool empty = true;
             for (const Face* f = begin; f < end && empty; ++f)
                 empty = sideOfSphere<K>(sphere, s, above.vertices[size_t(f->parent) * (K + 2) + f->pos]) >= 0;
             const Id id = Id(level.count());
             if (id == kNone) refuse("4", "too many simplices");
-            double value = empty ? radius(sphere, s) : kInf;
+            double least = empty ? value(sphere, s) : kInf;
             for (const Face* f = begin; f < end; ++f) {
-                if (!empty) value = std::min(value, above.value[f->parent]);
+                if (!empty) least = std::min(least, above.value[f->parent]);
                 above.facets[size_t(f->parent) * (K + 2) + f->pos] = id;
             }
             level.vertices.insert(level.vertices.end(), s, s + K + 1);
-            level.value.push_back(value);
+            level.value.push_back(least);
         });
         above.vertices = Ids();
-        if constexpr (K > 1) {
-            values<K - 1>();
-        } else {
+        if (K == 1 && kind_ == 0) {  // points are born at 0
             level.facets = std::move(level.vertices);
             levels[0].value.assign(n_, 0.0);
+        } else if constexpr (K > 0) {
+            values<K - 1>();
         }
     }
 
-private:
     const double* point(Id place) const { return &x_[size_t(place) * D]; }
     string name(const Id* v, int count) const {
         string s = "rows";
         for (int i = 0; i < count; ++i) s += " " + str(rows_[v[i]]);
         return s;
     }
-    // Coordinate j of a - b; as an integer in units of 2^lowest_.
+    // Coordinate j of a - b; as an integer in units of 2^lowest_, of weights in their squares.
     void diff(Id a, Id b, int j, Approx& to) const { to.m = std::abs(to.v = point(a)[j] - point(b)[j]); }
     void diff(Id a, Id b, int j, mpz_class& to) const { to = integer(point(a)[j]) - integer(point(b)[j]); }
-    mpz_class integer(double v) const {
+    void read(double v, int, Approx& to) const { to = Approx{v, std::abs(v)} * Approx{1, 1}; }
+    void read(double v, int power, mpz_class& to) const { to = integer(v, power); }
+    mpz_class integer(double v, int power = 1) const {
         int exponent;
         mpz_class z(std::ldexp(std::frexp(v, &exponent), 53));
-        exponent -= 53 + lowest_;
+        exponent -= 53 + power * lowest_;
         return exponent >= 0 ? mpz_class(z << exponent) : mpz_class(z >> -exponent);  // no bit is lost
     }
-    // det of the rows f_i - a: tells the side of the facet f on which a is. For count > 1 a is the centroid of `count`
-    // points, and the rows are count (f_i - a).
+    template <class T> T weight(Id a) const {
+        T w;
+        read(weight_[a], kind_, w);
+        return kind_ == 1 ? T(w * w) : w;
+    }
+    // Tells on which side of the facet f a is: det of f_i - a; of count (f_i - a), a the centroid of `count` points.
     template <class T> T sideOf(const Id* f, const Id* a, int count = 1) const {
         T m[D][D], d;
         for (int i = 0; i < D; ++i)
@@ -653,8 +673,9 @@ private:
     }
     // With e_i = s_i - s_0, d_i = e_i.e_i, G the matrix of e_i.e_j, c the centre of the smallest sphere of s from s_0
     // on, which is half of the sum of (G^-1 d)_i e_i, and v = w - s_0: the matrix | G d | v.e_j v.v |. Its determinant
-    // is det G (v.v - 2 v.c), and det G > 0. `lifted`, for K = D: without the factor E^T on the right of the first K
-    // columns; then det E is in place of det G.
+    // is det G (v.v - 2 v.c), and det G > 0. With weights d_i and v.v are more by the weight of s_0 less that of s_i,
+    // of w. `lifted`, for K = D: without the factor E^T on the right of the first K columns; det E is in place of det
+    // G.
     template <class T, int K> void bordered(const Id* s, Id w, bool lifted, T (&m)[K + 1][K + 1]) const {
         T e[K + 1][D];
         for (int i = 0; i <= K; ++i)
@@ -663,8 +684,10 @@ private:
             for (int h = 0; h <= K; ++h) {
                 if (lifted && h < K) m[i][h] = e[i][h];
                 for (int j = 0; j < D && (!lifted || h == K); ++j) m[i][h] += e[i][j] * e[h == K ? i : h][j];
+                if (kind_ > 0 && h == K) m[i][h] += weight<T>(s[0]) - weight<T>(i < K ? s[i + 1] : w);
             }
     }
+    template <int K> Sphere<D, K> sphereOf(const Id* s) const { return {x_.data(), s, fast_ && kind_ == 0}; }
     // Of a determinant of at most 7 rows. m sums its terms without signs. A term has at most 7 entries, with at most 13
     // roundings each (sideOf: 7, bordered: 8), 7 products, and 21 sums of minors: below 120 roundings; m itself is by
     // less than 1 % too small. What overflows makes the bound infinite or no number, so it decides nothing. Numbers
@@ -677,7 +700,6 @@ private:
             if (std::abs(a.v) > bound && bound > 0x1p-800) return a.v > 0 ? 1 : -1;
             if (Approx::exact) return (a.v > 0) - (a.v < 0);
         }
-        ++gmpSigns;
         return sgn(mpz_class(expression(mpz_class())));
     }
     // The sign of |w - c|^2 - R^2 for the sphere of s, a cell of this orientation if K = D.
@@ -690,29 +712,28 @@ private:
         const int side = sphere.side(point(w));
         return side != 2 ? side : orientation * sign(power);
     }
-    template <int K> double radius(const Sphere<D, K>& sphere, const Id* s) {
-        if (sphere.delta < kInf) {
-            const double r = std::ldexp(sphere.radius(), scale_);
-            if (r >= 0x1p-1022 && r < kInf) return r;
-        }
-        ++gmpValues;
-        mpz_class m[K + 1][K + 1], g;  // 4 R^2 = d.G^-1 d = -det | G d | d 0 | / det G
+    template <int K> double value(const Sphere<D, K>& sphere, const Id* s) {
+        const double r = sphere.delta < kInf ? std::ldexp(sphere.radius(), scale_) : 0;
+        if (r >= 0x1p-1022 && r < kInf) return r;
+        mpz_class m[K + 1][K + 1], g;  // 4 R^2 = d.G^-1 d = -det | G d | d 0 | / det G, and the power: less w_0
         bordered<mpz_class, K>(s, s[0], false, m);
         for (int i = 0; i < K; ++i) m[K][i] = m[i][K];
-        const mpz_class d = det(m, &g);
-        return nearestRoot(-d, 4 * g, long(lowest_) + scale_);
+        mpz_class power = -det(m, &g);
+        if (K == 0) g = 1;
+        if (kind_ > 0) power -= 4 * g * weight<mpz_class>(s[0]);
+        const double v = nearest(abs(power), 4 * g, (squares_ ? 2 : 1) * (long(lowest_) + scale_), !squares_);
+        return power < 0 ? -v : v;
     }
-    size_t n_;
-    Ids rows_;
-    vector<double> x_;            // coordinates by places, times 2^-scale_
+    size_t n_;  // vertices; the places from there on are of hidden points
+    Ids rows_, hidden_;
+    const int kind_, squares_;
+    vector<double> x_, weight_;   // by places: coordinates and radii times 2^-scale_, weights times its square
     int scale_ = 0, lowest_ = 0;  // x_ are integers times 2^lowest_
     bool fast_ = true;            // the bounds hold
     vector<Face> facets_;         // of the cells
 };
-
 //---- STEP 5 -------------------------------------------------------------------------------------------------------
-class Pairs {
-public:
+struct Pairs {
     vector<Bar> bars;
     Pairs(Level* levels, int dim, Word maxDegree) : levels_(levels), maxDegree_(maxDegree), paired_(dim + 1) {
         const int top = maxDegree > 0 ? dim : 1;
@@ -720,7 +741,6 @@ public:
         for (int k = 0; k <= top; ++k) paired_[k].resize(levels[k].count());
         if (maxDegree > 0) cells(levels[dim - 1], levels[dim], dim);
         for (int k = top - 1; k >= 2; --k) columns(levels[k - 1].count(), levels[k], k);
-        // Vertices are born at 0, in any order; of two components that an edge joins the younger one ends.
         joins(levels[0].count(), levels[1].facets, [&](size_t edge, size_t vertex) { pair(0, vertex, edge); });
         for (int k = 0; k <= top; ++k)
             for (size_t i = 0; i < levels[k].count(); ++i)
@@ -728,14 +748,12 @@ public:
         std::sort(bars.begin(), bars.end());
     }
 
-private:
-    // Makes numbers of simplices ascend with their values. Values are not negative, so their bits ascend with them.
-    void sortByValue(int top) {
+    void sortByValue(int top) {  // numbers of simplices then ascend with their values
         Ids rank, below;
-        for (int k = 1; k <= top; ++k) {
+        for (int k = 0; k <= top; ++k) {
             Level& level = levels_[k];
-            vector<std::pair<Word, Id>> order(level.count());
-            for (size_t i = 0; i < level.count(); ++i) order[i] = {bitsAs<Word>(level.value[i]), Id(i)};
+            vector<std::pair<double, Id>> order(level.count());
+            for (size_t i = 0; i < level.count(); ++i) order[i] = {level.value[i], Id(i)};
             std::sort(order.begin(), order.end());
             below.swap(rank);
             rank.resize(level.count());
@@ -743,11 +761,9 @@ private:
             level.facets.resize(facets.size());
             for (size_t i = 0; i < level.count(); ++i) {
                 rank[order[i].second] = Id(i);
-                level.value[i] = bitsAs<double>(order[i].first);
-                for (int j = 0; j <= k; ++j) {
-                    const Id facet = facets[size_t(order[i].second) * (k + 1) + j];
-                    level.facets[i * (k + 1) + j] = k == 1 ? facet : below[facet];
-                }
+                level.value[i] = order[i].first;
+                for (int j = 0; j <= k && k > 0; ++j)
+                    level.facets[i * (k + 1) + j] = below[facets[size_t(order[i].second) * (k + 1) + j]];
             }
         }
     }
@@ -818,24 +834,12 @@ private:
     Word maxDegree_;
     vector<vector<bool>> paired_;
 };
-
-//---- ALL STEPS ----------------------------------------------------------------------------------------------------
-template <int D> string verify(const Points& points, Ids& rows, Ids& cells, const Diagram& diagram) {
-    string seconds;  // of processor time
-    std::clock_t last = 0;
+template <int D> string verify(const Points& points, Proof& proof, const Diagram& diagram) {
     const Word maxDegree = diagram.head.at("max-degree");
-    const auto lap = [&](const char* step) {
-        const std::clock_t now = std::clock();
-        seconds += string(" ") + step + " " + str(double(now - std::exchange(last, now)) / CLOCKS_PER_SEC, 3);
-    };
-    lap("1, 2:");
-    Verifier<D> verifier(points, rows, cells);
+    Verifier<D> verifier(points, proof, diagram.kind, diagram.squares);
     verifier.triangulation();
-    lap("3:");
     verifier.template values<D - 1>();
-    lap("4:");
     const Pairs pairs(verifier.levels, D, maxDegree);
-    lap("5:");
     const vector<Bar>&found = pairs.bars, &claimed = diagram.bars;
     const auto equal = [](const Bar& a, const Bar& b) { return !(a < b) && !(b < a); };
     const auto [f, c] = std::mismatch(found.begin(), found.end(), claimed.begin(), claimed.end(), equal);
@@ -843,58 +847,54 @@ template <int D> string verify(const Points& points, Ids& rows, Ids& cells, cons
     if (f != found.end() && (c == claimed.end() || *f < *c))
         refuse("6", where + ": here the bar " + f->text() + " is missing");
     if (c != claimed.end()) refuse("6", where + ": there is no such bar, or not so often");
-    string simplices, bars;
+    string simplices;
     for (const Level& level : verifier.levels) simplices += " " + str(level.count());
-    for (Word k = 0; k <= D && k <= maxDegree; ++k)
-        bars += " " + str(std::count_if(found.begin(), found.end(), [&](const Bar& bar) { return bar.degree == k; }));
-    return "verified   " + diagram.name + ": " + str(rows.size()) + " points in R^" + str(D) + ", degrees 0 to " +
-           str(maxDegree) + "\nsimplices " + simplices + "\nbars      " + bars + "\nby GMP     signs " +
-           str(verifier.gmpSigns) + ", values " + str(verifier.gmpValues) + "\nseconds    step" + seconds + "\n";
+    return "verified   " + diagram.name + ": " + str(proof.rows.size()) + " points in R^" + str(D) + ", " +
+           str(proof.hidden.size()) + " of them hidden, degrees 0 to " + str(maxDegree) + "\nsimplices " + simplices +
+           "\n";
 }
-
 void run(const string& pointsName, const string& diagramName, const string& proofName, bool quiet) {
-    const Points points = readPoints(pointsName);
     const Diagram diagram = readDiagram(diagramName);
+    const Points points = readPoints(pointsName, diagram);
     const Ids first = firstEqual(points);
     Word different = 0;
     for (size_t row = 0; row < points.rows; ++row) different += first[row] == row;
     Fingerprint sum;
     sum.add(points.dim);
     for (const double x : points.x) sum.add(bitsAs<Word>(x));
+    if (!points.weight.empty()) {
+        for (const Word w : {std::exchange(sum, {}).value(), Word(diagram.kind == 1)}) sum.add(w);
+        for (const double w : points.weight) sum.add(bitsAs<Word>(w));
+    }
     char input[20];
     std::snprintf(input, sizeof input, "%016llx", static_cast<unsigned long long>(sum.value()));
-    const std::map<string, Word> head{
-        {"dim", points.dim}, {"points", points.rows}, {"duplicates", points.rows - different}};
-    for (const auto& [key, value] : head)
+    for (const auto& [key, value] :
+         std::map<string, Word>{{"dim", points.dim}, {"points", points.rows}, {"duplicates", points.rows - different}})
         if (diagram.head.at(key) != value) refuse("1", diagramName + ": its head must say " + key + " " + str(value));
     if (!diagram.input.empty() && diagram.input != input)
         refuse("1", diagramName + ": it is of other points: the head's input");
-    auto [rows, cells] = readProof(proofName, points, different, sum.value(), diagram.fingerprint);
+    Proof proof = readProof(proofName, points, different, sum.value(), diagram.fingerprint);
     // 2. As many places as different points, each of another point: so each row is equal to one of them.
-    vector<char> seen(points.rows, 0);
-    for (const Id row : rows)
-        if (std::exchange(seen[first[row]], 1))
+    Ids listed(points.rows, kNone);  // by the first of the equal rows
+    for (const Id row : proof.rows)
+        if (std::exchange(listed[first[row]], row) != kNone)
             refuse("2", "row " + str(row) + ", or an equal one, is on the list twice");
+    for (size_t row = 0; row < points.weight.size(); ++row)
+        if (points.weight[row] > points.weight[listed[first[row]]])
+            refuse("2", "row " + str(row) + " is heavier than the equal one on the list");
     constexpr decltype(&verify<2>) verifyIn[] = {verify<2>, verify<3>, verify<4>, verify<5>, verify<6>};
-    const string report = verifyIn[points.dim - 2](points, rows, cells, diagram);
+    const string report = verifyIn[points.dim - 2](points, proof, diagram);
     if (!quiet) std::fputs(report.c_str(), stdout);
 }
-
 }  // namespace
-
 int main(int argc, char** argv) {
     const bool quiet = argc == 5 && string(argv[4]) == "--quiet";
-    if (argc != 4 && !quiet) {
-        std::fprintf(stderr, "usage: netmesh-verify POINTS DIAGRAM PROOF [--quiet]\n");
-        return 2;
-    }
+    if (argc != 4 && !quiet) return std::fputs("usage: netmesh-verify POINTS DIAGRAM PROOF [--quiet]\n", stderr), 2;
     try {
         return run(argv[1], argv[2], argv[3], quiet), 0;
     } catch (const Failure& failure) {
-        std::fprintf(stderr, "netmesh-verify: %s\n", failure.second.c_str());
-        return failure.first;
+        return std::fprintf(stderr, "netmesh-verify: %s\n", failure.second.c_str()), failure.first;
     } catch (const std::exception& error) {
-        std::fprintf(stderr, "netmesh-verify: not proven: %s\n", error.what());  // no memory
-        return 7;
+        return std::fprintf(stderr, "netmesh-verify: not proven: %s\n", error.what()), 7;  // no memory
     }
 }

@@ -1,5 +1,5 @@
 #!/usr/bin/env python3
-"""Verifies an exact alpha diagram: netmesh_verify.py POINTS DIAGRAM PROOF [--quiet]
+"""Verifies an exact alpha diagram, of points or balls: netmesh_verify.py POINTS DIAGRAM PROOF [--quiet]
 The reading of tools/docs/proofs.md in plain Python, the standard library alone, no code shared with netmesh. The steps
 1 to 6 of that page are the sections below, 3a to 3e its letters. Doubles are integers over a power of two, so all signs
 are signs of integers and no decision is rounded. Meant for small inputs: seconds for 1,000 points of the plane.
@@ -11,6 +11,7 @@ import re
 import struct
 import sys
 from collections import Counter
+from fractions import Fraction
 from itertools import accumulate, chain
 from pathlib import Path
 
@@ -22,42 +23,43 @@ class NotProven(Exception):
 DECIMAL = re.compile(r"[+-]?([0-9]+(\.[0-9]*)?|\.[0-9]+)([eE][+-]?[0-9]+)?")
 BETWEEN = re.compile(r"[ \t]*[,;][ \t]*|[ \t]+")
 HEAD = ("dim", "max-degree", "points", "duplicates", "filter", "input")
-OTHER = ("radii", "weights", "squares", "box", "cell", "a")  # "a choice of": claims of other diagrams
+OTHER = ("box", "cell", "a")  # "a choice of": claims of other diagrams
 MASK = (1 << 64) - 1
-
 def mix(z):
     z = (z + 0x9E3779B97F4A7C15) & MASK
     z = ((z ^ (z >> 30)) * 0xBF58476D1CE4E5B9) & MASK
     z = ((z ^ (z >> 27)) * 0x94D049BB133111EB) & MASK
     return z ^ (z >> 31)
-
 def fingerprint(words):
     state = 0x6E65746D65736800
     for w in words:
         state = (mix(state ^ w) + 0x632BE59BD9B4E019 * w) & MASK
     return mix(state)
-
 def bits(x):
     return struct.unpack("<Q", struct.pack("<d", x))[0]
-
-def text_lines(path, data):
-    """Each line with what messages call it; after the last newline there is no line."""
+def text_lines(path, data):  # each line with what messages call it; after the last newline there is no line
     lines = data.decode("latin-1").removesuffix("\n").split("\n")
     return [(f"{path}, line {number}", line.rstrip("\r")) for number, line in enumerate(lines, 1)]
-
 def finite(word, where):
     value = float(word) if DECIMAL.fullmatch(word) else math.nan  # the nearest double, ties to even
     if not math.isfinite(value):
         raise Malformed(f"{where}: '{word[:40]}' is not a number, or none of a double")
     return value
-
 def natural(word, where):
     if not re.fullmatch("[0-9]{1,18}", word):
         raise Malformed(f"{where}: '{word[:40]}' is not a count")
     return int(word)
-
-def read_points(path, dim):
-    """The rows of the file, tuples of doubles, -0 made 0."""
+def read_points(path, diagram):
+    """The rows of the file, tuples of doubles, -0 made 0, and their radii or weights, None without."""
+    rows = read_rows(path, diagram.dim + diagram.weighted)
+    if not diagram.weighted:
+        return rows, None
+    name = diagram.radii or diagram.weights
+    at = int(name) - 1 if re.fullmatch("[0-9]{1,9}", name) and 1 <= int(name) <= diagram.dim else diagram.dim
+    if diagram.radii and any(row[at] < 0 for row in rows):
+        raise Malformed(f"{path}: a radius is negative")
+    return [row[:at] + row[at + 1 :] for row in rows], [row[at] for row in rows]
+def read_rows(path, dim):
     data = Path(path).read_bytes()
     if data.startswith(b"\x93NUMPY"):
         return read_npy(path, data, dim)
@@ -72,7 +74,6 @@ def read_points(path, dim):
             if len(rows[-1]) != dim:
                 raise Malformed(f"{where}: {len(rows[-1])} numbers, not {dim}")
     return rows
-
 def read_npy(path, data, dim):
     start = 10 if data[6:7] == b"\x01" else 12
     end = min(10000, start + int.from_bytes(data[8:start], "little"))  # longer heads no parser has to bear
@@ -85,15 +86,17 @@ def read_npy(path, data, dim):
     except (ValueError, SyntaxError, TypeError, KeyError, MemoryError, RecursionError, struct.error):
         raise Malformed(f"{path}: not an .npy of shape (rows, {dim}), little endian doubles, finite") from None
     return [tuple(numbers[i::count] if by_columns else numbers[i * dim : (i + 1) * dim]) for i in range(count)]
-
 class Diagram:
     def __init__(self, path):
         self.bars, self.lines, head = [], [], {}  # (degree, birth, death), and the place of each in the file
+        minus_at = self.radii = self.weights = self.squares = ""  # what the head says behind them, or "?"
         for where, line in text_lines(path, Path(path).read_bytes()):
             words = re.findall("[^ \t]+", line)
             if line.startswith("#"):
                 if words[0] == "#" and len(words) > 1 and words[1] in OTHER:
                     raise Malformed(f"{where}: by its head it claims something else")
+                if words[0] == "#" and len(words) > 1 and words[1] in ("radii", "weights", "squares"):
+                    setattr(self, words[1], words[2] if len(words) == 3 and not getattr(self, words[1]) else "?")
                 if words[0] == "#" and len(words) > 2 and words[1] in HEAD:
                     if len(words) > 3 or words[1] in head:
                         raise Malformed(f"{where}: '# {words[1]}' has more than one value, or is there twice")
@@ -102,35 +105,39 @@ class Diagram:
             if len(words) != 3:
                 raise Malformed(f"{where}: not a degree, a birth and a death")
             death = math.inf if words[2] == "inf" else finite(words[2], where)
-            bar = (natural(words[0], where), finite(words[1], where), death)
-            if "-" in (words[1][0], words[2][0]) or self.bars and bar < self.bars[-1]:
-                raise Malformed(f"{where}: a birth or death with a minus, or bars not in order")
+            bar = (natural(words[0], where), finite(words[1], where) + 0.0, death + 0.0)
+            if self.bars and bar < self.bars[-1]:
+                raise Malformed(f"{where}: bars not in order")
+            minus_at = where if "-" in (words[1][0], words[2][0]) else minus_at
             self.bars.append(bar)
             self.lines.append(where)
+        self.weighted = bool(self.radii or self.weights)
+        if (self.radii and self.weights) or (self.squares and not self.weighted) or (minus_at and not self.weighted):
+            raise Malformed(f"{minus_at or path}: a birth or death with a minus, or not one of # radii and # weights")
         head.setdefault("duplicates", ("0", path))
         counts = (natural(*head.get(name, ("", f"{path}, # {name}"))) for name in HEAD[:4])
         self.dim, self.max_degree, self.rows, self.duplicates = counts
         self.input = head.get("input", ("",))[0]
         if head.get("filter", ("",))[0] != "alpha" or not 2 <= self.dim <= 6:
             raise Malformed(f"{path}: # filter is not alpha, or # dim not 2 to 6")
-
 class Proof:
-    def __init__(self, path, row_count):
+    def __init__(self, path, row_count, weighted):
         data = Path(path).read_bytes()
-        self.end = len(data) - 8
-        if self.end < 56 or not data.startswith(b"netmesh proof 1\n"):
-            raise Malformed(f"{path}, byte 0: not a proof, or cut off")
+        self.end, begin, version = len(data) - 8, 64 if weighted else 56, 2 if weighted else 1
+        if self.end < begin or not data.startswith(b"netmesh proof %d\n" % version):
+            raise Malformed(f"{path}, byte 0: not a proof of version {version}, or cut off")
         kind, self.dim, n, c, self.of_points, self.of_diagram = struct.unpack_from("<IIQQQQ", data, 16)
         filled = data[:-8] + bytes(-self.end % 8)
         words = chain([self.end], struct.unpack(f"<{len(filled) // 8}Q", filled))
         if fingerprint(words) != int.from_bytes(data[-8:], "little"):
             raise Malformed(f"{path}, byte {self.end}: not the fingerprint of all bytes before")
-        if kind != 1 or not 2 <= self.dim <= 6:
-            raise Malformed(f"{path}, byte 16: kind {kind} is not 1, or dimension {self.dim} not 2 to 6")
-        at = 56 + n * (width := max(1, (max(row_count - 1, 0).bit_length() + 7) // 8))
+        if kind != version or not 2 <= self.dim <= 6:
+            raise Malformed(f"{path}, byte 16: kind {kind} is not {version}, or dimension {self.dim} not 2 to 6")
+        hidden = int.from_bytes(data[56:begin], "little")
+        at = begin + (n + hidden) * (width := max(1, (max(row_count - 1, 0).bit_length() + 7) // 8))
         if at > self.end:
-            raise Malformed(f"{path}, byte {self.end}: the list of {n} points is cut off")
-        self.rows = [int.from_bytes(data[i : i + width], "little") for i in range(56, at, width)]
+            raise Malformed(f"{path}, byte {self.end}: the list of {n + hidden} points is cut off")
+        self.rows = [int.from_bytes(data[i : i + width], "little") for i in range(begin, at, width)]
         numbers, ends, value, shift = [], [at], 0, 0  # 7 bits a byte, the least first
         for at in range(at, self.end):
             value |= (data[at] & 127) << shift
@@ -141,8 +148,12 @@ class Proof:
                 numbers.append(value)
                 ends.append(at + 1)
                 value = shift = 0
-        if shift or len(numbers) != c * (self.dim + 1):
-            raise Malformed(f"{path}, byte {ends[-1]}: {len(numbers)} numbers, not those of {c} cells")
+        if shift or len(numbers) != c * (self.dim + 1) + hidden:
+            raise Malformed(f"{path}, byte {ends[-1]}: {len(numbers)} numbers, not those of {c} cells, {hidden} hidden")
+        self.vertices, self.hidden = n, numbers[len(numbers) - hidden :]  # for each hidden point the number of a cell
+        del numbers[len(numbers) - hidden :]
+        if any(number >= c for number in self.hidden):
+            raise Malformed(f"{path}: a hidden point in a cell that is none")
         self.cells, self.offsets = [], ends[:: self.dim + 1]  # tuples of places, and the byte where each begins
         for i in range(0, len(numbers), self.dim + 1):
             before = self.cells[-1] if self.cells else (0,)
@@ -151,25 +162,25 @@ class Proof:
             if cell[-1] >= n or cell <= before:  # the first cell is greater than (0,)
                 raise Malformed(f"{path}, byte {ends[i]}: places beyond the list, or cells not ascending")
             self.cells.append(cell)
-
-def check_heads(diagram, rows, proof):
+def check_heads(diagram, rows, weights, proof):
     different = list(dict.fromkeys(rows))
     of_points = fingerprint(chain([diagram.dim], map(bits, chain.from_iterable(rows))))
+    if diagram.weighted:
+        of_points = fingerprint(chain([of_points, int(bool(diagram.radii))], map(bits, weights)))
     of_bars = fingerprint(w for degree, birth, death in diagram.bars for w in (degree, bits(birth), bits(death)))
     for what, found, said in (
         ("# points of the diagram", len(rows), diagram.rows),
         ("# duplicates of the diagram", len(rows) - len(different), diagram.duplicates),
         ("# input of the diagram, fingerprint of points", f"{of_points:016x}", diagram.input or f"{of_points:016x}"),
         ("byte 20 of the proof, dimension", diagram.dim, proof.dim),
-        ("byte 24 of the proof, different points", len(different), len(proof.rows)),
+        ("byte 24 of the proof, different points, hidden ones too", len(different), len(proof.rows)),
         ("byte 40 of the proof, fingerprint of points", of_points, proof.of_points),
         ("byte 48 of the proof, fingerprint of the diagram", of_bars, proof.of_diagram),
     ):
         if found != said:
             raise NotProven(f"1: {what}: {said}, but it is {found}")
-
 # ---- Step 2: points -------------------------------------------------------------------------------------------------
-def listed_points(rows, proof):
+def listed_points(rows, weights, proof):
     place_of = {}
     for place, row in enumerate(proof.rows):
         if row >= len(rows) or rows[row] in place_of:
@@ -178,11 +189,11 @@ def listed_points(rows, proof):
     for number, row in enumerate(rows):
         if row not in place_of:
             raise NotProven(f"2: row {number} is equal to no point on the list")
+        if weights and weights[number] > weights[proof.rows[place_of[row]]]:
+            raise NotProven(f"2: row {number} is heavier than the equal point on the list")
     return list(place_of)
-
 # ---- Exact geometry, of points of integers --------------------------------------------------------------------------
-def det(m):
-    """The determinant, by Bareiss's elimination, in which all divisions come out even."""
+def det(m):  # by Bareiss's elimination, in which all divisions come out even
     m, sign_of_swaps, before = [list(row) for row in m], 1, 1
     for k in range(len(m)):
         pivot = next((i for i in range(k, len(m)) if m[i][k]), k)
@@ -194,66 +205,54 @@ def det(m):
                 m[i][j] = (m[i][j] * m[k][k] - m[i][k] * m[k][j]) // before
         before = m[k][k]
     return sign_of_swaps * before
-
 def det_sign(m):
     d = det(m)
     return (d > 0) - (d < 0)
-
 def minus(p, q):
     return [a - b for a, b in zip(p, q)]
-
 def dot(u, v):
     return sum(a * b for a, b in zip(u, v))
-
-def side(facet, x):
-    """On which side of the hyperplane through D points x lies: -1 or 1, or 0 on it."""
+def side(facet, x):  # on which side of the hyperplane through D points x lies: -1 or 1, or 0 on it
     return det_sign([minus(p, x) for p in facet])
-
 def smallest_sphere(corners):
-    """(a, C, E) of the smallest sphere through the corners of a simplex: a is on it, its centre is a + C / 2E, E > 0.
-
-    The centre is a + sum of l_j v_j, v_j the edges from a, and as far from the end of each edge as from a: for each i
-    sum over j of (v_i.v_j) 2 l_j = v_i.v_i. By Cramer's rule 2 l_j = N_j / E, E being the Gram determinant.
-    """
-    a = corners[0]
-    edges = [minus(p, a) for p in corners[1:]]
+    """(a, C, E) of the smallest sphere of a simplex, whose corners are points, each with its weight: the powers of the
+    corners at its centre a + C / 2E are equal, E > 0. The centre is a + sum of l_j v_j, v_j the edges from a: for each
+    i sum over j of (v_i.v_j) 2 l_j is v_i.v_i + weight of a - that of v_i's end. By Cramer's rule 2 l_j = N_j / E, E
+    being the Gram determinant."""
+    a, weight = corners[0]
+    edges = [minus(p, a) for p, _ in corners[1:]]
     gram = [[dot(u, v) for v in edges] for u in edges]
-    n = [det([row[:j] + [row[i]] + row[j + 1 :] for i, row in enumerate(gram)]) for j in range(len(edges))]
-    return a, [sum(n_j * v[x] for n_j, v in zip(n, edges)) for x in range(len(a))], det(gram)
-
-def strictly_inside(sphere, q):
-    """|q - centre| < |a - centre|, squared and times E: E w.w < C.w where w = q - a."""
-    a, centre, scale = sphere
-    w = minus(q, a)
-    return scale * dot(w, w) < dot(centre, w)
-
-def nearest_root(num, den):
-    """The double nearest to the root of num / den, ties to even; inf from halfway between the largest and 2^1024 on.
-
-    All doubles, and all halfway between two, are multiples of 2^-1075. So the root is counted in these, and one more
-    bit says that it is more than that. Python divides integers to the nearest double, ties to even.
-    """
-    num <<= 2 * 1075
-    whole = math.isqrt(num // den)
+    d = [dot(v, v) + weight - w for v, (_, w) in zip(edges, corners[1:])]
+    n = [det([row[:j] + [d[i]] + row[j + 1 :] for i, row in enumerate(gram)]) for j in range(len(edges))]
+    return corners[0], [sum(n_j * v[x] for n_j, v in zip(n, edges)) for x in range(len(a))], det(gram)
+def strictly_inside(sphere, q):  # q's power at the centre is below a's: E (v.v + weight of a - that of q) < C.v
+    (a, weight), centre, scale = sphere
+    v = minus(q[0], a)
+    return scale * (dot(v, v) + weight - q[1]) < dot(centre, v)
+def nearest(num, den, is_root):
+    """The double nearest to the root of num / den, or to that itself, ties to even, inf from halfway between the
+    largest and 2^1024 on; of num < 0 minus that of -num. All doubles, and all halfway between two, are multiples of
+    2^-1075. So the root is counted in these, and one more bit says that it is more than that."""
+    size = abs(num) << 2 * 1075
+    whole = math.isqrt(size // den)
     try:
-        return (2 * whole + (whole * whole * den < num)) / 2**1076
+        value = (2 * whole + (whole * whole * den < size)) / 2**1076 if is_root else abs(num) / den
     except OverflowError:
-        return math.inf
-
+        value = math.inf
+    return -value if num < 0 else value
 def facets(s):  # of a simplex, each with the vertex that it has not
     return [(s[:i] + s[i + 1 :], s[i]) for i in range(len(s))]
-
 def by_facets(simplices):  # of each facet of simplices those that have it, each with the other vertex
     having = {}
     for s in simplices:
         for facet, apex in facets(s):
             having.setdefault(facet, []).append((s, apex))
     return having
-
 # ---- Step 3: triangulation ---------------------------------------------------------------------------------------
-def check_triangulation(points, proof):
-    """Steps 3a to 3e. Returns the number of hull facets."""
+def check_triangulation(points, weights, proof):  # steps 3a to 3e; the result is the number of hull facets
     cells = proof.cells
+    def balls(s):
+        return [(points[place], weights[place]) for place in s]
     def at(s):
         return [points[place] for place in s]
     def name(s):
@@ -263,11 +262,16 @@ def check_triangulation(points, proof):
     # a. No point is left out, no cell is flat.
     if not cells:
         raise NotProven("3a: there is no cell")
-    for place in sorted(set(range(len(points))).difference(*cells)):
+    for place in sorted(set(range(proof.vertices)).difference(*cells)):
         raise NotProven(f"3a: row {proof.rows[place]}, place {place}, is a vertex of no cell")
     for cell in cells:
         if side(at(cell[1:]), points[cell[0]]) == 0:
             raise NotProven(f"3a: {cell_name(cell)}, is flat")
+    for place, number in enumerate(proof.hidden, proof.vertices):
+        cell = cells[number]
+        beyond = any(side(at(f), points[place]) == -side(at(f), points[apex]) for f, apex in facets(cell))
+        if beyond or strictly_inside(smallest_sphere(balls(cell)), (points[place], weights[place])):
+            raise NotProven(f"3a: row {proof.rows[place]} is not hidden by {cell_name(cell)}")
     # b. Two cells at a facet are on different sides, and Delaunay there. The others are hull facets.
     hull = {}  # with the other vertex of the cell
     for facet, those in by_facets(cells).items():
@@ -279,7 +283,7 @@ def check_triangulation(points, proof):
         (s, p), (t, q) = those
         if side(at(facet), points[p]) != -side(at(facet), points[q]):
             raise NotProven(f"3b: {cell_name(s)}, and {cell_name(t)}, are on one side of their facet")
-        if strictly_inside(smallest_sphere(at(s)), points[q]):
+        if strictly_inside(smallest_sphere(balls(s)), (points[q], weights[q])):
             raise NotProven(f"3b: row {proof.rows[q]} of {cell_name(t)}, is in the sphere of {cell_name(s)}")
     # From here on all is D + 1 times as large, and the centroid o of the first cell is the origin.
     total = [sum(x) for x in zip(*at(cells[0]))]
@@ -311,25 +315,22 @@ def check_triangulation(points, proof):
         if facet != first and -det_sign(rows) not in signs:
             raise NotProven(f"3e: hull facet {name(facet)} is in the direction of the one {name(first)}")
     return len(hull)
-
 # ---- Step 4: values -------------------------------------------------------------------------------------------------
-def rounded_values(points, unit, cells, dim):
-    """By dimension, a dictionary from each simplex to its value, of points that are integers over unit.
-
-    The least of rounded values is the least value rounded, as rounding is monotone: exact ones need not be compared.
-    """
+def rounded_values(points, weights, unit, squares, cells, dim):
+    """By dimension, a dictionary from each simplex to its value, of points that are integers over unit. The least of
+    rounded values is the least value rounded, as rounding is monotone: exact ones need not be compared."""
     levels = [{} for _ in range(dim + 1)]
     above = {cell: [] for cell in cells}  # simplex: those of one dimension more, each with its other vertex
     for k in range(dim, -1, -1):
         for s, those in above.items():
-            sphere = smallest_sphere([points[p] for p in s])
-            if any(strictly_inside(sphere, points[q]) for _, q in those):
+            sphere = smallest_sphere([(points[p], weights[p]) for p in s])
+            if any(strictly_inside(sphere, (points[q], weights[q])) for _, q in those):
                 levels[k][s] = min(levels[k + 1][t] for t, _ in those)
             else:
-                levels[k][s] = nearest_root(dot(sphere[1], sphere[1]), (2 * sphere[2] * unit) ** 2)
+                power = dot(sphere[1], sphere[1]) - sphere[0][1] * (2 * sphere[2]) ** 2
+                levels[k][s] = nearest(power, (2 * sphere[2] * unit) ** 2, not squares)
         above = by_facets(above)
     return levels
-
 # ---- Step 5: pairs --------------------------------------------------------------------------------------------------
 def persistence(levels, max_degree):
     """The bars. A column has rows of one dimension, and only columns of one dimension are added. So it is enough to
@@ -353,18 +354,19 @@ def persistence(levels, max_degree):
                 zero[k].add(s)
     bars += [(k, levels[k][s], math.inf) for k in range(min(len(levels), max_degree + 1)) for s in zero[k]]
     return sorted(bar for bar in bars if bar[1] != bar[2])
-
 # ---- Step 6: compares, and the whole --------------------------------------------------------------------------------
 def verify(points_path, diagram_path, proof_path):
     diagram = Diagram(diagram_path)
-    rows = read_points(points_path, diagram.dim)
-    proof = Proof(proof_path, len(rows))
-    check_heads(diagram, rows, proof)
-    ratios = [[x.as_integer_ratio() for x in p] for p in listed_points(rows, proof)]
-    unit = max((d for p in ratios for _, d in p), default=1)  # all denominators are powers of two
-    points = [tuple(n * (unit // d) for n, d in p) for p in ratios]
-    hull = check_triangulation(points, proof)
-    levels = rounded_values(points, unit, proof.cells, proof.dim)
+    rows, weights = read_points(points_path, diagram)
+    proof = Proof(proof_path, len(rows), diagram.weighted)
+    check_heads(diagram, rows, weights, proof)
+    points = [[Fraction(x) for x in p] for p in listed_points(rows, weights, proof)]
+    weights = [Fraction(weights[row] if weights else 0) ** (2 if diagram.radii else 1) for row in proof.rows]
+    unit = max((x.denominator for x in chain(weights, *points)), default=1)  # all denominators are powers of two
+    points = [tuple(int(x * unit) for x in p) for p in points]
+    weights = [int(w * unit**2) for w in weights]
+    hull = check_triangulation(points, weights, proof)
+    levels = rounded_values(points, weights, unit, diagram.squares, proof.cells, proof.dim)
     found, listed = Counter(persistence(levels, diagram.max_degree)), Counter(diagram.bars)
     for bar, where in zip(diagram.bars, diagram.lines):
         if found[bar] < listed[bar]:
@@ -373,12 +375,10 @@ def verify(points_path, diagram_path, proof_path):
         raise NotProven(f"6: {diagram_path}: bar %d %r %r is not there, or not as often as found" % bar)
     return [
         f"verified   the bars of degree 0 to {diagram.max_degree} are true, and there is no other",
-        f"points     {len(points)} in R^{proof.dim}, and {diagram.duplicates} duplicates",
+        f"points     {len(points)} in R^{proof.dim}, {len(proof.hidden)} hidden, and {diagram.duplicates} duplicates",
         f"cells      {len(proof.cells)}, Delaunay, with {hull} hull facets",
         "simplices  " + ", ".join(f"{len(level)} of dimension {k}" for k, level in enumerate(levels)),
-        "bars       " + ", ".join("%d of degree %d" % (m, k) for k, m in Counter(b[0] for b in diagram.bars).items()),
     ]
-
 def main(arguments):
     paths = [argument for argument in arguments if argument != "--quiet"]
     if len(paths) != 3 or any(path.startswith("-") for path in paths):
@@ -395,6 +395,5 @@ def main(arguments):
     if "--quiet" not in arguments:
         print("\n".join(report))
     return 0
-
 if __name__ == "__main__":
     sys.exit(main(sys.argv[1:]))
