@@ -22,7 +22,8 @@ struct Circumsphere {
 };
 
 // What the float stage (circumsphere_fast.hpp) is certain of. What it is not is left to a closer look
-// (circumsphere_close.hpp), and then to the exact stage (circumsphere_exact.hpp). Bit i is simplex i of those that were asked for at the same time.
+// (circumsphere_close.hpp), and then to the exact stage (circumsphere_exact.hpp). Bit i is simplex i of those that were
+// asked for at the same time.
 struct Certainty {
     std::uint32_t within, radius;
 };

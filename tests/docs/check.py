@@ -129,7 +129,7 @@ def faults_of_commands(pages, build, write=False):
                 elif says == "file":
                     with open(os.path.join(path, what), "w", encoding="utf-8") as f:
                         f.write(body)
-                elif says == "needs" and not shutil.which(what):
+                elif says == "needs" and not shutil.which(what, path=folder.environment["PATH"]):
                     print("%s: not run, there is no %s" % (place, what))
                 elif says not in (None, "needs"):
                     faults.append("%s: what is `%s`?" % (place, says))
