@@ -35,8 +35,8 @@ public:
         std::uint32_t* vertices[D + 1];
         const bool wants_cycles = cycles_ != nullptr;
         if (status == Status::ok)
-            status =
-                take_orbits(points_, copies_, dimension(), work_, &faces_, value_, wants_cycles ? vertices : nullptr);
+            status = take_orbits(points_, copies_, dimension(), work_, &faces_, value_,
+                                 wants_cycles ? vertices : nullptr, &repeats_);
         if (status != Status::ok) return status;
         arena_.release_high(high);
         return wants_cycles ? reduce_with_cycles(low, vertices) : reduce();
@@ -263,7 +263,7 @@ private:
         return status;
     }
     Status reduce() {
-        FilteredBall quotient = {D, static_cast<std::uint32_t>(dimension()), false, {}};
+        FilteredBall quotient = {D, static_cast<std::uint32_t>(dimension()), false, {}, repeats_};
         out_.found.simplices = 0;
         for (int k = 0; k <= dimension(); ++k) {
             quotient.of[k] = {faces_.count[k], faces_.facets[k], value_[k]};
@@ -328,6 +328,7 @@ private:
     Arena& arena_;
     PeriodicAlphaDiagram& out_;
     QuotientCycles* const cycles_;
+    bool repeats_ = false;
     PeriodicPoints points_;
     Copies copies_;
     TriangulationView<D> cells_;

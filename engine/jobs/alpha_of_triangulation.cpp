@@ -107,7 +107,7 @@ Status diagram_of(const AlphaFiltration<D>& filtration, const W& weights, Diagra
     if (dimension < D && !keep_dimensions(D, dimension, faces.count, faces.facets, value, work.arena))
         return Status::out_of_memory;
     if (D > 2 && !stack_dimensions(dimension, faces.facets, value, work.arena)) return Status::out_of_memory;
-    FilteredBall ball = {D, static_cast<std::uint32_t>(dimension), D > 2, {}};
+    FilteredBall ball = {D, static_cast<std::uint32_t>(dimension), D > 2, {}, false};
     out->simplices = 0;
     for (int k = 0; k <= dimension; ++k) {
         ball.of[k] = {faces.count[k], faces.facets[k], value[k]};

@@ -52,11 +52,12 @@ struct Translated {
 class Orbits {
 public:
     Orbits(const PeriodicPoints& points, const Copies& copies, int dimension, const Work& work, AnyFaces* faces,
-           double* const* value, std::uint32_t** vertices)
+           double* const* value, std::uint32_t** vertices, bool* repeats)
         : points_(points), copies_(copies), dimension_(dimension), arena_(work.arena), faces_(*faces), value_(value),
-          vertices_(vertices) {}
+          vertices_(vertices), repeats_(*repeats) {}
 
     Status run() {
+        repeats_ = false;
         Status status = mark();
         if (status != Status::ok) return status;
         for (int k = dimension_; k >= 0; --k) {
@@ -221,6 +222,9 @@ private:
                 const std::uint32_t* const from = faces_.facets_of(k, f);
                 std::uint32_t* const to = faces_.facets[k] + std::size_t{kept} * width;
                 for (std::uint32_t i = 0; i < width; ++i) to[i] = first_[k - 1][from[i]];
+                // Facets of points alone are translates of no others.
+                for (std::uint32_t i = 1; i < width && is_across(k, at); ++i)
+                    for (std::uint32_t other = 0; other < i; ++other) repeats_ |= to[other] == to[i];
             }
             value_[k][kept] = value_[k][f];
             number[f] = kept++;
@@ -239,6 +243,7 @@ private:
     AnyFaces& faces_;
     double* const* const value_;
     std::uint32_t** const vertices_;
+    bool& repeats_;
     std::uint8_t* mark_[vertices_most];
     std::uint32_t* first_[vertices_most];
 };
@@ -246,9 +251,9 @@ private:
 }  // namespace
 
 Status take_orbits(const PeriodicPoints& points, const Copies& copies, int dimension, const Work& work, AnyFaces* faces,
-                   double* const* value, std::uint32_t** vertices) {
+                   double* const* value, std::uint32_t** vertices, bool* repeats) {
     const HighScope scope(work.arena);
-    return Orbits(points, copies, dimension, work, faces, value, vertices).run();
+    return Orbits(points, copies, dimension, work, faces, value, vertices, repeats).run();
 }
 
 }  // namespace netmesh

@@ -16,10 +16,12 @@ namespace netmesh {
 // vertices, if any: [dimension + 1], of each that stands the vertices are listed, [count][k + 1], at the arena's low
 // end.
 //
+// *repeats becomes whether one of them has a facet more than once.
+//
 // Of dimensions 0..dimension. faces: all of the cells at points, with last_vertex. Scratch: 4 bytes a face, 4 a face of
 // the most frequent dimension, and up to 16 for those of them near the border. out_of_memory, cancelled; internal: a
 // facet is in no orbit.
 Status take_orbits(const PeriodicPoints& points, const Copies& copies, int dimension, const Work& work, AnyFaces* faces,
-                   double* const* value, std::uint32_t** vertices);
+                   double* const* value, std::uint32_t** vertices, bool* repeats);
 
 }  // namespace netmesh

@@ -100,7 +100,7 @@ Status BallHomology<is_signed, is_quotient>::match(std::uint32_t k, std::uint32_
                 const std::uint32_t next = below[face[i]] == value ? face[i] + 1 : 0;
                 above = next > above ? next : above;
             }
-            if (is_quotient && above != 0 && !is_in_boundary(face, k, above - 1)) above = 0;
+            if (is_quotient && ball_.repeats && above != 0 && !is_in_boundary(face, k, above - 1)) above = 0;
             std::uint32_t last = above - 1;
             if (last != none) {
                 const bool is_first = !met.has(last);
@@ -379,7 +379,7 @@ Status BallHomology<is_signed, is_quotient>::reduce(std::uint32_t k, const FaceO
     arena_.each(rows->count, 6, [&](std::uint64_t i) { rank[rows->face[i]] = static_cast<std::uint32_t>(i); });
     ColumnStore store;
     store.open(arena_);
-    const typename Recorder::Matrix matrix = {of(k).faces, rank, k, others};
+    const typename Recorder::Matrix matrix = {of(k).faces, rank, k, others, is_quotient && ball_.repeats};
     typename Recorder::Columns reduced(matrix, {&store}, rows->count, owner, words, progress_);
     arena_.each(of(k).count, 8, [&](std::uint64_t at) {
         const std::uint32_t j = static_cast<std::uint32_t>(at);

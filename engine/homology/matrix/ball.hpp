@@ -24,6 +24,7 @@ struct FilteredBall {
     // what is no longer needed makes room for pairs.
     bool stacked;
     Simplices of[dimension_most() + 1];
+    bool repeats = false;  // of quotients: whether some simplex has a facet more than once
 };
 
 // Degrees 0..dimension-1. Faces and cofaces of equal value are paired before anything is put in order: in alpha

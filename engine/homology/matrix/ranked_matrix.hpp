@@ -24,6 +24,7 @@ template <bool repeats = false> struct RankedMatrix {
     std::uint32_t k;
     // [rows][k], where jumps in memory matter: of a column that owns a row and is as it was, its other rows or none.
     std::uint32_t* others;
+    bool has_any = repeats;  // such faces
 
     std::uint32_t pivot_of(std::uint32_t j) const {
         const std::uint32_t* const face = faces + std::size_t{j} * (k + 1);
@@ -54,7 +55,7 @@ template <bool repeats = false> struct RankedMatrix {
     }
     bool has_repeats(const std::uint32_t* face) const {
         bool found = false;
-        for (std::uint32_t i = 1; i <= k; ++i)
+        for (std::uint32_t i = 1; i <= k && has_any; ++i)
             for (std::uint32_t other = 0; other < i; ++other) found |= face[other] == face[i];
         return found;
     }
