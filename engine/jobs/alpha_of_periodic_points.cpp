@@ -162,19 +162,29 @@ private:
                                     request_.seed, work_.monitor, &input, &hidden);
         return status == Status::ok && input.duplicates != 0 ? Status::internal : status;
     }
+    // Vertices of cells become rows of the copies: by an array of these, which is nearer than vertices are.
+    bool name_vertices(Store<D>& store) {
+        const HighScope scope(arena_);
+        std::uint32_t* const origin = arena_.template take_high<std::uint32_t>(store.state.vertex_count);
+        if (origin == nullptr) return false;
+        arena_.each(store.state.vertex_count, 2,
+                    [&](std::uint64_t v) { origin[v] = store.vertex(static_cast<std::uint32_t>(v)).origin; });
+        arena_.each(store.state.cell_slots, 5 * D, [&](std::uint64_t c) {
+            for (VertexId& v : store.cell(static_cast<std::uint32_t>(c)).vertex) v = VertexId(origin[v]);
+        });
+        return true;
+    }
     // Of the triangulation nothing stays but the cells at points, by rows of the copies.
     bool keep_cells(Store<D>& store) {
         constexpr std::size_t row_bytes = sizeof(VertexId) * (D + 1);
         const std::size_t begin = static_cast<std::size_t>(store.state.cells_offset);
         unsigned char* rows = arena_.at(begin);
         std::uint32_t kept = 0, seen = 0;
+        if (!name_vertices(store)) return false;
         arena_.each(store.state.cell_slots, 5 * D, [&](std::uint64_t c) {
             Cell<D>& cell = store.cell(static_cast<std::uint32_t>(c));
             cell.mark = 0;
-            for (VertexId& v : cell.vertex) {
-                v = VertexId(store.vertex(v).origin);
-                cell.mark |= v < points_.count;
-            }
+            for (const VertexId v : cell.vertex) cell.mark |= v < points_.count;
         });
         outer_facets_ = 0;
         arena_.each(store.state.cell_slots, 20, [&](std::uint64_t c) {
