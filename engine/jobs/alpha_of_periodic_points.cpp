@@ -174,30 +174,32 @@ private:
         });
         return true;
     }
-    // Of the triangulation nothing stays but the cells at points, by rows of the copies.
-    bool keep_cells(Store<D>& store) {
+    // The vertices of cells at points, one after the other to `rows`, where cells begin; counts their outer facets.
+    bool move_together(Store<D>& store, unsigned char* rows, std::uint32_t* kept) {
         constexpr std::size_t row_bytes = sizeof(VertexId) * (D + 1);
-        const std::size_t begin = static_cast<std::size_t>(store.state.cells_offset);
-        unsigned char* rows = arena_.at(begin);
-        std::uint32_t kept = 0, seen = 0;
-        if (!name_vertices(store)) return false;
-        arena_.each(store.state.cell_slots, 5 * D, [&](std::uint64_t c) {
-            Cell<D>& cell = store.cell(static_cast<std::uint32_t>(c));
-            cell.mark = 0;
-            for (const VertexId v : cell.vertex) cell.mark |= v < points_.count;
+        const HighScope scope(arena_);
+        std::uint8_t* const is_kept = arena_.template take_high<std::uint8_t>(store.state.cell_slots);
+        if (is_kept == nullptr) return false;
+        arena_.each(store.state.cell_slots, 3 * D, [&](std::uint64_t c) {
+            is_kept[c] = 0;
+            for (const VertexId v : store.cell(static_cast<std::uint32_t>(c)).vertex) is_kept[c] |= v < points_.count;
         });
         outer_facets_ = 0;
         arena_.each(store.state.cell_slots, 20, [&](std::uint64_t c) {
             const Cell<D>& cell = store.cell(static_cast<std::uint32_t>(c));
-            if (cell.mark == 0) return;
-            for (const FacetId facet : cell.neighbour)
-                outer_facets_ += facet == none || store.cell(facet.cell()).mark == 0;
+            if (is_kept[c] == 0) return;
+            for (const FacetId facet : cell.neighbour) outer_facets_ += facet == none || is_kept[facet.cell()] == 0;
+            __builtin_memmove(rows + std::size_t{(*kept)++} * row_bytes, cell.vertex, row_bytes);
         });
-        arena_.each(store.state.cell_slots, 20, [&](std::uint64_t c) {
-            const Cell<D>& cell = store.cell(static_cast<std::uint32_t>(c));
-            if (cell.mark == 0) return;
-            __builtin_memmove(rows + std::size_t{kept++} * row_bytes, cell.vertex, row_bytes);
-        });
+        return true;
+    }
+    // Of the triangulation nothing stays but the cells at points, by rows of the copies.
+    bool keep_cells(Store<D>& store) {
+        constexpr std::size_t row_bytes = sizeof(VertexId) * (D + 1);
+        const std::size_t begin = static_cast<std::size_t>(store.state.cells_offset);
+        unsigned char* const rows = arena_.at(begin);
+        std::uint32_t kept = 0, seen = 0;
+        if (!name_vertices(store) || !move_together(store, rows, &kept)) return false;
         arena_.each(store.state.vertex_count, 2, [&](std::uint64_t v) {
             const Vertex<D>& vertex = store.vertex(static_cast<std::uint32_t>(v));
             seen += vertex.origin < points_.count && vertex.cell != none;
