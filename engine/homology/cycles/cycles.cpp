@@ -37,12 +37,8 @@ struct QuotientBoundary : BoundaryMatrix {
         }
         return pivot;
     }
-    bool repeats(std::uint32_t j) const {
-        const std::uint32_t* const faces = simplices.faces + std::size_t{j} * (k + 1);
-        for (std::uint32_t i = 1; i <= k; ++i)
-            for (std::uint32_t other = 0; other < i; ++other)
-                if (faces[i] == faces[other]) return true;
-        return false;
+    bool has_repeats(std::uint32_t j) const {
+        return has_repeated_facets(simplices.faces + std::size_t{j} * (k + 1), k);
     }
 };
 
@@ -164,7 +160,7 @@ public:
         if (!columns_.own_pivot(j)) return Status::out_of_memory;
         const std::uint32_t owner = columns_.owner(), cycle = owner == j ? j + 1 : owner;
         if constexpr (is_quotient) {
-            if (owner == j && matrix_.repeats(j)) return write_boundary(j, pivot);
+            if (owner == j && matrix_.has_repeats(j)) return write_boundary(j, pivot);
         }
         const bool fits = t_.writer_.add(t_.of(k_ - 1).value[pivot], t_.of(k_).value[j], k_ - 1, cycle);
         return fits ? Status::ok : Status::out_of_memory;

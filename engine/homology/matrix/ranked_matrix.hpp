@@ -16,6 +16,14 @@ inline bool is_in_boundary(const std::uint32_t* facets, std::uint32_t k, std::ui
     return (times & 1u) != 0;
 }
 
+// Whether it has one more than once.
+inline bool has_repeated_facets(const std::uint32_t* facets, std::uint32_t k) {
+    bool found = false;
+    for (std::uint32_t i = 1; i <= k; ++i)
+        for (std::uint32_t other = 0; other < i; ++other) found |= facets[other] == facets[i];
+    return found;
+}
+
 // Boundaries of k-faces. Rows have numbers of their own; faces without one count as absent. repeats: a face can be
 // there more than once; twice is as good as not at all.
 template <bool repeats = false> struct RankedMatrix {
@@ -53,12 +61,7 @@ template <bool repeats = false> struct RankedMatrix {
         }
         return 1;
     }
-    bool has_repeats(const std::uint32_t* face) const {
-        bool found = false;
-        for (std::uint32_t i = 1; i <= k && has_any; ++i)
-            for (std::uint32_t other = 0; other < i; ++other) found |= face[other] == face[i];
-        return found;
-    }
+    bool has_repeats(const std::uint32_t* face) const { return has_any && has_repeated_facets(face, k); }
     [[gnu::noinline]] std::uint32_t odd_pivot_of(const std::uint32_t* face) const {
         std::uint32_t above = 0;
         for (std::uint32_t i = 0; i <= k; ++i) {
