@@ -10,7 +10,6 @@
 
 #include "common/inputs.hpp"
 #include "common/kept.hpp"
-#include "common/polls.hpp"
 #include "netmesh.hpp"
 
 namespace {
@@ -256,18 +255,5 @@ TEST_CASE("every poll can stop it") {
     netmesh::Request request = request_of(3, points, radii);
     request.keep_mesh = 1;
     Context c(block);
-    Polls polls;
-    request.monitor = polls.monitor();
-    REQUIRE(c.engine.persist(request) == NETMESH_OK);
-    const std::vector<Bar> bars = bars_of(c.engine);
-    const long all = polls.made;
-    REQUIRE(all > 5);
-    for (long stop = 0; stop < all; ++stop) {
-        polls.made = 0;
-        polls.stop_at = stop;
-        REQUIRE(c.engine.persist(request) == NETMESH_CANCELLED);
-    }
-    polls.stop_at = -1;
-    REQUIRE(c.engine.persist(request) == NETMESH_OK);
-    CHECK(bars_of(c.engine) == bars);
+    kept::stop_at_every_poll(&c, request);
 }

@@ -6,6 +6,7 @@
 #include <cstring>
 #include <vector>
 
+#include "common/polls.hpp"
 #include "netmesh.hpp"
 
 namespace kept {
@@ -47,6 +48,24 @@ inline netmesh_report report_of(const netmesh::Engine& engine) {
     auto report = netmesh::sized<netmesh_report>();
     netmesh_get_report(engine.context(), &report);
     return report;
+}
+
+// Made whole, stopped at each of its polls, and made whole again: the same bars.
+inline void stop_at_every_poll(Context* c, netmesh::Request request) {
+    Polls polls;
+    request.monitor = polls.monitor();
+    REQUIRE(c->engine.persist(request) == NETMESH_OK);
+    const std::vector<Bar> bars = bars_of(c->engine);
+    const long all = polls.made;
+    REQUIRE(all > 5);
+    for (long stop = 0; stop < all; ++stop) {
+        polls.made = 0;
+        polls.stop_at = stop;
+        REQUIRE(c->engine.persist(request) == NETMESH_CANCELLED);
+    }
+    polls.stop_at = -1;
+    REQUIRE(c->engine.persist(request) == NETMESH_OK);
+    CHECK(bars_of(c->engine) == bars);
 }
 
 }  // namespace kept
