@@ -143,15 +143,7 @@ private:
                            : triangulate_all(store);
         if (status != Status::ok) return status;
         out_.report.copies = state.vertex_count - points_.count;
-        if (reach != nullptr) {
-            *reach = reach_of_stars<D>(store, points_, margin, has_weights() ? &weights : nullptr);
-            // Beyond all copies that matter balls may reach.
-            bool are_all = reach->wanted < infinity;
-            for (int j = 0; j < points_.lattice.count; ++j) are_all &= margin[j] == points_.far[j];
-            reach->are_final |= are_all;
-            if (!reach->are_final) return Status::ok;
-        }
-        return keep_cells(store) ? Status::ok : Status::out_of_memory;
+        return keep_cells(store, margin, weights, reach);
     }
     Status triangulate_all(Store<D>& store) {
         InputReport input;
@@ -162,56 +154,68 @@ private:
                                     request_.seed, work_.monitor, &input, &hidden);
         return status == Status::ok && input.duplicates != 0 ? Status::internal : status;
     }
-    // Vertices of cells become rows of the copies: by an array of these, which is nearer than vertices are.
-    bool name_vertices(Store<D>& store) {
-        const HighScope scope(arena_);
-        std::uint32_t* const origin = arena_.template take_high<std::uint32_t>(store.state.vertex_count);
-        if (origin == nullptr) return false;
-        arena_.each(store.state.vertex_count, 2,
-                    [&](std::uint64_t v) { origin[v] = store.vertex(static_cast<std::uint32_t>(v)).origin; });
-        arena_.each(store.state.cell_slots, 5 * D, [&](std::uint64_t c) {
-            for (VertexId& v : store.cell(static_cast<std::uint32_t>(c)).vertex) v = VertexId(origin[v]);
-        });
-        return true;
-    }
-    // The vertices of cells at points, one after the other to `rows`, where cells begin; counts their outer facets.
-    bool move_together(Store<D>& store, unsigned char* rows, std::uint32_t* kept) {
-        constexpr std::size_t row_bytes = sizeof(VertexId) * (D + 1);
-        const HighScope scope(arena_);
-        std::uint8_t* const is_kept = arena_.template take_high<std::uint8_t>(store.state.cell_slots);
-        if (is_kept == nullptr) return false;
-        arena_.each(store.state.cell_slots, 3 * D, [&](std::uint64_t c) {
-            is_kept[c] = 0;
-            for (const VertexId v : store.cell(static_cast<std::uint32_t>(c)).vertex) is_kept[c] |= v < points_.count;
-        });
-        outer_facets_ = 0;
-        arena_.each(store.state.cell_slots, 20, [&](std::uint64_t c) {
-            const Cell<D>& cell = store.cell(static_cast<std::uint32_t>(c));
-            if (is_kept[c] == 0) return;
-            for (const FacetId facet : cell.neighbour) outer_facets_ += facet == none || is_kept[facet.cell()] == 0;
-            __builtin_memmove(rows + std::size_t{(*kept)++} * row_bytes, cell.vertex, row_bytes);
-        });
-        return true;
-    }
-    // Of the triangulation nothing stays but the cells at points, by rows of the copies.
-    bool keep_cells(Store<D>& store) {
+    // Of the triangulation nothing stays but the cells at points, by rows of the copies: where reach, if any, says that
+    // they are final.
+    Status keep_cells(Store<D>& store, const double* margin, const Weights& weights, StarReach* reach) {
         constexpr std::size_t row_bytes = sizeof(VertexId) * (D + 1);
         const std::size_t begin = static_cast<std::size_t>(store.state.cells_offset);
         unsigned char* const rows = arena_.at(begin);
         std::uint32_t kept = 0, seen = 0;
-        if (!name_vertices(store) || !move_together(store, rows, &kept)) return false;
-        arena_.each(store.state.vertex_count, 2, [&](std::uint64_t v) {
-            const Vertex<D>& vertex = store.vertex(static_cast<std::uint32_t>(v));
-            seen += vertex.origin < points_.count && vertex.cell != none;
-        });
+        {
+            // By an array of the copies, which is nearer than vertices are.
+            const HighScope scope(arena_);
+            std::uint32_t* const copy_of = arena_.template take_high<std::uint32_t>(store.state.vertex_count);
+            std::uint8_t* const at_points = arena_.template take_high<std::uint8_t>(store.state.cell_slots);
+            if (copy_of == nullptr || at_points == nullptr) return Status::out_of_memory;
+            arena_.each(store.state.vertex_count, 2, [&](std::uint64_t v) {
+                const Vertex<D>& vertex = store.vertex(static_cast<std::uint32_t>(v));
+                copy_of[v] = vertex.origin;
+                seen += vertex.origin < points_.count && vertex.cell != none;
+            });
+            if (reach != nullptr) {
+                *reach =
+                    reach_of_stars<D>(store, points_, margin, has_weights() ? &weights : nullptr, copy_of, at_points);
+                // Beyond all copies that matter balls may reach.
+                bool are_all = reach->wanted < infinity;
+                for (int j = 0; j < points_.lattice.count; ++j) are_all &= margin[j] == points_.far[j];
+                reach->are_final |= are_all;
+                if (!reach->are_final) return Status::ok;
+            } else {
+                mark_cells(store, copy_of, at_points);
+            }
+            kept = move_together(store, copy_of, at_points, rows);
+        }
         out_.distinct = seen;
         store.truncate_vertices(0);
         arena_.release_low(begin);
         unsigned char* const moved = arena_.template take_low<unsigned char>(std::size_t{kept} * row_bytes);
-        if (moved == nullptr) return false;
+        if (moved == nullptr) return Status::out_of_memory;
         move_bytes(moved, rows, std::size_t{kept} * row_bytes, arena_);
         cells_ = {moved, row_bytes, kept, copies_.count};
-        return list_hidden(points_.count - seen);
+        return list_hidden(points_.count - seen) ? Status::ok : Status::out_of_memory;
+    }
+    void mark_cells(Store<D>& store, const std::uint32_t* copy_of, std::uint8_t* at_points) {
+        arena_.each(store.state.cell_slots, 3 * D, [&](std::uint64_t c) {
+            at_points[c] = 0;
+            for (const VertexId v : store.cell(static_cast<std::uint32_t>(c)).vertex)
+                at_points[c] |= copy_of[v] < points_.count;
+        });
+    }
+    // The copies of cells at points, one cell after the other to `rows`, where cells begin. Returns how many, and
+    // counts their outer facets.
+    std::uint32_t move_together(Store<D>& store, const std::uint32_t* copy_of, const std::uint8_t* at_points,
+                                unsigned char* rows) {
+        std::uint32_t kept = 0;
+        outer_facets_ = 0;
+        arena_.each(store.state.cell_slots, 20, [&](std::uint64_t c) {
+            const Cell<D>& cell = store.cell(static_cast<std::uint32_t>(c));
+            if (at_points[c] == 0) return;
+            for (const FacetId facet : cell.neighbour) outer_facets_ += facet == none || at_points[facet.cell()] == 0;
+            std::uint32_t row[D + 1];
+            for (int i = 0; i <= D; ++i) row[i] = copy_of[cell.vertex[i]];
+            __builtin_memcpy(rows + std::size_t{kept++} * sizeof row, row, sizeof row);
+        });
+        return kept;
     }
     // Points in no cell, by rows, ascending: at the high end, where nothing else is.
     bool list_hidden(std::uint32_t count) {

@@ -8,19 +8,22 @@ namespace {
 
 template <int D> class StarsAtPoints {
 public:
-    StarsAtPoints(Store<D>& store, const PeriodicPoints& points, const double* margin, const Weights* weights)
-        : store_(store), points_(points), reach_(points, margin, weights, store.arena) {}
+    StarsAtPoints(Store<D>& store, const PeriodicPoints& points, const double* margin, const Weights* weights,
+                  const std::uint32_t* copy_of)
+        : store_(store), points_(points), reach_(points, margin, weights, store.arena), copy_of_(copy_of) {}
 
-    StarReach run() {
-        store_.arena.each(store_.state.cell_slots, 30 * D, [this](std::uint64_t c) {
+    StarReach run(std::uint8_t* at_points) {
+        store_.arena.each(store_.state.cell_slots, 30 * D, [this, at_points](std::uint64_t c) {
             Cell<D>& cell = store_.cell(static_cast<std::uint32_t>(c));
-            if (has_point(cell, -1)) look_at(cell);
+            const bool is_at_point = has_point(cell, -1);
+            at_points[c] = is_at_point;
+            if (is_at_point) look_at(cell);
         });
         return {!(wanted_ > 0) && !is_open_, is_open_ ? infinity : wanted_};
     }
 
 private:
-    bool is_point(VertexId v) const { return store_.vertex(v).origin < points_.count; }
+    bool is_point(VertexId v) const { return copy_of_[v] < points_.count; }
     bool has_point(const Cell<D>& cell, int without) const {
         for (int i = 0; i <= D; ++i)
             if (i != without && is_point(cell.vertex[i])) return true;
@@ -52,6 +55,7 @@ private:
     Store<D>& store_;
     const PeriodicPoints& points_;
     const BallReach<D> reach_;
+    const std::uint32_t* const copy_of_;
     double wanted_ = 0;
     bool is_open_ = false;
 };
@@ -59,12 +63,14 @@ private:
 }  // namespace
 
 template <int D>
-StarReach reach_of_stars(Store<D>& store, const PeriodicPoints& points, const double* margin, const Weights* weights) {
-    return StarsAtPoints<D>(store, points, margin, weights).run();
+StarReach reach_of_stars(Store<D>& store, const PeriodicPoints& points, const double* margin, const Weights* weights,
+                         const std::uint32_t* copy_of, std::uint8_t* at_points) {
+    return StarsAtPoints<D>(store, points, margin, weights, copy_of).run(at_points);
 }
 
 #define NETMESH_INSTANTIATE(D)                                                                                         \
-    template StarReach reach_of_stars<D>(Store<D>&, const PeriodicPoints&, const double*, const Weights*);
+    template StarReach reach_of_stars<D>(Store<D>&, const PeriodicPoints&, const double*, const Weights*,              \
+                                         const std::uint32_t*, std::uint8_t*);
 NETMESH_EACH_INSTANCE(NETMESH_INSTANTIATE)
 #undef NETMESH_INSTANTIATE
 

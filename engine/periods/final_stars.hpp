@@ -14,11 +14,14 @@ namespace netmesh {
 //
 // A point only loses what is nearest to it when copies are added. Ball and centre of each new cell are, by convexity,
 // no farther out than those of the old cells at that point. So a margin that was wanted once is enough.
+//
+// copy_of [vertices]: the copy that each vertex is. at_points [cell slots]: becomes which cells are at points.
 struct StarReach {
     bool are_final;
     double wanted;
 };
 template <int D>
-StarReach reach_of_stars(Store<D>& store, const PeriodicPoints& points, const double* margin, const Weights* weights);
+StarReach reach_of_stars(Store<D>& store, const PeriodicPoints& points, const double* margin, const Weights* weights,
+                         const std::uint32_t* copy_of, std::uint8_t* at_points);
 
 }  // namespace netmesh

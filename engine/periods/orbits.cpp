@@ -67,8 +67,7 @@ public:
         }
         for (int k = 0; k <= dimension_ && vertices_ != nullptr; ++k)
             if (!list_vertices(k)) return Status::out_of_memory;
-        for (int k = 0; k <= dimension_; ++k)
-            if (!write(k)) return Status::out_of_memory;
+        for (int k = 0; k <= dimension_; ++k) write(k);
         return Status::ok;
     }
 
@@ -85,22 +84,26 @@ private:
         if (shared == nullptr) return Status::out_of_memory;
         arena_.each(points_.count, 1, [shared](std::uint64_t i) { shared[i] = 0; });
         const std::uint32_t* const vertex = faces_.last_vertex[0];
+        listed_[0] = 0;
         arena_.each(faces_.count[0], 4, [&](std::uint64_t f) {
             if (vertex[f] >= points_.count) shared[copies_.own[vertex[f] - points_.count]] = all_shared;
         });
         arena_.each(faces_.count[0], 4, [&](std::uint64_t f) {
             const bool is_point = vertex[f] < points_.count;
             mark_[0][f] = is_point ? static_cast<std::uint8_t>(has_point | all_points | shared[vertex[f]]) : 0;
+            listed_[0] += is_listed(0, f);
         });
         return Status::ok;
     }
     // The vertices of the first and of the last facet are all.
     void mark_faces(int k) {
         const std::uint8_t* const below = mark_[k - 1];
+        listed_[k] = 0;
         arena_.each(faces_.count[k], 5, [&](std::uint64_t f) {
             const std::uint32_t* const facet = faces_.facets_of(k, static_cast<std::uint32_t>(f));
             const unsigned a = below[facet[0]], b = below[facet[k]];
             mark_[k][f] = static_cast<std::uint8_t>(((a | b) & has_point) | (a & b & (all_points | all_shared)));
+            listed_[k] += is_listed(k, f);
         });
     }
     Status mark() {
@@ -155,19 +158,15 @@ private:
         std::uint32_t* const first = first_[k] = arena_.take_high<std::uint32_t>(count);
         if (first == nullptr) return Status::out_of_memory;
         const bool are_facets = k < dimension_;
-        std::uint64_t listed = 0;
-        arena_.each(count, 5, [&](std::uint64_t f) {
-            first[f] = (mark_[k][f] & all_points) != 0 ? static_cast<std::uint32_t>(f) : none;
-            listed += is_listed(k, f);
-        });
         const HighScope scope(arena_);
         Table table = {nullptr, 1};
-        while (table.mask < 2 * listed && are_facets) table.mask *= 2;
+        while (table.mask < 2 * listed_[k] && are_facets) table.mask *= 2;
         table.slot = arena_.take_high<std::uint32_t>(static_cast<std::size_t>(table.mask));
         if (table.slot == nullptr) return Status::out_of_memory;
         arena_.each(table.mask, 2, [&](std::uint64_t i) { table.slot[i] = none; });
         --table.mask;
         arena_.each(count, 5, [&](std::uint64_t f) {
+            first[f] = (mark_[k][f] & all_points) != 0 ? static_cast<std::uint32_t>(f) : none;
             if (!is_across(k, f) && !(are_facets && is_listed(k, f))) return;
             arena_.pass(width);
             Translated face;
@@ -183,7 +182,7 @@ private:
         std::uint32_t* const first = first_[k];
         bool is_whole = true;
         arena_.each(faces_.count[k + 1], 10 * (static_cast<std::uint32_t>(k) + 1), [&](std::uint64_t c) {
-            if (first_[k + 1][c] != c || !is_across(k + 1, c)) return;
+            if (!is_across(k + 1, c) || first_[k + 1][c] != c) return;
             const std::uint32_t* const facet = faces_.facets_of(k + 1, static_cast<std::uint32_t>(c));
             for (int i = 0; i <= k + 1; ++i) {
                 if (first[facet[i]] != none) continue;
@@ -208,33 +207,32 @@ private:
         return true;
     }
 
-    // Puts those that stand for others where the first faces were. first_ becomes their numbers.
-    bool write(int k) {
-        const HighScope scope(arena_);
+    // Puts those that stand for others where the first faces were. Of each of them first_ becomes its number there,
+    // with a bit that no face has.
+    void write(int k) {
         const std::uint32_t count = faces_.count[k], width = static_cast<std::uint32_t>(k) + 1;
-        std::uint32_t* const number = arena_.take_high<std::uint32_t>(count);
-        if (number == nullptr) return false;
         std::uint32_t kept = 0;
-        arena_.each(count, 5 * width, [&](std::uint64_t at) {
+        arena_.each(count, 4 * width, [&](std::uint64_t at) {
             const auto f = static_cast<std::uint32_t>(at);
             if (first_[k][f] != f) return;
             if (k > 0) {
                 const std::uint32_t* const from = faces_.facets_of(k, f);
                 std::uint32_t* const to = faces_.facets[k] + std::size_t{kept} * width;
-                for (std::uint32_t i = 0; i < width; ++i) to[i] = first_[k - 1][from[i]];
+                for (std::uint32_t i = 0; i < width; ++i) to[i] = number_of(k - 1, from[i]);
                 // Facets of points alone are translates of no others.
                 for (std::uint32_t i = 1; i < width && is_across(k, at); ++i)
                     for (std::uint32_t other = 0; other < i; ++other) repeats_ |= to[other] == to[i];
             }
             value_[k][kept] = value_[k][f];
-            number[f] = kept++;
-        });
-        arena_.each(count, 4, [&](std::uint64_t f) {
-            if (first_[k][f] != none) first_[k][f] = number[first_[k][f]];
+            first_[k][f] = kept++ | is_number;
         });
         faces_.count[k] = kept;
-        return true;
     }
+    std::uint32_t number_of(int k, std::uint32_t f) const {
+        const std::uint32_t first = first_[k][f];
+        return ((first & is_number) != 0 ? first : first_[k][first]) & ~is_number;
+    }
+    static constexpr std::uint32_t is_number = 0x80000000u;
 
     const PeriodicPoints& points_;
     const Copies& copies_;
@@ -246,6 +244,7 @@ private:
     bool& repeats_;
     std::uint8_t* mark_[vertices_most];
     std::uint32_t* first_[vertices_most];
+    std::uint64_t listed_[vertices_most];  // faces
 };
 
 }  // namespace

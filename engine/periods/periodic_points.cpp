@@ -234,7 +234,6 @@ public:
         if (input_.count == 0 || input_.count > std::size_t{1} << 28) return Status::invalid_argument;
         monitor_.begin(NETMESH_STAGE_SORT, input_.count);
         Status status = take_lattice();
-        if (status == Status::ok) status = look_through();
         if (status == Status::ok) status = place_all();
         if (status == Status::ok) status = sort_all();
         return status == Status::ok && arena_.has_stopped() ? Status::cancelled : status;
@@ -281,9 +280,8 @@ private:
                 if (report_.has_negative) return Status::invalid_argument;
                 fingerprint.add(number);
             }
-            NearPoint<D> point;
-            if (!point.take(lattice, x)) return Status::out_of_range;
-            if (lattice.count < D) measure_beside(i, point.high);
+            if (!near_[i].take(lattice, x)) return Status::out_of_range;
+            if (lattice.count < D) measure_beside(i, near_[i].high);
         }
         report_.input.rows = input_.count;
         report_.input.fingerprint = fingerprint.value();
@@ -302,26 +300,18 @@ private:
             farthest_ = row;
         }
     }
-    // Requires rows that look_through has found nothing wrong with.
-    NearPoint<D> near_point(std::size_t row) const {
-        double x[D];
-        NearPoint<D> point;
-        input_.points.read(row, D, x);
-        point.take(out_.lattice, x);
-        return point;
-    }
     // Into how many parts of vectors points fall: 24, 8, or 1 where they stand anywhere.
     double parts_of_vectors() const {
         double parts = 1;
         for (std::size_t i = 0; i < input_.count && parts < 24; ++i) {
-            arena_.step(i, 60 * D);
+            arena_.step(i, 12 * D);
             double part[Lattice::most];
-            out_.lattice.split(near_point(i).high, part);
+            out_.lattice.split(near_[i].high, part);
             for (int j = 0; j < out_.lattice.count; ++j) {
                 const auto is_whole = [&](double times) {
                     return absolute(times * part[j] - nearest_integer(times * part[j])) < 0x1p-44;
                 };
-                if (is_whole(1) || !is_whole(24)) continue;
+                if (!is_whole(24) || is_whole(1)) continue;
                 parts = is_whole(8) && parts < 24 ? 8 : 24;
             }
         }
@@ -335,8 +325,8 @@ private:
             grid_.open(out_.lattice, beside_, coarser);
             bool moves = !grid_.has_vectors();
             for (std::size_t i = 0; i < input_.count && !moves; ++i) {
-                arena_.step(i, 60 * D);
-                moves = !grid_.has(near_point(i));
+                arena_.step(i, 4 * D);
+                moves = !grid_.has(near_[i]);
             }
             if (moves && parts == 0) parts = parts_of_vectors();
             if (!grid_.settle(moves, parts, moved, &report_.moved)) break;
@@ -346,19 +336,23 @@ private:
         return Status::out_of_range;
     }
     Status place_all() {
+        const HighScope scope(arena_);
+        near_ = arena_.take_high<NearPoint<D>>(input_.count);
+        if (near_ == nullptr) return Status::out_of_memory;
+        Status status = look_through();
         Lattice moved;
-        const Status status = settle_grid(&moved);
+        if (status == Status::ok) status = settle_grid(&moved);
         if (status != Status::ok) return status;
         out_.count = static_cast<std::uint32_t>(input_.count);
         out_.x = arena_.take_low<double>(input_.count * numbers);
         out_.row = arena_.take_low<std::uint32_t>(input_.count);
         if (out_.x == nullptr || out_.row == nullptr) return Status::out_of_memory;
         for (std::uint32_t i = 0; i < out_.count; ++i) {
-            arena_.step(i, 80 * D);
+            arena_.step(i, 20 * D);
             double* const x = out_.x + std::size_t{i} * numbers;
             x[D] = 0;
             if (input_.weights != nullptr) input_.weights->rows.read(i, 1, x + D);
-            grid_.place(near_point(i), x, &report_.moved);
+            grid_.place(near_[i], x, &report_.moved);
             for (int k = 0; k < D; ++k) x[k] += 0.0;
             out_.row[i] = i;
         }
@@ -419,6 +413,7 @@ private:
     PeriodicPoints& out_;
     PeriodicReport& report_;
     Grid<D> grid_;
+    NearPoint<D>* near_ = nullptr;  // [rows]
     double beside_[D] = {};
     std::size_t farthest_ = 0;  // a row
 };
