@@ -30,7 +30,9 @@ PointsFilter points_filter_of(const netmesh_request& r) {
     return {r.filter->id, values_of(r.values), r.k, r.max_degree};
 }
 
-netmesh_status run_on_points(netmesh_context* context) {
+using MakeDiagram = Status(const PointsRequest&, const Work&, PointsDiagram*);
+
+template <MakeDiagram make_diagram> netmesh_status run_by(netmesh_context* context) {
     const netmesh_request& r = context->request;
     if (source_of(r) != Source::points) return refuse(context, NETMESH_FIELD_POINTS, "this filter begins with points");
     clear(context);
@@ -40,7 +42,7 @@ netmesh_status run_on_points(netmesh_context* context) {
                                   r.points.dim,        r.threshold,       r.keep_zero_pairs != 0,
                                   r.cycles != nullptr};
     PointsDiagram made;
-    const Status status = watch.heed(diagram_of_points(wanted, {context->arena, monitor}, &made));
+    const Status status = watch.heed(make_diagram(wanted, {context->arena, monitor}, &made));
     if (status != Status::ok) return fail_at_points(context, status, NETMESH_FIELD_K, made);
     KeptDiagram diagram;
     diagram.filter = r.filter->id;
@@ -60,7 +62,9 @@ Complaint complaint_about_size(const netmesh_distances& d, const netmesh_request
     if (!in_range(d.layout, NETMESH_DISTANCES_FULL, NETMESH_DISTANCES_FUNCTION))
         return {NETMESH_FIELD_LAYOUT, "unknown layout of distances"};
     const bool is_tree = r.max_degree == 0 && r.cycles == nullptr && !is_sparse(d);
-    if (!is_tree && d.count > RipsGraph::vertices_max) return {NETMESH_FIELD_POINT_COUNT, "more than 65,536 points"};
+    if (is_sparse(d) && d.count > RipsGraph::vertices_max) return {NETMESH_FIELD_POINT_COUNT, "more than 2^26 points"};
+    if (!is_tree && !is_sparse(d) && d.count > RipsGraph::table_max)
+        return {NETMESH_FIELD_POINT_COUNT, "more than 65,536 points"};
     const Complaint complaint = complaint_about_point_count(d.count);
     if (complaint.text != nullptr) return complaint;
     if (d.layout == NETMESH_DISTANCES_FULL && d.count > SIZE_MAX / 16 / d.count)
@@ -155,8 +159,15 @@ netmesh_status run_on_distances(netmesh_context* context) {
 }
 
 netmesh_status run_rips(netmesh_context* context) {
-    return context->request.distances != nullptr ? run_on_distances(context) : run_on_points(context);
+    return context->request.distances != nullptr ? run_on_distances(context)
+                                                 : run_by<bounded_diagram_of_points>(context);
 }
+
+netmesh_status run_small_rips(netmesh_context* context) {
+    return context->request.distances != nullptr ? run_on_distances(context) : run_by<diagram_of_points>(context);
+}
+
+netmesh_status run_on_points(netmesh_context* context) { return run_by<diagram_of_points>(context); }
 
 }  // namespace
 
@@ -184,6 +195,7 @@ using namespace netmesh;
 
 extern "C" {
 NETMESH_ON_POINTS(rips, RIPS, given::threshold | given::cycles, run_rips)
+NETMESH_ON_POINTS(rips_small, RIPS, given::threshold | given::cycles, run_small_rips)
 NETMESH_ON_POINTS(cech, CECH, given::cycles, run_on_points)
 NETMESH_ON_POINTS(barycentric_cech, BARYCENTRIC_CECH, given::k | given::k_last | given::vines, run_on_points)
 NETMESH_ON_POINTS(barycentric_rips, BARYCENTRIC_RIPS, given::k | given::k_last | given::vines, run_on_points)

@@ -10,6 +10,13 @@ namespace {
 
 constexpr double largest = 0x1.fffffffffffffp1023;
 
+// Edges of entries as numbers that are doubles.
+constexpr int vertex_bits = 26;
+static_assert(RipsGraph::vertices_max == 1u << vertex_bits, "an edge is two vertices");
+constexpr std::uint64_t number_of(std::uint32_t larger, std::uint32_t smaller) {
+    return std::uint64_t{larger} << vertex_bits | smaller;
+}
+
 // What is wrong with the distance of i and j < i; of a full matrix, in both places.
 DistanceFault fault_at(const DistanceSource& source, std::uint32_t i, std::uint32_t j, double half) {
     const DistanceFlaw flaw = flaw_of(half);
@@ -89,6 +96,12 @@ Status distance_graph(const DistanceSource& source, double threshold, const Work
     const std::uint32_t n = source.count;
     Arena& arena = work.arena;
     work.monitor.begin(NETMESH_STAGE_FILTER, 0);
+    std::uint32_t* begin = nullptr;  // of lists, where few edges may be wanted
+    if (threshold < largest) {
+        begin = arena.take_low<std::uint32_t>(std::size_t{n} + 1);
+        if (begin == nullptr) return Status::out_of_memory;
+        begin[0] = begin[1] = 0;
+    }
     double* const value = arena.take_low<double>(DistanceSource::triangle(n));
     if (value == nullptr) return Status::out_of_memory;
     double* next = value;
@@ -99,6 +112,7 @@ Status distance_graph(const DistanceSource& source, double threshold, const Work
                [&](std::uint64_t i) { count += value[i] <= limits->limit ? 1 : 0; });
     std::uint32_t* const kept = arena.take_low<std::uint32_t>(count);
     if (kept == nullptr) return Status::out_of_memory;
+    const bool is_listed = begin != nullptr && RipsGraph::takes_lists(n, count);
     const double* half = value;
     std::uint32_t at = 0;
     for (std::uint32_t i = 1; i < n; ++i) {
@@ -106,14 +120,15 @@ Status distance_graph(const DistanceSource& source, double threshold, const Work
         for (std::uint32_t j = 0; j < i; ++j, ++half) {
             if (!(*half <= limits->limit)) continue;
             value[at] = *half;
-            kept[at++] = RipsGraph::edge(i, j);
+            kept[at++] = is_listed ? j : RipsGraph::edge(i, j);
         }
+        if (is_listed) begin[i + 1] = at;
     }
     arena.release_low(arena.offset_of(value + count));
     std::uint32_t* const ends = arena.take_low<std::uint32_t>(count);
     if (ends == nullptr) return Status::out_of_memory;
     move_bytes(ends, kept, sizeof *ends * std::size_t{count}, arena);
-    *out = {n, count, value, ends};
+    *out = {n, count, value, ends, is_listed ? begin : nullptr};
     return Status::ok;
 }
 
@@ -125,6 +140,12 @@ Status sparse_graph(const DistanceEntries& from, double threshold, const Work& w
     Arena& arena = work.arena;
     const std::uint32_t n = from.count, entries = from.entry_count;
     work.monitor.begin(NETMESH_STAGE_FILTER, 0);
+    std::uint32_t* begin = nullptr;
+    if (RipsGraph::takes_lists(n, entries)) {
+        begin = arena.take_low<std::uint32_t>(std::size_t{n} + 1);
+        if (begin == nullptr) return Status::out_of_memory;
+        arena.each(std::uint64_t{n} + 1, 1, [begin](std::uint64_t v) { begin[v] = 0; });
+    }
     double* const value = arena.take_low<double>(entries);
     std::uint32_t* const ends = arena.take_low<std::uint32_t>(entries);
     const HighScope scope(arena);
@@ -144,7 +165,7 @@ Status sparse_graph(const DistanceEntries& from, double threshold, const Work& w
             return Status::invalid_argument;
         }
         if (is_own) continue;
-        value[count] = entry.i > entry.j ? RipsGraph::edge(entry.i, entry.j) : RipsGraph::edge(entry.j, entry.i);
+        value[count] = static_cast<double>(entry.i > entry.j ? number_of(entry.i, entry.j) : number_of(entry.j, entry.i));
         ends[count++] = e;
     }
     if (!sort_labelled(value, ends, count, arena)) return Status::out_of_memory;
@@ -154,27 +175,32 @@ Status sparse_graph(const DistanceEntries& from, double threshold, const Work& w
     });
     Fingerprint fingerprint;
     fingerprint.add(std::uint64_t{n});
-    std::uint32_t edges = 0, end = 0, entry_before = 0;
+    std::uint32_t edges = 0, entry_before = 0;
+    std::uint64_t edge = 0;
     for (std::uint32_t e = 0; e < count; ++e) {
         if (e % 64 == 0 && work.monitor.advance(e, 20)) return Status::cancelled;
-        const std::uint32_t end_before = end, entry = ends[e];
-        end = static_cast<std::uint32_t>(value[e]);
+        const std::uint64_t edge_before = edge;
+        const std::uint32_t entry = ends[e];
+        edge = static_cast<std::uint64_t>(value[e]);
         const double distance = from.entries[entry].distance;
-        const bool is_again = e > 0 && end == end_before;
+        const bool is_again = e > 0 && edge == edge_before;
         if (is_again && from.entries[entry_before].distance != distance) {
             *fault = {DistanceFlaw::asymmetric, entry, entry_before};
             return Status::invalid_argument;
         }
         entry_before = entry;
         if (is_again) continue;
-        fingerprint.add(std::uint64_t{end});
+        const std::uint32_t larger = static_cast<std::uint32_t>(edge >> vertex_bits),
+                            smaller = static_cast<std::uint32_t>(edge) & (RipsGraph::vertices_max - 1);
+        fingerprint.add(n > RipsGraph::table_max ? edge : std::uint64_t{RipsGraph::edge(larger, smaller)});
         const HalfDistance rounded = halved(distance);
         fingerprint.add(rounded.half);
         const double half = joins_at(rounded, threshold);
         if (!(half < infinity)) continue;
         value[edges] = half;
-        ends[edges++] = end;
-        const std::uint32_t both[] = {end >> 16, end & 0xFFFF};
+        ends[edges++] = begin != nullptr ? smaller : RipsGraph::edge(larger, smaller);
+        if (begin != nullptr) ++begin[larger];
+        const std::uint32_t both[] = {larger, smaller};
         for (const std::uint32_t v : both) {
             ++joined[v];
             if (half > most[v]) most[v] = half;
@@ -185,14 +211,22 @@ Status sparse_graph(const DistanceEntries& from, double threshold, const Work& w
     });
     *limits = {end_of(most, n, threshold, arena), fingerprint.value()};
     std::uint32_t kept = 0;
+    // begin: how many have each larger end, then where those of them that stay begin.
+    std::uint32_t v = 0, last = begin != nullptr ? begin[0] : 0;
+    if (begin != nullptr) begin[0] = 0;
     for (std::uint32_t e = 0; e < edges; ++e) {
         if (e % 64 == 0 && work.monitor.advance(e, 3)) return Status::cancelled;
+        while (begin != nullptr && e >= last) {
+            last += begin[++v];
+            begin[v] = kept;
+        }
         if (!(value[e] <= limits->limit)) continue;
         value[kept] = value[e];
         ends[kept++] = ends[e];
     }
+    if (begin != nullptr) arena.each(n - v, 1, [begin, v, kept](std::uint64_t i) { begin[v + 1 + i] = kept; });
     arena.release_low(arena.offset_of(ends + kept));
-    *out = {n, kept, value, ends};
+    *out = {n, kept, value, ends, begin};
     return Status::ok;
 }
 

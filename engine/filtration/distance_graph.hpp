@@ -19,7 +19,7 @@ struct DistanceLimits {
 Status measure_distances(const DistanceSource& source, double threshold, const Work& work, DistanceLimits* out,
                          DistanceFault* fault);
 
-// As measure_distances, with the edges at the arena's low end. source.count <= RipsGraph::vertices_max.
+// As measure_distances, with the edges at the arena's low end. source.count <= RipsGraph::table_max.
 Status distance_graph(const DistanceSource& source, double threshold, const Work& work, RipsGraph* out,
                       DistanceLimits* limits, DistanceFault* fault);
 

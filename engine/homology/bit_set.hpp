@@ -13,6 +13,8 @@ public:
         words_ = words;
         for (std::size_t i = 0; i < words_needed(size); ++i) words_[i] = 0;
     }
+    // The same of words that say which are in the set.
+    void adopt_filled(std::uint64_t* words) { words_ = words; }
     bool has(std::uint32_t i) const { return (words_[i >> 6] >> (i & 63) & 1) != 0; }
     void insert(std::uint32_t i) { words_[i >> 6] |= std::uint64_t{1} << (i & 63); }
     void erase(std::uint32_t i) { words_[i >> 6] &= ~(std::uint64_t{1} << (i & 63)); }

@@ -14,8 +14,8 @@ Status spread_edges(const RipsGraph& graph, const Work& work, DistanceSource* ou
     double* const halves = work.arena.take_low<double>(pairs);
     if (halves == nullptr) return Status::out_of_memory;
     work.arena.each(pairs, 1, [halves](std::uint64_t i) { halves[i] = infinity; });
-    work.arena.each(graph.edge_count, 5, [&graph, halves](std::uint64_t e) {
-        halves[DistanceSource::triangle(graph.ends[e] >> 16) + (graph.ends[e] & 0xFFFF)] = graph.value[e];
+    graph.each_edge(work.arena, [&](std::uint32_t larger, std::uint32_t smaller, std::uint32_t e) {
+        halves[DistanceSource::triangle(larger) + smaller] = graph.value[e];
     });
     *out = {DistanceSource::Kind::halves, graph.vertices, halves, 0, nullptr, nullptr};
     return Status::ok;

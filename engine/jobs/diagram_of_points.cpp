@@ -3,6 +3,7 @@
 #include "filtration/distance_graph.hpp"
 #include "filtration/point_complexes.hpp"
 #include "filtration/rips_graph.hpp"
+#include "jobs/rips_bound.hpp"
 #include "jobs/rips_tree.hpp"
 #include "vocabulary/dimension.hpp"
 
@@ -47,7 +48,22 @@ Status persist_listed(const PointsRequest& request, const PointSet& set, const W
     return diagram_of_complex(complex, counted, work, &out->diagram);
 }
 
+// Which edges are wanted, and what else is known.
+struct NoBound {
+    static Status find(const PointsRequest& request, const PointSet&, const Work&, RipsBound* out) {
+        *out = {request.threshold, nullptr, 0};
+        return Status::ok;
+    }
+};
+struct BoundByAlpha {
+    static Status find(const PointsRequest& request, const PointSet& set, const Work& work, RipsBound* out) {
+        if (request.filter.max_degree == 1 && !request.keep_zero) return bound_rips(set, request.threshold, work, out);
+        return NoBound::find(request, set, work, out);
+    }
+};
+
 // The diagram of a Rips complex from its edges alone, as far as there are numbers for its simplices.
+template <class Bound>
 Status persist_edges(const PointsRequest& request, const PointSet& set, const Work& work, PointsDiagram* out,
                      bool* done) {
     const std::uint32_t max_degree = request.filter.max_degree;
@@ -61,13 +77,20 @@ Status persist_edges(const PointsRequest& request, const PointSet& set, const Wo
     }
     *done = false;
     RipsGraph graph;
+    RipsBound bound;
     const std::size_t low = work.arena.low_mark();
+    Status status = Bound::find(request, set, work, &bound);
+    if (status != Status::ok) {
+        *done = true;
+        return status;
+    }
     const int dim = static_cast<int>(set.dim);
     const auto list = [&](auto dimension) {
-        return rips_graph<decltype(dimension)::value>(dim, set.coordinates, set.count, request.threshold, work, &graph);
+        return rips_graph<decltype(dimension)::value>(dim, set.coordinates, set.count, bound.limit, work, &graph);
     };
-    const Status status =
-        set.dim > NETMESH_DIM_MAX ? list(Dimension<any_dimension>()) : with_dimension(request.dim, list);
+    status = set.dim > NETMESH_DIM_MAX ? list(Dimension<any_dimension>()) : with_dimension(request.dim, list);
+    graph.joined_at = bound.joined_at;
+    graph.joins = bound.joins;
     if (status == Status::invalid_argument || (status == Status::ok && !rips_has_numbers(graph, max_degree))) {
         work.arena.release_low(low);
         return Status::ok;
@@ -81,7 +104,7 @@ Status persist_edges(const PointsRequest& request, const PointSet& set, const Wo
     return reduced;
 }
 
-Status persist_set(const PointsRequest& request, const Work& work, PointsDiagram* out) {
+template <class Bound> Status persist_set(const PointsRequest& request, const Work& work, PointsDiagram* out) {
     PointSet set = {};
     Status status = take_points({request.points, request.count, request.dim}, work.arena, &set, &out->culprit);
     if (status != Status::ok) return status;
@@ -91,23 +114,31 @@ Status persist_set(const PointsRequest& request, const Work& work, PointsDiagram
     out->ratio = ratio_of(request.filter);
     bool done = false;
     if (is_rips(request.filter.filter) && !request.representatives)
-        status = persist_edges(request, set, work, out, &done);
+        status = persist_edges<Bound>(request, set, work, out, &done);
     if (!done) status = persist_listed(request, set, work, out);
+    return status;
+}
+
+template <class Bound> Status persist(const PointsRequest& request, const Work& work, PointsDiagram* out) {
+    const std::size_t low = work.arena.low_mark(), high = work.arena.high_mark();
+    *out = PointsDiagram{};
+    out->is_listed = request.representatives;
+    const Status status = persist_set<Bound>(request, work, out);
+    if (status == Status::ok && request.representatives) return status;
+    if (status == Status::ok) return move_pairs_down(low, work.arena, &out->diagram.pairs);
+    work.arena.release_low(low);
+    work.arena.release_high(high);
     return status;
 }
 
 }  // namespace
 
 Status diagram_of_points(const PointsRequest& request, const Work& work, PointsDiagram* out) {
-    const std::size_t low = work.arena.low_mark(), high = work.arena.high_mark();
-    *out = PointsDiagram{};
-    out->is_listed = request.representatives;
-    const Status status = persist_set(request, work, out);
-    if (status == Status::ok && request.representatives) return status;
-    if (status == Status::ok) return move_pairs_down(low, work.arena, &out->diagram.pairs);
-    work.arena.release_low(low);
-    work.arena.release_high(high);
-    return status;
+    return persist<NoBound>(request, work, out);
+}
+
+Status bounded_diagram_of_points(const PointsRequest& request, const Work& work, PointsDiagram* out) {
+    return persist<BoundByAlpha>(request, work, out);
 }
 
 double points_bytes(const PointsFilter& filter, std::uint64_t n, std::uint32_t dim) {

@@ -32,7 +32,13 @@ struct PointsDiagram {
 // internal.
 Status diagram_of_points(const PointsRequest& request, const Work& work, PointsDiagram* out);
 
-// Bytes that n points in any position take at most, but for the fill of the reduction.
+// The same, of Rips complexes in degrees 0 and 1 of points in the plane and in space with no more edges than are needed
+// (rips_bound.hpp): of what is known to have no more of degree 1. Links the triangulation.
+Status bounded_diagram_of_points(const PointsRequest& request, const Work& work, PointsDiagram* out);
+
+// Bytes that n points in any position take at most, but for the fill of the reduction. Of a bounded diagram those that
+// uniform points take.
+double bounded_points_bytes(const PointsFilter& filter, std::uint64_t n, std::uint32_t dim);
 double points_bytes(const PointsFilter& filter, std::uint64_t n, std::uint32_t dim);
 
 }  // namespace netmesh

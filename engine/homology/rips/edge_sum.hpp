@@ -1,8 +1,8 @@
 // A column of triangles at work, as the edges whose cofaces were added: a symmetric matrix of bits over the vertices. A
 // triangle is in the sum if an odd number of its edges is in that set, so the next pivot is found by adding two rows of
 // bits for each edge that may be the triangle's last one. Additions cost a bit an edge, where a heap of cofaces
-// (key_heap.hpp) visits all vertices and grows; so a heap is for fewer than one addition in 64 vertices, by which it is
-// as large as the matrix.
+// (key_heap.hpp) visits the rows of its ends and grows; so a heap is for fewer additions than make it as large as the
+// matrix: of complete graphs one in 64 vertices.
 #pragma once
 #include <cstddef>
 #include <cstdint>
@@ -16,6 +16,12 @@ namespace netmesh {
 class EdgeSum {
 public:
     explicit EdgeSum(const RipsSimplices& simplices) : simplices_(simplices) {}
+
+    // So many additions make a heap as large as the matrix, an edge having as many cofaces as vertices have edges.
+    std::uint64_t additions_of_a_heap() const {
+        const std::uint64_t n = simplices_.vertices(), joined = 2 * std::uint64_t{simplices_.edges()} / n;
+        return 1 + (joined + 1 >= n ? n / 64 : n * n / (64 * (joined + 1)));
+    }
 
     // The empty sum. Takes 8 * vertices * (vertices / 64 + 1) + 4 * vertices bytes at the low end. False: out of
     // memory.
@@ -41,14 +47,14 @@ public:
         for (std::uint32_t e = begin; e < end; ++e) {
             const std::uint32_t a = simplices_.smaller_end(e), b = simplices_.larger_end(e);
             if ((degree_[a] | degree_[b]) == 0) continue;
-            const std::uint32_t *const to_a = simplices_.row(a), *const to_b = simplices_.row(b);
+            const RipsRow to_a = simplices_.row(a), to_b = simplices_.row(b);
             const std::uint64_t *const at_a = row(a), *const at_b = row(b);
             const std::uint64_t both = has(a, b) ? ~std::uint64_t{0} : 0;
             for (std::uint32_t i = 0; i < words_; ++i)
                 for (std::uint64_t odd = at_a[i] ^ at_b[i] ^ both; odd != 0; odd &= odd - 1) {
                     const std::uint32_t w = 64 * i + lowest_bit(odd);
                     if (w >= n) break;
-                    if (to_a[w] < e && to_b[w] < e) return simplices_.key_of(e, &w, 1);
+                    if (to_a.rank_of(w) < e && to_b.rank_of(w) < e) return simplices_.key_of(e, &w, 1);
                 }
         }
         return no_key;
@@ -61,7 +67,7 @@ public:
             for (std::uint64_t rest = bits[i]; rest != 0; rest &= rest - 1) {
                 const std::uint32_t w = 64 * i + lowest_bit(rest);
                 if (w >= v) break;
-                if (!f(simplices_.row(v)[w])) return false;
+                if (!f(simplices_.row(v).rank_of(w))) return false;
             }
         return true;
     }

@@ -22,9 +22,9 @@ public:
     bool push(std::uint64_t key) {
         if (size_ == capacity_ && !grow()) return false;
         std::size_t hole = size_++;
-        while (hole > 0 && key < keys_[(hole - 1) / 2]) {
-            keys_[hole] = keys_[(hole - 1) / 2];
-            hole = (hole - 1) / 2;
+        while (hole > 0 && key < keys_[(hole - 1) / width]) {
+            keys_[hole] = keys_[(hole - 1) / width];
+            hole = (hole - 1) / width;
         }
         keys_[hole] = key;
         return true;
@@ -40,11 +40,15 @@ public:
     }
 
 private:
+    // Children of a key: many more keys are put in than taken out.
+    static constexpr std::size_t width = 4;
+
     std::uint64_t pop() {
         const std::uint64_t first = keys_[0], key = keys_[--size_];
         std::size_t hole = 0;
-        for (std::size_t child; (child = 2 * hole + 1) < size_; hole = child) {
-            if (child + 1 < size_ && keys_[child + 1] < keys_[child]) ++child;
+        for (std::size_t child; (child = width * hole + 1) < size_; hole = child) {
+            const std::size_t end = size_ - child < width ? size_ : child + width;
+            for (std::size_t other = child + 1; other < end; ++other) child = keys_[other] < keys_[child] ? other : child;
             if (key <= keys_[child]) break;
             keys_[hole] = keys_[child];
         }

@@ -8,14 +8,15 @@
 #include "homology/pair_writer.hpp"
 #include "homology/rips/rips_columns.hpp"
 #include "homology/union_find.hpp"
+#include "numerics/real.hpp"
 
 namespace netmesh {
 namespace {
 
 class Rips {
 public:
-    Rips(const RipsSimplices& simplices, DiagramRequest request, const Work& work)
-        : simplices_of_(simplices), vertices_(simplices.vertices()), edges_(simplices.edges()),
+    Rips(const RipsGraph& graph, const RipsSimplices& simplices, DiagramRequest request, const Work& work)
+        : graph_(graph), simplices_of_(simplices), vertices_(simplices.vertices()), edges_(simplices.edges()),
           max_degree_(request.max_degree), arena_(work.arena), progress_{work.monitor}, writer_(work.arena, request),
           columns_(simplices, work.arena, progress_) {}
 
@@ -27,13 +28,20 @@ private:
     struct Components;
     struct Recorder;
 
+    bool take_bits(BitSet* out);
     Status join_components();
     Status collect(std::uint32_t p);
+    Status find_last_edges();
     Status collect_edges();
     Status walk_cliques(std::uint32_t p, std::uint32_t edge);
     bool visit_simplex(std::uint32_t p, std::uint32_t edge, const std::uint32_t* candidates, std::uint32_t i);
     bool list_column(std::uint64_t key);
     std::uint32_t lune(std::uint32_t edge, std::uint32_t* out) const;
+    std::uint32_t cost_of_lune(std::uint32_t edge) const {
+        const RipsRow rows[] = {simplices_of_.row(simplices_of_.smaller_end(edge)),
+                                simplices_of_.row(simplices_of_.larger_end(edge))};
+        return simplices_of_.cost_of(rows, 2) / 4;
+    }
     Status reduce(std::uint32_t p);
     double value_of(std::uint64_t key) const { return simplices_of_.value(simplices_of_.edge_of(key)); }
     // A pair of two simplices that enter with this edge. False: out of memory.
@@ -43,13 +51,16 @@ private:
         return writer_.add(value, value, p);
     }
 
+    const RipsGraph& graph_;
     const RipsSimplices& simplices_of_;
+    std::uint32_t joins_ = 0;  // of components, by what is not in the graph
     std::uint32_t vertices_, edges_, max_degree_;
     Arena& arena_;
     Progress progress_;
     PairWriter writer_;
     RipsColumns columns_;
     BitSet joining_;                       // edges that join two components
+    BitSet last_;                          // with lists: edges that are last of a triangle
     std::uint32_t* candidates_ = nullptr;  // [max_degree][vertices], of the walk
     std::uint32_t chosen_[RipsSimplex::vertices_max] = {};
     PivotTable pivots_below_;        // of the degree below: p-simplices that end a class
@@ -70,24 +81,45 @@ struct Rips::Components {
         rips.joining_.insert(e);
         return rips.writer_.add(0, rips.simplices_of_.value(e), 0) ? Status::ok : Status::out_of_memory;
     }
-    Status keep(std::uint32_t) { return rips.writer_.add_essential(0, 0) ? Status::ok : Status::out_of_memory; }
+    Status keep(std::uint32_t) {
+        const bool is_joined = rips.joins_ < rips.graph_.joins;
+        const double death = is_joined ? rips.graph_.joined_at[rips.joins_++] : infinity;
+        return rips.writer_.add(0, death, 0) ? Status::ok : Status::out_of_memory;
+    }
 };
 
+// A bit for each edge.
+bool Rips::take_bits(BitSet* out) {
+    const std::size_t count = BitSet::words_needed(edges_);
+    std::uint64_t* const words = arena_.take_high<std::uint64_t>(count);
+    if (words == nullptr) return false;
+    arena_.each(count, 1, [words](std::uint64_t i) { words[i] = 0; });
+    out->adopt_filled(words);
+    return true;
+}
+
 Status Rips::join_components() {
-    std::uint64_t* const words = arena_.take_high<std::uint64_t>(BitSet::words_needed(edges_));
+    const bool is_taken = take_bits(&joining_);
     const HighScope scope(arena_);
     std::uint32_t* const parent = arena_.take_high<std::uint32_t>(vertices_);
-    if (words == nullptr || parent == nullptr) return Status::out_of_memory;
-    joining_.adopt(words, edges_);
+    if (!is_taken || parent == nullptr) return Status::out_of_memory;
     simplices_ = std::uint64_t{vertices_} + edges_;
     return unite_edges(parent, vertices_, edges_, Components{*this});
 }
 
 // The vertices that both ends of an edge are joined to by earlier edges.
 std::uint32_t Rips::lune(std::uint32_t edge, std::uint32_t* out) const {
-    const std::uint32_t* const a = simplices_of_.row(simplices_of_.smaller_end(edge));
-    const std::uint32_t* const b = simplices_of_.row(simplices_of_.larger_end(edge));
+    const RipsRow rows[] = {simplices_of_.row(simplices_of_.smaller_end(edge)),
+                            simplices_of_.row(simplices_of_.larger_end(edge))};
     std::uint32_t count = 0;
+    if (simplices_of_.has_lists()) {
+        simplices_of_.each_joined(rows, 2, edge, vertices_, [&](std::uint32_t w, std::uint32_t, auto) {
+            out[count++] = w;
+            return true;
+        });
+        return count;
+    }
+    const std::uint32_t *const a = rows[0].table, *const b = rows[1].table;
     for (std::uint32_t w = 0; w < vertices_; ++w) {
         out[count] = w;
         count += a[w] < edge && b[w] < edge ? 1 : 0;
@@ -101,13 +133,32 @@ bool Rips::list_column(std::uint64_t key) {
     return true;
 }
 
+// Which edges are last of a triangle, of all edges at a vertex one after the other: they are near each other in lists,
+// and those that follow in rank are not.
+Status Rips::find_last_edges() {
+    if (!take_bits(&last_)) return Status::out_of_memory;
+    for (std::uint32_t v = 0; v < vertices_; ++v) {
+        const RipsRow row = simplices_of_.row(v);
+        for (const RipsRow::Joined* at = row.begin; at != row.end && at->vertex < v; ++at) {
+            const RipsRow rows[] = {row, simplices_of_.row(at->vertex)};
+            if (progress_.stop(1 + simplices_of_.cost_of(rows, 2))) return Status::cancelled;
+            if (simplices_of_.is_last_of_triangle(at->rank)) last_.insert(at->rank);
+        }
+    }
+    return Status::ok;
+}
+
 // An edge that has a coface of its own value makes an apparent pair with the first one.
 Status Rips::collect_edges() {
+    const bool is_found = simplices_of_.has_lists();
+    const Status status = is_found ? find_last_edges() : Status::ok;
+    if (status != Status::ok) return status;
+    list_ = reinterpret_cast<std::uint64_t*>(arena_.at(arena_.high_mark()));
     for (std::uint32_t e = edges_; e-- > 0;) {
-        if (progress_.stop(1 + vertices_ / 64)) return Status::cancelled;
+        if (progress_.stop(1 + (is_found ? 0 : cost_of_lune(e)))) return Status::cancelled;
         if (joining_.has(e)) continue;
-        const bool fits =
-            simplices_of_.is_last_of_triangle(e) ? add_zero(e, 1) : list_column(simplices_of_.key_of(e, nullptr, 0));
+        const bool is_last = is_found ? last_.has(e) : simplices_of_.is_last_of_triangle(e);
+        const bool fits = is_last ? add_zero(e, 1) : list_column(simplices_of_.key_of(e, nullptr, 0));
         if (!fits) return Status::out_of_memory;
     }
     return Status::ok;
@@ -118,9 +169,10 @@ Status Rips::collect_edges() {
 bool Rips::visit_simplex(std::uint32_t p, std::uint32_t edge, const std::uint32_t* candidates, std::uint32_t i) {
     ++simplices_;
     if (i == 0) return true;  // ends a class at once
-    const std::uint32_t* const row = simplices_of_.row(candidates[i]);
+    const RipsRow row = simplices_of_.row(candidates[i]);
+    const RipsRow::Joined* at = row.begin;
     for (std::uint32_t c = 0; c < i; ++c) {
-        if (row[candidates[c]] < edge) return add_zero(edge, p);
+        if (row.rank_of(candidates[c], &at) < edge) return add_zero(edge, p);
     }
     chosen_[0] = candidates[i];
     const std::uint64_t key = simplices_of_.key_of(edge, chosen_, p - 1);
@@ -132,7 +184,7 @@ Status Rips::walk_cliques(std::uint32_t p, std::uint32_t edge) {
     const std::uint32_t n = vertices_;
     std::uint32_t left[RipsSimplex::vertices_max];
     left[0] = lune(edge, candidates_);
-    if (progress_.stop(n / 64 + left[0] / 16)) return Status::cancelled;
+    if (progress_.stop(cost_of_lune(edge) + left[0] / 16)) return Status::cancelled;
     for (std::uint32_t depth = 0;;) {
         std::uint32_t* const candidates = candidates_ + std::size_t{depth} * n;
         if (depth == p - 2) {
@@ -147,22 +199,24 @@ Status Rips::walk_cliques(std::uint32_t p, std::uint32_t edge) {
         }
         const std::uint32_t i = --left[depth];
         chosen_[p - 2 - depth] = candidates[i];
-        const std::uint32_t* const row = simplices_of_.row(candidates[i]);
+        const RipsRow row = simplices_of_.row(candidates[i]);
+        const RipsRow::Joined* at = row.begin;
         std::uint32_t* const next = candidates + n;
         std::uint32_t count = 0;
         for (std::uint32_t c = 0; c < i; ++c) {
             next[count] = candidates[c];
-            count += row[candidates[c]] < edge ? 1 : 0;
+            count += row.rank_of(candidates[c], &at) < edge ? 1 : 0;
         }
         left[++depth] = count;
-        if (progress_.stop(1 + i / 16)) return Status::cancelled;
+        if (progress_.stop(1 + i / 16 + (row.table == nullptr ? simplices_of_.cost_of(&row, 1) : 0)))
+            return Status::cancelled;
     }
 }
 
 Status Rips::collect(std::uint32_t p) {
-    list_ = reinterpret_cast<std::uint64_t*>(arena_.at(arena_.high_mark()));
     list_count_ = 0;
     if (p == 1) return collect_edges();
+    list_ = reinterpret_cast<std::uint64_t*>(arena_.at(arena_.high_mark()));
     for (std::uint32_t e = edges_; e-- > 0;) {
         const Status status = walk_cliques(p, e);
         if (status != Status::ok) return status;
@@ -221,7 +275,7 @@ Status persist_rips(const RipsGraph& graph, DiagramRequest request, const Work& 
     const HighScope scope(work.arena);
     RipsSimplices simplices;
     if (!simplices.open(graph, request.max_degree, work.arena)) return Status::out_of_memory;
-    Rips rips(simplices, request, work);
+    Rips rips(graph, simplices, request, work);
     const Status status = write_diagram(rips, work.arena, &out->pairs);
     out->simplices = rips.simplices();
     return status;

@@ -27,7 +27,7 @@ public:
     bool begin(std::uint32_t p, const std::uint64_t* end, std::uint32_t count) {
         p_ = p;
         columns_ = end;
-        many_ = 1 + simplices_.vertices() / 64;
+        many_ = matrix_.additions_of_a_heap();
         if (!pivots_.open(count, arena_)) return false;
         added_at_ = arena_.take_high<std::uint32_t>(count);
         added_ = reinterpret_cast<std::uint64_t*>(arena_.at(arena_.high_mark()));
@@ -173,7 +173,7 @@ private:
     }
     // Once in the program: it is large, and a call of it visits all vertices.
     [[gnu::noinline]] bool push_cofaces(const RipsSimplex& s) {
-        arena_.pass(1 + simplices_.vertices() / 16);
+        arena_.pass(1 + simplices_.cost_of(s.row, s.count));
         return simplices_.each_coface(s, [this](std::uint64_t coface) { return heap_.push(coface); });
     }
     // How many simplices were added to column j; 0 of no column.
@@ -227,7 +227,8 @@ private:
     std::uint64_t added_words_ = 0, adding_ = 0;  // in them; in the list of the column at work
     EdgeSum matrix_;                              // of the column at work when is_matrix_, where the heap was
     bool is_matrix_ = false;
-    std::uint32_t at_work_ = 0, many_ = 0;  // the column; additions after which it becomes a matrix
+    std::uint32_t at_work_ = 0;             // the column
+    std::uint64_t many_ = 0;                // additions after which it becomes a matrix
     RipsSimplex pivot_;                     // of the column at work; its key is no_key: zero
     std::uint32_t owner_ = none;            // of the pivot: a column or
     std::uint64_t facet_ = no_key;          // a simplex that is none

@@ -28,13 +28,13 @@ bool rips_has_numbers(const RipsGraph& graph, std::uint32_t max_degree) {
 }
 
 // The numbers C(a, k), a < n, k <= others.
-void RipsSimplices::choose_all(std::uint32_t others) {
-    for (std::uint32_t a = 0; a < n_; ++a) choose_[a] = 1;
+void RipsSimplices::choose_all(std::uint32_t others, const Arena& arena) {
+    arena.each(n_, 1, [this](std::uint64_t a) { choose_[a] = 1; });
     for (std::uint32_t k = 1; k <= others; ++k) {
         std::uint64_t* const row = choose_ + std::size_t{k} * n_;
         const std::uint64_t* const before = row - n_;
         row[0] = 0;
-        for (std::uint32_t a = 1; a < n_; ++a) row[a] = row[a - 1] + before[a - 1];
+        arena.each(n_ - 1, 2, [row, before](std::uint64_t a) { row[a + 1] = row[a] + before[a]; });
     }
 }
 
@@ -65,24 +65,80 @@ bool RipsSimplices::keep_distinct_values(const RipsGraph& graph, Arena& arena) {
     return true;
 }
 
+bool RipsSimplices::open_table(const RipsGraph& graph, std::uint32_t others, Arena& arena) {
+    if (!sort_labelled(graph.value, graph.ends, edges_, arena)) return false;
+    if (!keep_distinct_values(graph, arena)) return false;
+    if (others == 0) return true;
+    rank_ = arena.take_low<std::uint32_t>(std::size_t{n_} * n_);
+    if (rank_ == nullptr) return false;
+    arena.each(std::uint64_t{n_} * n_, 1, [this](std::uint64_t i) { rank_[i] = none; });
+    arena.each(edges_, 20, [this](std::uint64_t at) {
+        const auto e = static_cast<std::uint32_t>(at);
+        rank_[std::size_t{larger_end(e)} * n_ + smaller_end(e)] = e;
+        rank_[std::size_t{smaller_end(e)} * n_ + larger_end(e)] = e;
+    });
+    return true;
+}
+
+// Edges are places in the graph's order first, and ranks then.
+bool RipsSimplices::open_lists(const RipsGraph& graph, std::uint32_t others, Arena& arena) {
+    larger_ = arena.take_low<std::uint32_t>(edges_);
+    if (larger_ == nullptr) return false;
+    arena.each(edges_, 1, [this](std::uint64_t e) { larger_[e] = static_cast<std::uint32_t>(e); });
+    if (!sort_labelled(graph.value, larger_, edges_, arena)) return false;
+    value_ = graph.value;
+    ends_ = graph.ends;
+    if (others > 0) {
+        joined_begin_ = arena.take_low<std::uint32_t>(std::size_t{n_} + 2);
+        joined_ = arena.take_low<RipsRow::Joined>(2 * std::size_t{edges_});
+    }
+    const HighScope scope(arena);
+    std::uint32_t* const rank_at = arena.take_high<std::uint32_t>(edges_);
+    std::uint32_t* const smaller = others > 0 ? graph.ends : arena.take_high<std::uint32_t>(edges_);
+    if (rank_at == nullptr || smaller == nullptr || (others > 0 && (joined_begin_ == nullptr || joined_ == nullptr)))
+        return false;
+    arena.each(edges_, 4, [this, rank_at](std::uint64_t r) { rank_at[larger_[r]] = static_cast<std::uint32_t>(r); });
+    if (others > 0) join(graph, rank_at, arena);
+    arena.each(n_, 2, [&](std::uint64_t v) {
+        const RipsRow::Joined* at = others > 0 ? joined_ + joined_begin_[v] : nullptr;
+        for (std::uint32_t e = graph.begin[v]; e < graph.begin[v + 1]; ++e) {
+            arena.step(e, 8);
+            larger_[rank_at[e]] = static_cast<std::uint32_t>(v);
+            smaller[rank_at[e]] = at != nullptr ? (at++)->vertex : graph.ends[e];
+        }
+    });
+    if (others == 0) move_bytes(graph.ends, smaller, sizeof *smaller * std::size_t{edges_}, arena);
+    return true;
+}
+
+// Lists at vertices: at each the smaller ones come first, as edges are in order of the larger end.
+void RipsSimplices::join(const RipsGraph& graph, const std::uint32_t* rank_at, Arena& arena) {
+    std::uint32_t* const begin = joined_begin_ + 1;  // of each vertex, where its next one goes
+    arena.each(std::uint64_t{n_} + 1, 1, [begin](std::uint64_t v) { begin[v] = 0; });
+    arena.each(edges_, 3, [&](std::uint64_t e) { ++begin[graph.ends[e] + 1]; });
+    arena.each(n_, 3, [&](std::uint64_t v) { begin[v + 1] += begin[v] + (graph.begin[v + 1] - graph.begin[v]); });
+    joined_begin_[0] = 0;
+    arena.each(n_, 2, [&](std::uint64_t at) {
+        const auto v = static_cast<std::uint32_t>(at);
+        for (std::uint32_t e = graph.begin[v]; e < graph.begin[v + 1]; ++e) {
+            arena.step(e, 10);
+            const std::uint32_t smaller = graph.ends[e];
+            joined_[begin[v]++] = {smaller, rank_at[e]};
+            joined_[begin[smaller]++] = {v, rank_at[e]};
+        }
+    });
+}
+
 bool RipsSimplices::open(const RipsGraph& graph, std::uint32_t others, Arena& arena) {
     NETMESH_ASSERT(arena.offset_of(graph.ends + graph.edge_count) == arena.low_mark());
     n_ = graph.vertices;
     edges_ = graph.edge_count;
     shift_ = index_bits(n_, others);
-    if (!sort_labelled(graph.value, graph.ends, edges_, arena)) return false;
-    if (!keep_distinct_values(graph, arena)) return false;
+    if (!(graph.begin != nullptr ? open_lists(graph, others, arena) : open_table(graph, others, arena))) return false;
     if (others == 0) return true;
-    rank_ = arena.take_low<std::uint32_t>(std::size_t{n_} * n_);
     choose_ = arena.take_high<std::uint64_t>((std::size_t{others} + 1) * n_);
-    if (rank_ == nullptr || choose_ == nullptr) return false;
-    arena.each(std::uint64_t{n_} * n_, 1, [this](std::uint64_t i) { rank_[i] = none; });
-    for (std::uint32_t e = 0; e < edges_;)
-        for (const std::uint64_t piece = arena.piece(e, edges_, 20); e < piece; ++e) {
-            rank_[std::size_t{larger_end(e)} * n_ + smaller_end(e)] = e;
-            rank_[std::size_t{smaller_end(e)} * n_ + larger_end(e)] = e;
-        }
-    choose_all(others);
+    if (choose_ == nullptr) return false;
+    choose_all(others, arena);
     return true;
 }
 
@@ -93,7 +149,7 @@ void RipsSimplices::read(std::uint64_t key, std::uint32_t dimension, RipsSimplex
     std::uint64_t index = key & ((std::uint64_t{1} << shift_) - 1);
     std::uint32_t before = n_;
     for (std::uint32_t k = dimension - 1; k >= 1; --k) {  // the largest a < before with C(a, k) <= index
-        std::uint32_t low = 0, high = before;
+        std::uint32_t low = k == 1 ? static_cast<std::uint32_t>(index) : 0, high = k == 1 ? low : before;
         while (high - low > 1) {
             const std::uint32_t middle = low + (high - low) / 2;
             (choose(middle, k) <= index ? low : high) = middle;
@@ -109,21 +165,27 @@ void RipsSimplices::read(std::uint64_t key, std::uint32_t dimension, RipsSimplex
     }
 }
 
-// The first vertex before `end` that is joined to all rows by edges before `edge`; `none` if there is none.
-std::uint32_t RipsSimplices::first_joined(const std::uint32_t* const* rows, std::uint32_t count, std::uint32_t edge,
+std::uint32_t RipsSimplices::first_joined(const RipsRow* rows, std::uint32_t count, std::uint32_t edge,
                                           std::uint32_t end) const {
-    std::uint32_t rank[block];
-    for (std::uint32_t begin = 0; begin < end; begin += block) {
-        latest(rows, count, begin, rank);
-        for (std::uint32_t w = begin; w < end && w < begin + block; ++w) {
-            if (rank[w - begin] < edge) return w;
-        }
-    }
-    return none;
+    std::uint32_t first = none;
+    each_joined(rows, count, edge, end, [&first](std::uint32_t w, std::uint32_t, auto) {
+        first = w;
+        return false;
+    });
+    return first;
+}
+
+bool RipsSimplices::is_last_of_triangle(std::uint32_t edge) const {
+    const RipsRow rows[] = {row(smaller_end(edge)), row(larger_end(edge))};
+    if (has_lists()) return first_joined(rows, 2, edge, n_) != none;
+    const std::uint32_t *const a = rows[0].table, *const b = rows[1].table;
+    std::uint32_t w = 0;
+    while (w < n_ && (a[w] >= edge || b[w] >= edge)) ++w;
+    return w < n_;
 }
 
 std::uint64_t RipsSimplices::apparent_facet(const RipsSimplex& s) const {
-    const std::uint32_t* rows[RipsSimplex::vertices_max] = {};
+    RipsRow rows[RipsSimplex::vertices_max];
     std::uint32_t count = 0;
     for (std::uint32_t i = 0; i < s.count; ++i) {
         if (s.vertex[i] != s.other[0]) rows[count++] = s.row[i];

@@ -156,9 +156,12 @@ extern const netmesh_filter netmesh_filter_scales;
  *   errors    OUT_OF_RANGE: as of alpha; not of rips. INVALID_ARGUMENT (K): above the number of different points
  *
  * rips: Vietoris-Rips (6.4): edges enter at half their length; of points in any dimension, and of distances. Nothing
- * but edges is stored, unless cycles are wanted, there are more than 65,536 points, or more simplices than 62 bits can
- * number. */
+ * but edges is stored, unless cycles are wanted or there are more simplices than 62 bits can number. In degrees 0 and 1 of
+ * 200 points or more in the plane or in space, without pairs of length zero, edges longer than the diameter from which
+ * on balls have no hole are left out, and not counted as simplices: the last death of degree 1 of alpha. rips_small is
+ * the same filter without that, so that a small part links no triangulation. */
 extern const netmesh_filter netmesh_filter_rips;
+extern const netmesh_filter netmesh_filter_rips_small;
 /* 6.4: Cech, the offsets' exact diagram. */
 extern const netmesh_filter netmesh_filter_cech;
 /* 8.5: d_k, exact, by nested sets of k .. k + max_degree + 1 points. k + max_degree is at most 30. */
