@@ -172,9 +172,12 @@ netmesh_status run_on_points(netmesh_context* context) { return run_by<diagram_o
 }  // namespace
 
 double plan_of_points(const netmesh_request& r) {
-    const double bytes = r.vines != nullptr
-                             ? points_vineyard_bytes(points_filter_of(r), r.k_last, r.points.count, r.points.dim)
-                             : points_bytes(points_filter_of(r), r.points.count, r.points.dim);
+    const PointsFilter filter = points_filter_of(r);
+    const std::uint64_t n = r.points.count;
+    const bool is_bounded = r.filter->run != run_small_rips && r.cycles == nullptr && r.keep_zero_pairs == 0;
+    const double bytes = r.vines != nullptr ? points_vineyard_bytes(filter, r.k_last, n, r.points.dim)
+                         : is_bounded       ? bounded_points_bytes(filter, n, r.points.dim)
+                                            : points_bytes(filter, n, r.points.dim);
     return bytes + sizeof(netmesh_context) + complex_overhead;
 }
 

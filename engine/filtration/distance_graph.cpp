@@ -165,7 +165,8 @@ Status sparse_graph(const DistanceEntries& from, double threshold, const Work& w
             return Status::invalid_argument;
         }
         if (is_own) continue;
-        value[count] = static_cast<double>(entry.i > entry.j ? number_of(entry.i, entry.j) : number_of(entry.j, entry.i));
+        value[count] =
+            static_cast<double>(entry.i > entry.j ? number_of(entry.i, entry.j) : number_of(entry.j, entry.i));
         ends[count++] = e;
     }
     if (!sort_labelled(value, ends, count, arena)) return Status::out_of_memory;

@@ -45,7 +45,7 @@ public:
         // An edge is at most so long, what is rounded counted; places are off by less than this margin.
         width_ = 2 * limit * (1 + 0x1p-10);
         if (!(width_ > extent_ * 0x1p-20)) width_ = extent_ * 0x1p-20;
-        if (!(width_ > 0)) return;
+        if (!(width_ > 0x1p-1000)) return;  // it would not grow
         double all;
         for (double most = 2.0 * n + 64;; width_ *= 1.25) {
             all = 1;

@@ -12,9 +12,9 @@ namespace netmesh {
 
 // As rips_complex (point_complexes.hpp), the edges alone: coordinates[n][dim], distinct points, dim is D or, with
 // any_dimension, 65,536 at most; an edge's value is half its length, rounded to nearest, and none beyond the largest
-// double. Which vertex is which point is not told. At the arena's low end. Looks at pairs in cubes of a grid that touch,
-// as wide as the longest edge, over up to three axes. invalid_argument (n > RipsGraph::vertices_max), out_of_memory
-// (also of 2^31 edges or more), cancelled.
+// double. Which vertex is which point is not told. At the arena's low end. Looks at pairs in cubes of a grid that
+// touch, as wide as the longest edge, over up to three axes. invalid_argument (n > RipsGraph::vertices_max),
+// out_of_memory (also of 2^31 edges or more), cancelled.
 template <int D>
 Status rips_graph(int dim, const double* coordinates, std::uint32_t n, double threshold, const Work& work,
                   RipsGraph* out);

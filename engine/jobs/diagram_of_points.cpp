@@ -5,6 +5,7 @@
 #include "filtration/rips_graph.hpp"
 #include "jobs/rips_bound.hpp"
 #include "jobs/rips_tree.hpp"
+#include "numerics/bits.hpp"
 #include "vocabulary/dimension.hpp"
 
 namespace netmesh {
@@ -139,6 +140,17 @@ Status diagram_of_points(const PointsRequest& request, const Work& work, PointsD
 
 Status bounded_diagram_of_points(const PointsRequest& request, const Work& work, PointsDiagram* out) {
     return persist<BoundByAlpha>(request, work, out);
+}
+
+// Uniform points have this many edges and columns, and additions to columns, at most, up to the bound.
+double bounded_points_bytes(const PointsFilter& filter, std::uint64_t n, std::uint32_t dim) {
+    const std::size_t bound = bound_bytes(n, dim);
+    if (!is_rips(filter.filter) || filter.max_degree != 1 || bound == 0) return points_bytes(filter, n, dim);
+    const double points = static_cast<double>(n), edges = points * (dim == 2 ? 2.4 : 4.4) * (highest_bit(n) + 1);
+    const double graph = edges * 36.5 + points * (dim == 2 ? 140 : 320) + 0x1p17, all = points_bytes(filter, n, dim);
+    const double bytes =
+        (graph > static_cast<double>(bound) ? graph : static_cast<double>(bound)) + points * (8.0 * dim + 5);
+    return bytes < all ? bytes : all + static_cast<double>(bound);
 }
 
 double points_bytes(const PointsFilter& filter, std::uint64_t n, std::uint32_t dim) {

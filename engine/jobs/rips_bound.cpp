@@ -8,8 +8,7 @@
 namespace netmesh {
 namespace {
 
-template <int D>
-Status alpha_diagram(const PointSet& points, const Work& work, AlphaDiagram* out) {
+template <int D> Status alpha_diagram(const PointSet& points, const Work& work, AlphaDiagram* out) {
     AlphaOfPoints request = {};
     request.points = {points.coordinates, sizeof(double) * D, false};
     request.count = points.count;

@@ -41,7 +41,7 @@ __attribute__((noinline)) static netmesh_status work(netmesh_context* context) {
     request.filter = &netmesh_filter_complete;
     request.goal.ratio = 2.25;
 #else
-    request.filter = &netmesh_filter_rips;
+    request.filter = &netmesh_filter_rips_small;
 #endif
     return netmesh_persist(context, &request);
 #endif

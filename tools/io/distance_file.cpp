@@ -13,7 +13,7 @@ namespace netmesh::tool {
 
 namespace {
 
-constexpr std::uint64_t points_max = 65536;
+constexpr std::uint64_t points_max = 65536, sparse_points_max = std::uint64_t{1} << 26;
 
 struct Row {
     std::uint64_t line;        // 0: of an array, which has none
@@ -325,8 +325,8 @@ Outcome take_entries(const Rows& rows, DistanceFile* file) {
         if (rows[r].count != 3) return wrong_count(*file, rows, r, 3, "an entry, `i j d`,");
         const double* const field = file->numbers.data() + rows[r].first;
         for (std::size_t f = 0; f < 2; f++) {
-            if (is_count(field[f]) && field[f] < static_cast<double>(points_max)) continue;
-            return wrong(*file, rows, r, number_text(field[f]) + "; points are numbered from 0, to 65535", f + 1);
+            if (is_count(field[f]) && field[f] < static_cast<double>(sparse_points_max)) continue;
+            return wrong(*file, rows, r, number_text(field[f]) + "; points are numbered from 0, to 67108863", f + 1);
         }
         const netmesh_distance_entry entry = {static_cast<std::uint32_t>(field[0]),
                                               static_cast<std::uint32_t>(field[1]), field[2]};

@@ -48,7 +48,8 @@ private:
         std::size_t hole = 0;
         for (std::size_t child; (child = width * hole + 1) < size_; hole = child) {
             const std::size_t end = size_ - child < width ? size_ : child + width;
-            for (std::size_t other = child + 1; other < end; ++other) child = keys_[other] < keys_[child] ? other : child;
+            for (std::size_t other = child + 1; other < end; ++other)
+                child = keys_[other] < keys_[child] ? other : child;
             if (key <= keys_[child]) break;
             keys_[hole] = keys_[child];
         }

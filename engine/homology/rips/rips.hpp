@@ -48,8 +48,8 @@ bool rips_has_numbers(const RipsGraph& graph, std::uint32_t max_degree);
 // the lowest degree up, neither they nor the complex being stored: a pair of a simplex with its first coface is found
 // from the edges alone. Of the graph's 12 bytes for each edge 4 stay and 8 for each value that differs from the others;
 // besides it takes 4 n^2 bytes for n vertices, a quarter for each edge, and about 40 for each simplex that needs a
-// column, plus fill. With lists 36 bytes an edge in all instead, and as much for columns. The graph is gone: all from its beginning to the pairs is the caller's to give back, as it is
-// without ok. out_of_memory, cancelled.
+// column, plus fill. With lists 36 bytes an edge in all instead, and as much for columns. The graph is gone: all from
+// its beginning to the pairs is the caller's to give back, as it is without ok. out_of_memory, cancelled.
 Status persist_rips(const RipsGraph& graph, DiagramRequest request, const Work& work, CountedPairs* out);
 
 }  // namespace netmesh

@@ -227,11 +227,11 @@ private:
     std::uint64_t added_words_ = 0, adding_ = 0;  // in them; in the list of the column at work
     EdgeSum matrix_;                              // of the column at work when is_matrix_, where the heap was
     bool is_matrix_ = false;
-    std::uint32_t at_work_ = 0;             // the column
-    std::uint64_t many_ = 0;                // additions after which it becomes a matrix
-    RipsSimplex pivot_;                     // of the column at work; its key is no_key: zero
-    std::uint32_t owner_ = none;            // of the pivot: a column or
-    std::uint64_t facet_ = no_key;          // a simplex that is none
+    std::uint32_t at_work_ = 0;     // the column
+    std::uint64_t many_ = 0;        // additions after which it becomes a matrix
+    RipsSimplex pivot_;             // of the column at work; its key is no_key: zero
+    std::uint32_t owner_ = none;    // of the pivot: a column or
+    std::uint64_t facet_ = no_key;  // a simplex that is none
     std::uint32_t work_ = 0;
 };
 

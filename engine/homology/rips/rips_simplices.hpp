@@ -51,11 +51,11 @@ struct RipsRow {
 struct RipsSimplex {
     static constexpr std::uint32_t vertices_max = 32;
     std::uint64_t key;
-    std::uint32_t last_edge;                 // rank
-    std::uint32_t count;                     // vertices
-    std::uint32_t vertex[vertices_max];      // ascending
-    std::uint32_t other[vertices_max];       // [count - 2], those that are not of the last edge, ascending
-    RipsRow row[vertices_max];               // [count], of vertex[i]
+    std::uint32_t last_edge;             // rank
+    std::uint32_t count;                 // vertices
+    std::uint32_t vertex[vertices_max];  // ascending
+    std::uint32_t other[vertices_max];   // [count - 2], those that are not of the last edge, ascending
+    RipsRow row[vertices_max];           // [count], of vertex[i]
 };
 
 class RipsSimplices {
@@ -140,7 +140,7 @@ private:
     // With lists: of edges; then of vertices, [n + 1].
     std::uint32_t *larger_ = nullptr, *joined_begin_ = nullptr;
     RipsRow::Joined* joined_ = nullptr;  // [2 edges]
-    std::uint64_t* choose_ = nullptr;  // [others + 1][n]
+    std::uint64_t* choose_ = nullptr;    // [others + 1][n]
 };
 
 inline void RipsSimplices::latest(const RipsRow* rows, std::uint32_t count, std::uint32_t begin,

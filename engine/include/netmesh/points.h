@@ -78,8 +78,8 @@ typedef struct netmesh_distances {
     uint64_t entry_count;                  /* of SPARSE, below 2^31 */
     netmesh_distance_function evaluate;    /* of FUNCTION */
     void* user;                            /* handed to it; null without it */
-    uint64_t count;                        /* points, 1 .. 65,536; of FULL, LOWER and FUNCTION with max_degree 0 and
-                                              without cycles to NETMESH_POINTS_MAX */
+    uint64_t count;                        /* points, 1 .. 65,536; of SPARSE 1 .. 2^26; of the others with max_degree 0
+                                              and without cycles to NETMESH_POINTS_MAX */
 } netmesh_distances;
 
 /* A filtered simplicial complex (6.2). Simplex i has the vertices vertices[starts[i] .. starts[i + 1]), at most 32

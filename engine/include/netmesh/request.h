@@ -156,10 +156,10 @@ extern const netmesh_filter netmesh_filter_scales;
  *   errors    OUT_OF_RANGE: as of alpha; not of rips. INVALID_ARGUMENT (K): above the number of different points
  *
  * rips: Vietoris-Rips (6.4): edges enter at half their length; of points in any dimension, and of distances. Nothing
- * but edges is stored, unless cycles are wanted or there are more simplices than 62 bits can number. In degrees 0 and 1 of
- * 200 points or more in the plane or in space, without pairs of length zero, edges longer than the diameter from which
- * on balls have no hole are left out, and not counted as simplices: the last death of degree 1 of alpha. rips_small is
- * the same filter without that, so that a small part links no triangulation. */
+ * but edges is stored, unless cycles are wanted or there are more simplices than 62 bits can number. In degrees 0 and 1
+ * of 200 points or more in the plane or in space, without pairs of length zero, edges longer than the diameter from
+ * which on balls have no hole are left out, and not counted as simplices: the last death of degree 1 of alpha.
+ * rips_small is the same filter without that, so that a small part links no triangulation. */
 extern const netmesh_filter netmesh_filter_rips;
 extern const netmesh_filter netmesh_filter_rips_small;
 /* 6.4: Cech, the offsets' exact diagram. */
@@ -468,7 +468,8 @@ netmesh_status netmesh_settle(const netmesh_request* request, netmesh_request* s
  *                          points one set in some hundreds takes more than the plan; in D = 5 and 6 the method refine
  *                          takes far more. A sizing function is not counted
  *   scales                 of all points in one scale; with bounds and cycles
- *   points, distances      an upper bound, as if all points were joined, but for the fill of the reduction
+ *   points, distances      an upper bound, as if all points were joined, but for the fill of the reduction; of rips
+ *                          where it leaves edges out an estimate, as of uniform points
  *   simplices              the same; of vines with a bar for every other simplex at every step
  * Bounds, cycles and vines are counted where this is said here or at the want. Checks take more than a diagram. */
 size_t netmesh_plan(const netmesh_request* request);
