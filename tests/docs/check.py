@@ -30,7 +30,7 @@ import tempfile
 from html.parser import HTMLParser
 
 ROOT = os.path.normpath(os.path.join(os.path.dirname(os.path.abspath(__file__)), "..", ".."))
-BLOCK = re.compile(r"(?:^<!-- ([a-z ]+): (.*?) -->\n)?^```(\w*)\n(.*?)^```$", re.M | re.S)
+BLOCK = re.compile(r"(?:^<!-- ([a-z ]+): ([^\n]*?) -->\n)?^```(\w*)\n(.*?)^```$", re.M | re.S)
 # A table of commands, and a cell that has some.
 ROWS = re.compile(r"^<!-- rows: (.*?) -->\n((?:\|.*\n)+)", re.M)
 COMMAND_CELL = re.compile(r"\| `((?:netmesh|awk) [^`]*)`")

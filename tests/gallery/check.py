@@ -29,7 +29,7 @@ def main():
     (work / "bin").mkdir()
     (work / "bin" / "netmesh").symlink_to(program)
     text = (GALLERY.parent / "gallery.md").read_text()
-    commands = re.findall(r"^((?:<!-- run by: .*-->\n)?)```sh\n(.*?)```", text, re.M | re.S)
+    commands = re.findall(r"^((?:<!-- run by: [^\n]*-->\n)?)```sh\n(.*?)```", text, re.M | re.S)
     shown = re.findall(r"!\[[^]]+\]\(gallery/([^)]+)\.svg\)", text)
     for name, script in re.findall(r"^<!-- file: (\S+) -->\n```\w*\n(.*?)^```$", text, re.M | re.S):
         (work / name).write_text(script)
