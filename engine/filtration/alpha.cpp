@@ -42,7 +42,7 @@
 namespace netmesh {
 namespace {
 
-constexpr std::uint32_t faces_between_polls = 256;
+constexpr std::uint32_t faces_between_polls = 16;
 
 // What values are made of: PowerValues with weights.
 struct RadiusValues : NoWeights {};

@@ -52,6 +52,8 @@ private:
 
 #ifdef NETMESH_SWEEP
     static constexpr std::uint32_t interval = 1;  // tests/sweep cancels wherever it is possible
+#elif defined(__ARM_ARCH_PROFILE) && __ARM_ARCH_PROFILE == 'M'
+    static constexpr std::uint32_t interval = 20;  // a Cortex-M takes fifty times as long, so that slices are short
 #elif defined(__OPTIMIZE_SIZE__)
     static constexpr std::uint32_t interval = 800;  // small code is slower
 #else

@@ -1,9 +1,9 @@
 /* One sweep of a range finder to the loops that it saw, on a Cortex-M with 256 KB of flash and 128 KB of RAM.
  *
- * A file to copy: with netmesh.h and netmesh.cpp of tools/amalgamate and a linker script (example.ld) it is a whole
- * firmware. platform/cortexm/run --example builds it so, for D = 2 alone, runs it in qemu and prints what it takes. The
- * job is part 1; parts 2 and 3 are this program and this board, in whose place you have your own. On any other machine
- * it is an ordinary program that prints the same lines. */
+ * A file to copy: with netmesh.h and netmesh.cpp of tools/amalgamate, a board (example.h) and a linker script
+ * (example.ld) it is a whole firmware. platform/cortexm/run --example builds it so, for D = 2 alone, runs it in qemu
+ * and prints what it takes. The job is part 1; part 2 is this program, in whose place you have your own. On any other
+ * machine it is an ordinary program that prints the same lines. */
 #include "netmesh.h"
 
 /* Part 1: the job ------------------------------------------------------------------------------------------------ */
@@ -48,7 +48,7 @@ static netmesh_status find_loop(const uint16_t* range_mm, loop* largest) {
         y = sine * x + cosine * y;
         x = turned;
     }
-    /* A task of an RTOS that does this needs as much stack as `stack` in part 3: it makes the deepest call. */
+    /* A task of an RTOS that does this needs as much stack as STACK_BYTES in part 2: it makes the deepest call. */
     if ((status = netmesh_init(block, sizeof block, &context)) != NETMESH_OK) return status;
     request.points.coordinates = points[0];
     request.points.count = count;
@@ -68,12 +68,11 @@ static netmesh_status find_loop(const uint16_t* range_mm, loop* largest) {
 
 /* Part 2: what this program does with it -------------------------------------------------------------------------- */
 
-/* What the board has to give: see part 3. */
-static void say(const char* text);
-static uint64_t clock_now(void);
-static uint32_t instructions_between(uint64_t earlier, uint64_t later);
-static uint32_t stack_used(void); /* bytes from its top, the deepest so far */
-static uint32_t stack_size(void);
+/* netmesh_persist by the filter alpha takes no more whatever the points are; the rest is for the functions of this file
+ * and for one interrupt, which pushes up to 104 bytes where there is a floating-point unit. */
+enum { OWN_STACK = 512 };
+#define STACK_BYTES (NETMESH_STACK_BYTES_ALPHA(2) + OWN_STACK)
+#include "example.h"
 
 /* A room of some 5 m by 4 m with a niche, a pillar and an open door, from its inside; noise of 6 mm. */
 static const uint16_t sweep[SWEEP_ANGLES] = {
@@ -99,19 +98,7 @@ static const uint16_t sweep[SWEEP_ANGLES] = {
 };
 static netmesh_report report; /* a kilobyte that need not be on the stack */
 
-static void say_number(const char* before, uint32_t n, const char* after) {
-    char digits[11];
-    int at = 10;
-    digits[at] = 0;
-    do digits[--at] = (char)('0' + n % 10);
-    while ((n /= 10) != 0);
-    say(before);
-    say(digits + at);
-    say(after);
-}
-
-/* Not a part of reset, which must not save floating-point registers before it has switched their unit on. */
-__attribute__((noinline)) static int program(void) {
+static int program(void) {
     const uint64_t start = clock_now();
     static loop largest;
     const netmesh_status status = find_loop(sweep, &largest);
@@ -135,114 +122,3 @@ __attribute__((noinline)) static int program(void) {
     say_number("  instructions: ", instructions_between(start, end), "\n");
     return 0;
 }
-
-/* Part 3: the board ----------------------------------------------------------------------------------------------- */
-
-#if defined __arm__
-
-extern uint32_t stack_bottom[], stack_top[], data_begin[], data_end[], data_image[], bss_begin[], bss_end[];
-void reset(void);
-void fault(void);
-
-enum { PAINT = 0x5AC35A3C };
-
-/* netmesh_persist by the filter alpha takes no more whatever the points are; the rest is for the functions above and
- * for one interrupt, which pushes up to 104 bytes where there is a floating-point unit. */
-enum { OWN_STACK = 512, STACK = (NETMESH_STACK_BYTES_ALPHA(2) + OWN_STACK) / 8 };
-__attribute__((section(".bss.stack"), used)) static uint64_t stack[STACK];
-
-/* Semihosting: a debugger or qemu answers. */
-static void semihost(uint32_t operation, const void* argument) {
-    register uint32_t r0 __asm__("r0") = operation;
-    register const void* r1 __asm__("r1") = argument;
-    __asm__ volatile("bkpt 0xAB" : "+r"(r0) : "r"(r1) : "memory");
-}
-
-static void say(const char* text) { semihost(0x04, text); }
-
-static void stop(uint32_t code) {
-    const uint32_t reason[2] = {0x20026, code};
-    semihost(0x20, reason);
-}
-
-/* SysTick, 24 bits and a count of its wraps. On a board it counts cycles, here instructions: qemu -icount shift=0 lets
- * every instruction that the processor executes, in the compiler's routines for doubles too, take 1 ns of a clock of
- * 25 MHz. So a tick is 40 instructions, and what is counted is right but for two of them. */
-enum { INSTRUCTIONS_PER_TICK = 40 };
-static volatile uint32_t* const systick = (volatile uint32_t*)0xE000E010u; /* control, reload, current */
-static volatile uint32_t wraps;
-void tick(void);
-void tick(void) { ++wraps; }
-
-static void clock_start(void) {
-    systick[1] = 0xFFFFFF;
-    systick[2] = 0;
-    systick[0] = 7;
-    while (systick[2] == 0) {
-    }
-}
-static uint64_t clock_now(void) {
-    uint32_t before, count;
-    do {
-        before = wraps;
-        count = systick[2];
-    } while (before != wraps);
-    return ((uint64_t)before << 24) + (0xFFFFFF - count);
-}
-static uint32_t instructions_between(uint64_t earlier, uint64_t later) {
-    return (uint32_t)((later - earlier) * INSTRUCTIONS_PER_TICK);
-}
-
-/* The stack is filled with a pattern before anything runs; what is left of it was never touched. */
-static void paint_stack(void) {
-    uint32_t* end;
-    volatile uint32_t* p;
-    __asm__ volatile("mov %0, sp" : "=r"(end));
-    for (p = stack_bottom; p < end - 16; ++p) *p = PAINT;
-}
-static uint32_t stack_used(void) {
-    const volatile uint32_t* p = stack_bottom;
-    while (p < stack_top && *p == PAINT) ++p;
-    return (uint32_t)((uintptr_t)stack_top - (uintptr_t)p);
-}
-static uint32_t stack_size(void) { return sizeof stack; }
-
-void fault(void) {
-    say("FAULT\n"); /* the stack lies at the bottom of the RAM: where it overflows, this is where it ends */
-    stop(3);
-    for (;;) {
-    }
-}
-
-void reset(void) {
-    uint32_t *to, *from;
-    for (to = data_begin, from = data_image; to < data_end;) *to++ = *from++;
-    for (to = bss_begin; to < bss_end;) *to++ = 0;
-#ifdef __ARM_FP
-    *(volatile uint32_t*)0xE000ED88u |= 0xFu << 20; /* the floating-point unit */
-    __asm__ volatile("dsb\n isb" ::: "memory");
-#endif
-    paint_stack();
-    clock_start();
-    stop((uint32_t)program());
-    for (;;) {
-    }
-}
-
-typedef void (*handler)(void);
-__attribute__((section(".vectors"), used)) static const struct {
-    uint32_t* stack;
-    handler handlers[15];
-} vectors = {stack_top, {reset, fault, fault, fault, fault, fault, 0, 0, 0, 0, fault, fault, 0, fault, tick}};
-
-#else /* any other machine */
-
-#include <stdio.h>
-static void say(const char* text) { fputs(text, stdout); }
-static uint64_t clock_now(void) { return 0; }
-static uint32_t instructions_between(uint64_t earlier, uint64_t later) { return (uint32_t)(later - earlier); }
-static uint32_t stack_used(void) { return 0; }
-static uint32_t stack_size(void) { return 0; }
-int main(void) { return program(); }
-
-#endif

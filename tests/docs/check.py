@@ -30,7 +30,7 @@ import tempfile
 from html.parser import HTMLParser
 
 ROOT = os.path.normpath(os.path.join(os.path.dirname(os.path.abspath(__file__)), "..", ".."))
-BLOCK = re.compile(r"(?:^<!-- ([a-z ]+): (.*?) -->\n)?^```(\w*)\n(.*?)^```$", re.M | re.S)
+BLOCK = re.compile(r"(?:^<!-- ([a-z ]+): ([^\n]*?) -->\n)?^```(\w*)\n(.*?)^```$", re.M | re.S)
 # A table of commands, and a cell that has some.
 ROWS = re.compile(r"^<!-- rows: (.*?) -->\n((?:\|.*\n)+)", re.M)
 COMMAND_CELL = re.compile(r"\| `((?:netmesh|awk) [^`]*)`")
@@ -106,7 +106,7 @@ def same(shown, printed):
 def faults_of_commands(pages, build, write=False):
     faults, tests = [], registered_tests()
     for page, text in list(pages.items()):
-        counts = {"run": 0, "elsewhere": 0}
+        counts, elsewhere = {"run": 0, "elsewhere": 0}, ""
         with tempfile.TemporaryDirectory() as path:
             folder = Folder(path, build)
             found = sorted([*BLOCK.finditer(text), *ROWS.finditer(text)], key=lambda match: match.start())
@@ -122,6 +122,7 @@ def faults_of_commands(pages, build, write=False):
                 place = "%s:%d" % (page, text.count("\n", 0, block.start(3)) + 1)
                 if says == "run by":
                     counts["elsewhere"] += 1
+                    elsewhere += body
                     if what not in tests:
                         faults.append("%s: there is no test %s" % (place, what))
                 elif says == "not run":
@@ -168,6 +169,8 @@ def faults_of_commands(pages, build, write=False):
                 shown = os.path.join(ROOT, os.path.dirname(page), target)
                 if write and os.path.isfile(made):
                     shutil.copyfile(made, shown)
+                if os.path.basename(target) in elsewhere:
+                    continue
                 if not os.path.isfile(made):
                     faults.append("%s: no command makes the picture %s" % (page, target))
                 elif open(made, "rb").read() != open(shown, "rb").read():

@@ -11,6 +11,8 @@
   write.py coverage LOG     what `tests/coverage/run` printed                          -> tests/coverage/COVERAGE.md
   write.py light WORK       what jobs take on a board, measured by tests/embedding/footprint.py in WORK
                                                                                        -> tools/docs/small-parts.md
+  write.py windows LOG      what `platform/cortexm/run --windows D` printed for D = 2 and 3
+                                                                                       -> tools/docs/small-parts.md
   write.py lemmas LOG       what `test_mesh -tc="every lemma*"` printed                -> FIGURES.md
 
 Nothing between the marks is written by hand. Exit code 1: the marks or the figures are missing."""
@@ -189,9 +191,31 @@ def lemmas(log):
         table(["largest"] + ["D = " + d for d in dims], more))
 
 
+def windows(log):
+    cores, dim = {}, None
+    with open(log, encoding="utf-8") as f:
+        for line in f:
+            begin = re.match(r"windows\.c, D = (\d)", line)
+            said = re.match(r"cortex-(\w+)  (\w+): (.*)", line)
+            if begin:
+                dim = begin[1]
+            elif said:
+                cores.setdefault((dim, said[1]), {})[said[2]] = [int(n) for n in re.findall(r"\d+", said[3])]
+    rows = []
+    for (dim, core), said in cores.items():
+        window, window_most, slice_most = said["instructions"]
+        rows.append([dim, core.upper()] + ["{:,}".format(n) for n in (said["flash"][0], said["flash"][2])] +
+                    ["{:,} of {:,}".format(*said[name][at:at + 2]) for name, at in (("block", 0), ("stack", 2))] +
+                    ["%.1f M" % (n / 1e6) for n in (window, window_most)] +
+                    [str(said["slices"][1]), "{:,}".format(slice_most)])
+    put(SMALL_PARTS, "windows",
+        table(["D", "core", "flash", "RAM", "block", "stack of the job", "instructions a window", "at most",
+               "slices, at most", "instructions a slice, at most"], rows))
+
+
 def main():
     writers = {"stack": stack, "jobs": jobs, "size": size, "bare": bare, "gaps": gaps, "coverage": coverage,
-               "light": light, "lemmas": lemmas}
+               "light": light, "windows": windows, "lemmas": lemmas}
     if len(sys.argv) != 3 or sys.argv[1] not in writers:
         sys.exit(__doc__)
     writers[sys.argv[1]](sys.argv[2])
