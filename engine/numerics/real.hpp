@@ -11,6 +11,9 @@
 #if defined(__FLT_EVAL_METHOD__) && (__FLT_EVAL_METHOD__ < 0 || __FLT_EVAL_METHOD__ == 2)
 #error "netmesh: doubles must be computed as doubles (on i386: -msse2 -mfpmath=sse)"
 #endif
+#if __SIZEOF_DOUBLE__ != 8
+#error "netmesh: doubles must have 64 bits (on AVR they have 32)"
+#endif
 
 namespace netmesh {
 
