@@ -8,8 +8,8 @@
     defined(__ASSOCIATIVE_MATH__) || defined(__RECIPROCAL_MATH__) || defined(__NO_SIGNED_ZEROS__)
 #error "netmesh: exact predicates need arithmetic without -ffast-math"
 #endif
-#if defined(__FLT_EVAL_METHOD__) && (__FLT_EVAL_METHOD__ < 0 || __FLT_EVAL_METHOD__ == 2)
-#error "netmesh: doubles must be computed as doubles (on i386: -msse2 -mfpmath=sse)"
+#if __SIZEOF_DOUBLE__ != 8 || defined(__FLT_EVAL_METHOD__) && (__FLT_EVAL_METHOD__ < 0 || __FLT_EVAL_METHOD__ == 2)
+#error "netmesh: doubles must have 64 bits and be computed as such (on i386: -msse2 -mfpmath=sse)"
 #endif
 
 namespace netmesh {

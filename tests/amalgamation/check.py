@@ -143,7 +143,8 @@ def check_planted(options):
     base = [options.cxx, "-std=c++17", PLANE, "-fsyntax-only"]
     status, said = run(base + [source])
     check(status == 0 and said == "", "without a fault it compiles " + said[:300])
-    flags = [["-ffast-math"], ["-ffinite-math-only"]]
+    flags = [["-ffast-math"], ["-ffinite-math-only"], ["-std=gnu++14"],
+             ["-U__SIZEOF_DOUBLE__", "-D__SIZEOF_DOUBLE__=4"]]
     if "clang" not in must([options.cxx, "--version"]):
         flags += [["-freciprocal-math"], ["-fno-signed-zeros"], ["-funsafe-math-optimizations"]]
         if re.search("x86[-_]64", must([options.cxx, "-dumpmachine"])):
