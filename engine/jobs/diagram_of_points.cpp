@@ -120,7 +120,7 @@ template <class Bound> Status persist_set(const PointsRequest& request, const Wo
     return status;
 }
 
-template <class Bound> Status persist(const PointsRequest& request, const Work& work, PointsDiagram* out) {
+template <class Bound> Status diagram_by(const PointsRequest& request, const Work& work, PointsDiagram* out) {
     const std::size_t low = work.arena.low_mark(), high = work.arena.high_mark();
     *out = PointsDiagram{};
     out->is_listed = request.representatives;
@@ -135,11 +135,11 @@ template <class Bound> Status persist(const PointsRequest& request, const Work& 
 }  // namespace
 
 Status diagram_of_points(const PointsRequest& request, const Work& work, PointsDiagram* out) {
-    return persist<NoBound>(request, work, out);
+    return diagram_by<NoBound>(request, work, out);
 }
 
 Status bounded_diagram_of_points(const PointsRequest& request, const Work& work, PointsDiagram* out) {
-    return persist<BoundByAlpha>(request, work, out);
+    return diagram_by<BoundByAlpha>(request, work, out);
 }
 
 // Uniform points have this many edges and columns, and additions to columns, at most, up to the bound.

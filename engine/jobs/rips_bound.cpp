@@ -8,7 +8,7 @@
 namespace netmesh {
 namespace {
 
-template <int D> Status alpha_diagram(const PointSet& points, const Work& work, AlphaDiagram* out) {
+template <int D> Status bounding_diagram(const PointSet& points, const Work& work, AlphaDiagram* out) {
     AlphaOfPoints request = {};
     request.points = {points.coordinates, sizeof(double) * D, false};
     request.count = points.count;
@@ -42,7 +42,7 @@ Status bound_rips(const PointSet& points, double threshold, const Work& work, Ri
     const Status status = with_dimension(points.dim, [&](auto dimension) {
         constexpr int dim = decltype(dimension)::value;
         if constexpr (dim <= 3)
-            return alpha_diagram<dim>(points, inside, &made);
+            return bounding_diagram<dim>(points, inside, &made);
         else
             return Status::internal;
     });

@@ -308,7 +308,7 @@ private:
             double part[Lattice::most];
             out_.lattice.split(near_[i].high, part);
             for (int j = 0; j < out_.lattice.count; ++j) {
-                const auto is_whole = [&](double times) {
+                const auto is_whole = [&](double times) __attribute__((always_inline)) {
                     return absolute(times * part[j] - nearest_integer(times * part[j])) < 0x1p-44;
                 };
                 if (!is_whole(24) || is_whole(1)) continue;

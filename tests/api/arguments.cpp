@@ -3,6 +3,7 @@
 #include <doctest/doctest.h>
 
 #include <cfenv>
+#include <cmath>
 #include <cstring>
 #include <limits>
 #include <string>
@@ -380,21 +381,23 @@ TEST_CASE("another floating-point mode is refused") {
     CHECK(netmesh_init(block, sizeof block, &context) == NETMESH_OK);
 }
 
-TEST_CASE("points beyond what lists can number") {
-    // More points than a graph of edges is made for, and more simplices than 62 bits number: both are listed, one by
-    // one, until stopped.
+TEST_CASE("points beyond what a table of edges holds, and simplices beyond what has numbers") {
     Session s(2);
-    s.reserve(std::size_t{1} << 24);
+    s.reserve(std::size_t{1} << 27);
+    const auto rips = [&](std::size_t n, std::uint32_t degree, double threshold) {
+        const inputs::Points points = inputs::uniform(2, n);
+        netmesh::Request r = s.points_request(points, &netmesh_filter_rips, 1, degree);
+        r.threshold = threshold;
+        return netmesh_persist(s.context, &r);
+    };
+    CHECK(rips(65537, 1, 0.003) == NETMESH_OK);
+    CHECK(s.report().diagram.simplices > 2 * 65537);
+    CHECK(s.report().diagram.pairs[0] == 65537);
+    // These are listed, one by one, until stopped.
     s.request.monitor.poll = [](void*, const netmesh_progress* progress) {
         return int(progress->stage == NETMESH_STAGE_FILTER);
     };
-    const auto rips = [&](std::size_t n, std::uint32_t degree) {
-        const inputs::Points points = inputs::uniform(2, n);
-        const netmesh::Request r = s.points_request(points, &netmesh_filter_rips, 1, degree);
-        return netmesh_persist(s.context, &r);
-    };
-    CHECK(rips(65537, 1) == NETMESH_CANCELLED);
-    CHECK(rips(300, 30) == NETMESH_CANCELLED);
+    CHECK(rips(300, 30, HUGE_VAL) == NETMESH_CANCELLED);
     const inputs::Points few = inputs::uniform(2, 3);
     const netmesh::Request r = s.points_request(few, &netmesh_filter_barycentric_cech, 4, 0);
     CHECK(netmesh_persist(s.context, &r) == NETMESH_INVALID_ARGUMENT);

@@ -3,6 +3,7 @@
 //   rips [factor on the numbers of points, 1]
 #include <sys/resource.h>
 
+#include <cmath>
 #include <cstdio>
 #include <cstdlib>
 #include <ctime>
@@ -20,10 +21,14 @@ double seconds_of_children() {
     return static_cast<double>(used.ru_utime.tv_sec) + static_cast<double>(used.ru_utime.tv_usec) / 1e6;
 }
 
-// Processor time of ripser on these points, less than 0 without one.
-double ripser(int dim, const inputs::Points& points, int max_degree) {
+// Processor time of ripser on these points, less than 0 without one. Its thresholds are diameters. All distances of so
+// many points do not fit.
+double ripser(int dim, const inputs::Points& points, int max_degree, double threshold) {
+    if (points.size() / static_cast<std::size_t>(dim) > 20000) return -1;
     if (std::system("command -v ripser >/dev/null 2>&1") != 0) return -1;
-    std::string command = "ripser --format point-cloud --dim " + std::to_string(max_degree) + " >/dev/null";
+    std::string command = "ripser --format point-cloud --dim " + std::to_string(max_degree);
+    if (threshold < HUGE_VAL) command += " --threshold " + std::to_string(2 * threshold);
+    command += " >/dev/null";
     const double start = seconds_of_children();
     std::FILE* const pipe = popen(command.c_str(), "w");
     if (pipe == nullptr) return -1;
@@ -32,19 +37,21 @@ double ripser(int dim, const inputs::Points& points, int max_degree) {
     return pclose(pipe) == 0 ? seconds_of_children() - start : -1;
 }
 
-void measure(const char* name, int dim, const inputs::Points& points, int max_degree) {
+void measure(const char* name, int dim, const inputs::Points& points, int max_degree, double threshold = HUGE_VAL) {
     Session session(dim);
     session.reserve(std::size_t{1} << 34);  // little of that is used, the rest costs nothing
     const double start = seconds();
-    const netmesh_status status = session.persist_until_it_fits(
-        session.points_request(points, &netmesh_filter_rips, 1, static_cast<std::uint32_t>(max_degree)));
+    netmesh::Request request =
+        session.points_request(points, &netmesh_filter_rips, 1, static_cast<std::uint32_t>(max_degree));
+    request.threshold = threshold;
+    const netmesh_status status = session.persist_until_it_fits(request);
     const double took = seconds() - start;
-    std::printf("%-8s %5zu points, degrees to %d: %8.3f s %8.1f MiB (%s)", name,
-                points.size() / static_cast<std::size_t>(dim), max_degree, took,
+    std::printf("%-8s %7zu points, threshold %-5g degrees to %d: %8.3f s %8.1f MiB (%s)", name,
+                points.size() / static_cast<std::size_t>(dim), threshold, max_degree, took,
                 static_cast<double>(session.report().memory.peak_bytes) / 1048576, netmesh_status_text(status));
-    const double theirs = ripser(dim, points, max_degree);
+    const double theirs = ripser(dim, points, max_degree, threshold);
     if (theirs < 0) {
-        std::printf("  no ripser on the path\n");
+        std::printf("  no ripser\n");
     } else {
         std::printf("  ripser %8.3f s\n", theirs);
     }
@@ -62,5 +69,11 @@ int main(int argc, char** argv) {
     measure("cube", 3, inputs::uniform(3, n(2000)), 1);
     measure("clifford", 4, inputs::clifford(n(300)), 1);
     measure("cube", 6, inputs::uniform(6, n(50)), 5);
+    measure("cube", 3, inputs::uniform(3, n(4000)), 2, 0.05);
+    measure("cube", 4, inputs::uniform(4, n(4000)), 1, 0.1);
+    measure("square", 2, inputs::uniform(2, n(10000)), 1);
+    measure("square", 2, inputs::uniform(2, n(100000)), 1);
+    measure("cube", 3, inputs::uniform(3, n(100000)), 1);
+    measure("square", 2, inputs::uniform(2, n(1000000)), 1);
     return 0;
 }
