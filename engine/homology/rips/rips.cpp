@@ -38,9 +38,8 @@ private:
     bool list_column(std::uint64_t key);
     std::uint32_t lune(std::uint32_t edge, std::uint32_t* out) const;
     std::uint32_t cost_of_lune(std::uint32_t edge) const {
-        const RipsRow rows[] = {simplices_of_.row(simplices_of_.smaller_end(edge)),
-                                simplices_of_.row(simplices_of_.larger_end(edge))};
-        return simplices_of_.cost_of(rows, 2) / 4;
+        const std::uint32_t ends[] = {simplices_of_.smaller_end(edge), simplices_of_.larger_end(edge)};
+        return simplices_of_.cost_of(ends, 2) / 4;
     }
     Status reduce(std::uint32_t p);
     double value_of(std::uint64_t key) const { return simplices_of_.value(simplices_of_.edge_of(key)); }
@@ -109,17 +108,16 @@ Status Rips::join_components() {
 
 // The vertices that both ends of an edge are joined to by earlier edges.
 std::uint32_t Rips::lune(std::uint32_t edge, std::uint32_t* out) const {
-    const RipsRow rows[] = {simplices_of_.row(simplices_of_.smaller_end(edge)),
-                            simplices_of_.row(simplices_of_.larger_end(edge))};
+    const std::uint32_t ends[] = {simplices_of_.smaller_end(edge), simplices_of_.larger_end(edge)};
     std::uint32_t count = 0;
     if (simplices_of_.has_lists()) {
-        simplices_of_.each_joined(rows, 2, edge, vertices_, [&](std::uint32_t w, std::uint32_t, auto) {
+        simplices_of_.each_joined(ends, 2, edge, vertices_, [&](std::uint32_t w, std::uint32_t, auto) {
             out[count++] = w;
             return true;
         });
         return count;
     }
-    const std::uint32_t *const a = rows[0].table, *const b = rows[1].table;
+    const std::uint32_t *const a = simplices_of_.row(ends[0]).table, *const b = simplices_of_.row(ends[1]).table;
     for (std::uint32_t w = 0; w < vertices_; ++w) {
         out[count] = w;
         count += a[w] < edge && b[w] < edge ? 1 : 0;
@@ -140,8 +138,8 @@ Status Rips::find_last_edges() {
     for (std::uint32_t v = 0; v < vertices_; ++v) {
         const RipsRow row = simplices_of_.row(v);
         for (const RipsRow::Joined* at = row.begin; at != row.end && at->vertex < v; ++at) {
-            const RipsRow rows[] = {row, simplices_of_.row(at->vertex)};
-            if (progress_.stop(1 + simplices_of_.cost_of(rows, 2))) return Status::cancelled;
+            const std::uint32_t ends[] = {v, at->vertex};
+            if (progress_.stop(1 + simplices_of_.cost_of(ends, 2))) return Status::cancelled;
             if (simplices_of_.is_last_of_triangle(at->rank)) last_.insert(at->rank);
         }
     }
@@ -208,7 +206,7 @@ Status Rips::walk_cliques(std::uint32_t p, std::uint32_t edge) {
             count += row.rank_of(candidates[c], &at) < edge ? 1 : 0;
         }
         left[++depth] = count;
-        if (progress_.stop(1 + i / 16 + (row.table == nullptr ? simplices_of_.cost_of(&row, 1) : 0)))
+        if (progress_.stop(1 + i / 16 + (row.table == nullptr ? simplices_of_.cost_of(&candidates[i], 1) : 0)))
             return Status::cancelled;
     }
 }

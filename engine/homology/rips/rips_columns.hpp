@@ -173,7 +173,7 @@ private:
     }
     // Once in the program: it is large, and a call of it visits all vertices.
     [[gnu::noinline]] bool push_cofaces(const RipsSimplex& s) {
-        arena_.pass(1 + simplices_.cost_of(s.row, s.count));
+        arena_.pass(1 + simplices_.cost_of(s.vertex, s.count));
         return simplices_.each_coface(s, [this](std::uint64_t coface) { return heap_.push(coface); });
     }
     // How many simplices were added to column j; 0 of no column.

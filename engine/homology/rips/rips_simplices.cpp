@@ -161,14 +161,13 @@ void RipsSimplices::read(std::uint64_t key, std::uint32_t dimension, RipsSimplex
     for (std::uint32_t i = 0, a = 0, b = 0; i <= dimension; ++i) {
         const bool from_ends = b < 2 && (a == dimension - 1 || ends[b] < s->other[a]);
         s->vertex[i] = from_ends ? ends[b++] : s->other[a++];
-        s->row[i] = row(s->vertex[i]);
     }
 }
 
-std::uint32_t RipsSimplices::first_joined(const RipsRow* rows, std::uint32_t count, std::uint32_t edge,
+std::uint32_t RipsSimplices::first_joined(const std::uint32_t* vertex, std::uint32_t count, std::uint32_t edge,
                                           std::uint32_t end) const {
     std::uint32_t first = none;
-    each_joined(rows, count, edge, end, [&first](std::uint32_t w, std::uint32_t, auto) {
+    each_joined(vertex, count, edge, end, [&first](std::uint32_t w, std::uint32_t, auto) {
         first = w;
         return false;
     });
@@ -176,26 +175,26 @@ std::uint32_t RipsSimplices::first_joined(const RipsRow* rows, std::uint32_t cou
 }
 
 bool RipsSimplices::is_last_of_triangle(std::uint32_t edge) const {
-    const RipsRow rows[] = {row(smaller_end(edge)), row(larger_end(edge))};
-    if (has_lists()) return first_joined(rows, 2, edge, n_) != none;
-    const std::uint32_t *const a = rows[0].table, *const b = rows[1].table;
+    const std::uint32_t ends[] = {smaller_end(edge), larger_end(edge)};
+    if (has_lists()) return first_joined(ends, 2, edge, n_) != none;
+    const std::uint32_t *const a = row(ends[0]).table, *const b = row(ends[1]).table;
     std::uint32_t w = 0;
     while (w < n_ && (a[w] >= edge || b[w] >= edge)) ++w;
     return w < n_;
 }
 
 std::uint64_t RipsSimplices::apparent_facet(const RipsSimplex& s) const {
-    RipsRow rows[RipsSimplex::vertices_max];
+    std::uint32_t facet[RipsSimplex::vertices_max];
     std::uint32_t count = 0;
     for (std::uint32_t i = 0; i < s.count; ++i) {
-        if (s.vertex[i] != s.other[0]) rows[count++] = s.row[i];
+        if (s.vertex[i] != s.other[0]) facet[count++] = s.vertex[i];
     }
-    if (first_joined(rows, count, s.last_edge, s.other[0]) != none) return no_key;
+    if (first_joined(facet, count, s.last_edge, s.other[0]) != none) return no_key;
     return key_of(s.last_edge, s.other + 1, s.count - 3);
 }
 
 std::uint64_t RipsSimplices::first_coface(const RipsSimplex& s) const {
-    const std::uint32_t w = first_joined(s.row, s.count, s.last_edge, n_);
+    const std::uint32_t w = first_joined(s.vertex, s.count, s.last_edge, n_);
     if (w == none) return no_key;
     std::uint32_t other[RipsSimplex::vertices_max], count = 0, i = 0;
     for (; i < s.count - 2 && s.other[i] < w; ++i) other[count++] = s.other[i];

@@ -55,7 +55,6 @@ struct RipsSimplex {
     std::uint32_t count;                 // vertices
     std::uint32_t vertex[vertices_max];  // ascending
     std::uint32_t other[vertices_max];   // [count - 2], those that are not of the last edge, ascending
-    RipsRow row[vertices_max];           // [count], of vertex[i]
 };
 
 class RipsSimplices {
@@ -82,18 +81,20 @@ public:
         if (!has_lists()) return {rank_ + std::size_t{v} * n_, nullptr, nullptr};
         return {nullptr, joined_ + joined_begin_[v], joined_ + joined_begin_[v + 1]};
     }
-    // What it costs to visit rows, in units of some 16 vertices.
-    std::uint32_t cost_of(const RipsRow* rows, std::uint32_t count) const {
+    // What it costs to visit the rows of these vertices, in units of some 16 vertices.
+    std::uint32_t cost_of(const std::uint32_t* vertex, std::uint32_t count) const {
         if (!has_lists()) return n_ / 16;  // of all rows together
         std::size_t sum = 0;
-        for (std::uint32_t i = 0; i < count; ++i) sum += static_cast<std::size_t>(rows[i].end - rows[i].begin);
+        for (std::uint32_t i = 0; i < count; ++i) sum += joined_begin_[vertex[i] + 1] - joined_begin_[vertex[i]];
         return static_cast<std::uint32_t>(sum / 16);
     }
-    // Calls f(w, rank, far) for vertices w < end that are joined to all rows, the last of the edges having this rank,
-    // below `before`: far() is the row that it is of. Stops and returns false when f does.
+    // Calls f(w, rank, far) for vertices w < end that are joined to all of these, the last of the edges having this
+    // rank, below `before`: far() tells from which of them. Stops and returns false when f does.
     template <class F>
-    bool each_joined(const RipsRow* rows, std::uint32_t count, std::uint32_t before, std::uint32_t end, F f) const {
-        return has_lists() ? each_in_lists(rows, count, before, end, f) : each_in_table(rows, count, before, end, f);
+    bool each_joined(const std::uint32_t* vertex, std::uint32_t count, std::uint32_t before, std::uint32_t end,
+                     F f) const {
+        return has_lists() ? each_in_lists(vertex, count, before, end, f)
+                           : each_in_table(vertex, count, before, end, f);
     }
     // Whether both ends of an edge are joined to some vertex by earlier edges.
     bool is_last_of_triangle(std::uint32_t edge) const;
@@ -117,14 +118,17 @@ private:
     std::uint64_t choose(std::uint32_t a, std::uint32_t k) const {
         return k == 1 ? a : choose_[std::size_t{k} * n_ + a];
     }
-    // Ranks by which the vertices [begin, begin + block) are joined to all rows, the last one of each.
-    void latest(const RipsRow* rows, std::uint32_t count, std::uint32_t begin, std::uint32_t* rank) const;
+    // Ranks by which the vertices [begin, begin + block) are joined to all of these, the last one of each.
+    void latest(const std::uint32_t* vertex, std::uint32_t count, std::uint32_t begin, std::uint32_t* rank) const;
     template <class F>
-    bool each_in_table(const RipsRow* rows, std::uint32_t count, std::uint32_t before, std::uint32_t end, F f) const;
+    bool each_in_table(const std::uint32_t* vertex, std::uint32_t count, std::uint32_t before, std::uint32_t end,
+                       F f) const;
     template <class F>
-    bool each_in_lists(const RipsRow* rows, std::uint32_t count, std::uint32_t before, std::uint32_t end, F f) const;
-    // The first vertex before `end` that is joined to all rows by edges before `edge`; `none` if there is none.
-    std::uint32_t first_joined(const RipsRow* rows, std::uint32_t count, std::uint32_t edge, std::uint32_t end) const;
+    bool each_in_lists(const std::uint32_t* vertex, std::uint32_t count, std::uint32_t before, std::uint32_t end,
+                       F f) const;
+    // The first vertex before `end` that is joined to all of these by edges before `edge`; `none` if there is none.
+    std::uint32_t first_joined(const std::uint32_t* vertex, std::uint32_t count, std::uint32_t edge,
+                               std::uint32_t end) const;
     bool open_table(const RipsGraph& graph, std::uint32_t others, Arena& arena);
     bool open_lists(const RipsGraph& graph, std::uint32_t others, Arena& arena);
     void join(const RipsGraph& graph, const std::uint32_t* rank_at, Arena& arena);
@@ -143,28 +147,29 @@ private:
     std::uint64_t* choose_ = nullptr;    // [others + 1][n]
 };
 
-inline void RipsSimplices::latest(const RipsRow* rows, std::uint32_t count, std::uint32_t begin,
+inline void RipsSimplices::latest(const std::uint32_t* vertex, std::uint32_t count, std::uint32_t begin,
                                   std::uint32_t* rank) const {
     const std::uint32_t size = n_ - begin < block ? n_ - begin : block;
-    for (std::uint32_t i = 0; i < size; ++i) rank[i] = rows[0].table[begin + i];
+    const std::uint32_t* const first = rank_ + std::size_t{vertex[0]} * n_ + begin;
+    for (std::uint32_t i = 0; i < size; ++i) rank[i] = first[i];
     for (std::uint32_t r = 1; r < count; ++r) {
-        const std::uint32_t* const row = rows[r].table + begin;
+        const std::uint32_t* const row = rank_ + std::size_t{vertex[r]} * n_ + begin;
         for (std::uint32_t i = 0; i < size; ++i) rank[i] = row[i] > rank[i] ? row[i] : rank[i];
     }
 }
 
 template <class F>
-bool RipsSimplices::each_in_table(const RipsRow* rows, std::uint32_t count, std::uint32_t before, std::uint32_t end,
-                                  F f) const {
+bool RipsSimplices::each_in_table(const std::uint32_t* vertex, std::uint32_t count, std::uint32_t before,
+                                  std::uint32_t end, F f) const {
     std::uint32_t rank[block];
     for (std::uint32_t begin = 0; begin < end; begin += block) {
-        latest(rows, count, begin, rank);
+        latest(vertex, count, begin, rank);
         for (std::uint32_t w = begin; w < end && w < begin + block; ++w) {
             const std::uint32_t edge = rank[w - begin];
             const auto far = [&] {
-                std::uint32_t row = 0;
-                while (rows[row].table[w] != edge) ++row;
-                return row;
+                std::uint32_t at = 0;
+                while (rank_[std::size_t{vertex[at]} * n_ + w] != edge) ++at;
+                return at;
             };
             if (edge < before && !f(w, edge, far)) return false;
         }
@@ -173,11 +178,12 @@ bool RipsSimplices::each_in_table(const RipsRow* rows, std::uint32_t count, std:
 }
 
 template <class F>
-bool RipsSimplices::each_in_lists(const RipsRow* rows, std::uint32_t count, std::uint32_t before, std::uint32_t end,
-                                  F f) const {
+bool RipsSimplices::each_in_lists(const std::uint32_t* vertex, std::uint32_t count, std::uint32_t before,
+                                  std::uint32_t end, F f) const {
     if (count == 2) {  // the most frequent by far; of these the one that is behind goes on, or both
-        const RipsRow::Joined *a = rows[0].begin, *b = rows[1].begin;
-        while (a != rows[0].end && b != rows[1].end) {
+        const RipsRow first = row(vertex[0]), second = row(vertex[1]);
+        const RipsRow::Joined *a = first.begin, *b = second.begin;
+        while (a != first.end && b != second.end) {
             const RipsRow::Joined here = *a, there = *b;
             a += here.vertex <= there.vertex;
             b += there.vertex <= here.vertex;
@@ -191,11 +197,12 @@ bool RipsSimplices::each_in_lists(const RipsRow* rows, std::uint32_t count, std:
         return true;
     }
     const RipsRow::Joined* at[RipsSimplex::vertices_max];
-    for (std::uint32_t r = 0; r < count; ++r) at[r] = rows[r].begin;
+    for (std::uint32_t r = 0; r < count; ++r) at[r] = row(vertex[r]).begin;
     for (std::uint32_t w = 0, r = 0, latest = 0; w < end;) {
         const RipsRow::Joined*& next = at[r];
-        while (next != rows[r].end && next->vertex < w) ++next;
-        if (next == rows[r].end) return true;
+        const RipsRow::Joined* const last = row(vertex[r]).end;
+        while (next != last && next->vertex < w) ++next;
+        if (next == last) return true;
         if (next->vertex > w || next->rank >= before) {
             w = next->vertex > w ? next->vertex : w + 1;
             r = latest = 0;
@@ -204,9 +211,9 @@ bool RipsSimplices::each_in_lists(const RipsRow* rows, std::uint32_t count, std:
         latest = next->rank > latest ? next->rank : latest;
         if (++r < count) continue;
         const auto far = [&] {
-            std::uint32_t row = 0;
-            while (at[row]->rank != latest) ++row;
-            return row;
+            std::uint32_t which = 0;
+            while (at[which]->rank != latest) ++which;
+            return which;
         };
         if (!f(w, latest, far)) return false;
         ++w;
@@ -227,7 +234,7 @@ template <class F> bool RipsSimplices::each_coface(const RipsSimplex& s, F f) co
     for (std::uint32_t i = 1; i < s.count; ++i)
         without[i] = without[i - 1] - choose(s.vertex[i], i) + choose(s.vertex[i - 1], i);
     std::uint32_t smaller = 0;
-    return each_joined(s.row, s.count, none, n_, [&](std::uint32_t w, std::uint32_t edge, auto far) {
+    return each_joined(s.vertex, s.count, none, n_, [&](std::uint32_t w, std::uint32_t edge, auto far) {
         while (smaller < others && s.other[smaller] < w) ++smaller;
         if (edge < s.last_edge)
             return f(std::uint64_t{s.last_edge} << shift_ | (with[smaller] + choose(w, smaller + 1)));
