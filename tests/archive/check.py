@@ -580,6 +580,7 @@ JOBS = {
     "ALPHA": (["netmesh_persist"], r"netmesh_filter_alpha$"),
     "CERTIFIED": (["netmesh_mesh", "netmesh_persist"], ON_MESH),
     "RIPS": (["netmesh_persist"], r"netmesh_filter_(rips|cech)$"),
+    "RIPS_SMALL": (["netmesh_persist"], r"netmesh_filter_rips_small$"),
 }
 # What comes with each of them.
 EVERY_JOB = re.compile(r"netmesh_(init|plan|plan_\w+|settle|get_\w+|status_text)$")
@@ -719,7 +720,7 @@ def main():
     size = sub.add_parser("size")
     size.add_argument("--records", required=True)
     size.add_argument("--objects")
-    size.add_argument("--bytes", type=int, default=1_760_000)
+    size.add_argument("--bytes", type=int, default=1_800_000)
     size.add_argument("--nm", default="nm")
     options = parser.parse_args()
     if options.check == "size":

@@ -39,12 +39,12 @@ double ripser(int dim, const inputs::Points& points, int max_degree, double thre
 
 void measure(const char* name, int dim, const inputs::Points& points, int max_degree, double threshold = HUGE_VAL) {
     Session session(dim);
-    session.reserve(std::size_t{1} << 34);  // little of that is used, the rest costs nothing
+    session.reserve(std::size_t{1} << 32);  // little of that is used, the rest costs nothing
     const double start = seconds();
     netmesh::Request request =
         session.points_request(points, &netmesh_filter_rips, 1, static_cast<std::uint32_t>(max_degree));
     request.threshold = threshold;
-    const netmesh_status status = session.persist_until_it_fits(request);
+    const netmesh_status status = netmesh_persist(session.context, &request);
     const double took = seconds() - start;
     std::printf("%-8s %7zu points, threshold %-5g degrees to %d: %8.3f s %8.1f MiB (%s)", name,
                 points.size() / static_cast<std::size_t>(dim), threshold, max_degree, took,

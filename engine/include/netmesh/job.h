@@ -40,6 +40,7 @@ extern "C" {
  *   ALPHA       netmesh_persist by the filter alpha
  *   CERTIFIED   netmesh_mesh and netmesh_persist by filters on meshes, without wants
  *   RIPS        netmesh_persist by the filters rips and cech, of points and of distances
+ *   RIPS_SMALL  netmesh_persist by the filter rips_small, of points and of distances
  *
  * each with netmesh_init, plans and the calls that read results. They hold with 32-bit pointers for a Cortex-M0, M3,
  * M4, M7 or M33, g++ -Os, a library of the dimension dim alone; with 64-bit pointers for x86-64, g++ -O3, a library of

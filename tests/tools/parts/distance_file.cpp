@@ -208,8 +208,8 @@ TEST_CASE("faults in files of distances name line and field") {
     CHECK(fault("3\n5 4\n1 2\n") == "d.csv:3: 2 numbers where a lower triangle has 3");
     CHECK(fault("0 1\n-1 0\n") == "d.csv:2: field 1: a distance is negative: -1");
     CHECK(fault("0 1 2\n0 1\n", true) == "d.csv:2: 2 numbers where an entry, `i j d`, has 3");
-    CHECK(fault("0 1.5 2\n", true) == "d.csv:1: field 2: 1.5; points are numbered from 0, to 65535");
-    CHECK(fault("0 70000 2\n", true) == "d.csv:1: field 2: 70000; points are numbered from 0, to 65535");
-    CHECK(fault("-1 0 2\n", true) == "d.csv:1: field 1: -1; points are numbered from 0, to 65535");
+    CHECK(fault("0 1.5 2\n", true) == "d.csv:1: field 2: 1.5; points are numbered from 0, to 67108863");
+    CHECK(fault("0 67200001 2\n", true) == "d.csv:1: field 2: 67200001; points are numbered from 0, to 67108863");
+    CHECK(fault("-1 0 2\n", true) == "d.csv:1: field 1: -1; points are numbered from 0, to 67108863");
     CHECK(fault("0 1 -2\n", true) == "d.csv:1: field 3: a distance is negative: -2");
 }
