@@ -60,20 +60,26 @@ extern "C" {
     ((size_t)((dim) == 2 ? 13696 : (dim) == 3 ? 13696 : (dim) == 4 ? 13696 : \
               (dim) == 5 ? 13696 : (dim) == 6 ? 13696 : NETMESH_STACK_BYTES(dim)))
 #define NETMESH_STACK_BYTES_RIPS(dim) \
-    ((size_t)((dim) == 2 ? 6848 : (dim) == 3 ? 6848 : (dim) == 4 ? 6848 : \
-              (dim) == 5 ? 6848 : (dim) == 6 ? 6848 : NETMESH_STACK_BYTES(dim)))
+    ((size_t)((dim) == 2 ? 9408 : (dim) == 3 ? 11264 : (dim) == 4 ? 6912 : \
+              (dim) == 5 ? 6912 : (dim) == 6 ? 6912 : NETMESH_STACK_BYTES(dim)))
+#define NETMESH_STACK_BYTES_RIPS_SMALL(dim) \
+    ((size_t)((dim) == 2 ? 6912 : (dim) == 3 ? 6912 : (dim) == 4 ? 6912 : \
+              (dim) == 5 ? 6912 : (dim) == 6 ? 6912 : NETMESH_STACK_BYTES(dim)))
 #else
 #define NETMESH_STACK_BYTES_DELAUNAY(dim) \
     ((size_t)((dim) == 2 ? 3328 : (dim) == 3 ? 3840 : (dim) == 4 ? 4736 : \
               NETMESH_STACK_BYTES(dim)))
 #define NETMESH_STACK_BYTES_ALPHA(dim) \
-    ((size_t)((dim) == 2 ? 3584 : (dim) == 3 ? 4032 : (dim) == 4 ? 4992 : \
+    ((size_t)((dim) == 2 ? 3584 : (dim) == 3 ? 4096 : (dim) == 4 ? 4992 : \
               NETMESH_STACK_BYTES(dim)))
 #define NETMESH_STACK_BYTES_CERTIFIED(dim) \
     ((size_t)((dim) == 2 ? 6208 : (dim) == 3 ? 7552 : (dim) == 4 ? 9088 : \
               NETMESH_STACK_BYTES(dim)))
 #define NETMESH_STACK_BYTES_RIPS(dim) \
-    ((size_t)((dim) == 2 ? 4352 : (dim) == 3 ? 4352 : (dim) == 4 ? 4352 : \
+    ((size_t)((dim) == 2 ? 4416 : (dim) == 3 ? 4928 : (dim) == 4 ? 4224 : \
+              NETMESH_STACK_BYTES(dim)))
+#define NETMESH_STACK_BYTES_RIPS_SMALL(dim) \
+    ((size_t)((dim) == 2 ? 3904 : (dim) == 3 ? 3968 : (dim) == 4 ? 4224 : \
               NETMESH_STACK_BYTES(dim)))
 #endif
 /* clang-format on */
