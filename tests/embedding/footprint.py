@@ -28,7 +28,7 @@ JOBS = [
     ("alpha diagram", 2, {2: 500, 3: 500, 4: 50}, "", "ALPHA"),
     ("certified diagram, ratio 2.25", 4, {2: 500, 3: 200, 4: 50}, "CERTIFICATE", "CERTIFIED"),
     ("certified diagram of a quality mesh", 3, {2: 500, 3: 200, 4: 50}, "", "CERTIFIED"),
-    ("Rips diagram, degrees 0 and 1", 5, {2: 100, 3: 100, 4: 100}, "", "RIPS"),
+    ("Rips diagram (`rips_small`), degrees 0 and 1", 5, {2: 100, 3: 100, 4: 100}, "", "RIPS_SMALL"),
 ]
 NOTHING = 0
 CALLER = 1024  # bytes of the stack that footprint.c itself and the start of a program take at most
