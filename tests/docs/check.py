@@ -310,11 +310,12 @@ def faults_of_stacks(page):
     promised = [{(job, dim): int(size) for job, text in macro.findall(part)
                  for dim, size in re.findall(r"\(dim\) == (\d) \? (\d+)", text)} for part in (narrow, wide)]
     rows = re.findall(r"^\| (Delaunay|alpha|certified|Rips)[^|]*\| (\d) \|(.*)\|$", page, re.M)
+    macros = {"Rips": "RIPS_SMALL"}  # the table's job is by that filter
     faults = [] if len(rows) >= 15 else ["tools/docs/small-parts.md: the table has %d rows" % len(rows)]
     for job, dim, rest in rows:
         cells = [cell.strip().replace(",", "") for cell in rest.split("|")]
         for bits, said, sizes in ((32, cells[3], promised[0]), (64, cells[7], promised[1])):
-            due = sizes.get((job.upper(), dim))
+            due = sizes.get((macros.get(job, job.upper()), dim))
             if said != str(due):
                 faults.append("tools/docs/small-parts.md: %s, D = %s, %d bits: a stack of %s, the header promises %s"
                               % (job, dim, bits, said, due))
