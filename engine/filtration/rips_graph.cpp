@@ -26,7 +26,6 @@ public:
                 high = x > high ? x : high;
             });
             const double side = high - low;
-            if (k == 0 || side > extent_) extent_ = side;
             // The widest so far, widest first.
             for (int at = 0; at < axes_most; ++at) {
                 if (!(side > sides[at])) continue;
@@ -41,6 +40,7 @@ public:
                 break;
             }
         }
+        extent_ = sides[0];
         if (!(extent_ < infinity && limit < infinity)) return;
         // An edge is at most so long, what is rounded counted; places are off by less than this margin.
         width_ = 2 * limit * (1 + 0x1p-10);
@@ -193,7 +193,7 @@ Status rips_graph(int dim, const double* coordinates, std::uint32_t n, double th
     double limit = threshold < largest ? threshold : largest;
     Cubes cubes;
     cubes.choose(dim, coordinates, n, limit, arena);
-    if (!(limit < 0.249 * cubes.extent())) {
+    if (!(cubes.extent() < infinity && limit < 0.249 * cubes.extent())) {
         const double cone = cone_radius<D>(dim, coordinates, n);
         limit = cone < limit ? cone : limit;
     }
