@@ -5,23 +5,22 @@
 //   low end: cells 0, 1, 2, ...  -->     gap     <-- list of a cavity | points | order | vertices, high end
 //
 // While it grows, vertices of cells are numbered in the order of insertion, and their coordinates stand in that order:
-// what is near in the plane is near in memory. At the end the points go and every cell becomes one of the store, which
-// takes more than twice the room; it is asked for before a cell is made, so the end cannot fail.
+// what is near in the plane is near in memory. It ends in one of two ways:
+//   finish()  The points go and every cell becomes one of the store, which takes more than twice the room; it is asked
+//             for before a cell is made, so the end cannot fail.
+//   close()   Points and cells stay as they are, for a diagram of them. The store's vertices have gone at the start.
 //
 // With weights cells have a mark, as a cavity with a vertex inside is no tree of cells, and points three numbers.
 #pragma once
+#include "delaunay/plane_cells.hpp"
 #include "delaunay/sphere.hpp"
 #include "delaunay/store.hpp"
 #include "predicates/weighted.hpp"
 
 namespace netmesh {
 
-// The beginning of a Cell<2>, with numbers in the order of insertion.
-template <class W> struct PlaneCellOf {
-    VertexId vertex[3];
-    FacetId neighbour[3];
-};
-template <> struct PlaneCellOf<Weights> {
+// Cells of points with weights.
+struct MarkedPlaneCell {
     VertexId vertex[3];
     FacetId neighbour[3];
     std::uint32_t mark = 0;  // number of the last cavity that has it, from 1 on
@@ -102,8 +101,14 @@ template <> struct PlaneQuestion<Weights> {
     }
 };
 
-template <int D, class W = NoWeights> class PlaneRun {
+// Words: of cells that stay; void: finish() is called, not close().
+template <int D, class W = NoWeights, class Words = void> class PlaneRun {
+    static constexpr bool is_kept = std::is_void_v<Words>;
+    using CellWords = std::conditional_t<is_kept, WideWords, Words>;
+
 public:
+    static constexpr int dim = D;
+
     explicit PlaneRun(Store<D>& store) : store_(store), arena_(store.arena), state_(store.state) {}
     // Of points with weights; before open.
     void weigh(const Weights& weights) { question_.weights = weights; }
@@ -117,6 +122,8 @@ public:
     bool insert(std::uint32_t k, std::uint32_t* made);
     // Makes a compact store of it.
     void finish();
+    // The cells at the low end, the points at the high end, and nothing else of it.
+    PlaneTriangulation<CellWords> close();
 
     VertexId vertex_at(std::uint32_t k) const { return VertexId(order_[k]); }
     bool is_in_first_cell(std::uint32_t k) const { return k == first_[0] || k == first_[1] || k == first_[2]; }
@@ -124,7 +131,8 @@ public:
 private:
     static constexpr std::uint32_t next[4] = {1, 2, 0, 0};
     using Question = PlaneQuestion<W>;
-    using PlaneCell = PlaneCellOf<W>;
+    using Index = typename CellWords::Index;
+    using CellT = std::conditional_t<W::has, MarkedPlaneCell, PlaneCell<CellWords>>;
     using PlaneArm = typename Question::Arm;
 
     // Whether q lies inside of a cell, by the sides of its edges, as far as doubles tell.
@@ -151,9 +159,9 @@ private:
     Store<D>& store_;
     Arena& arena_;
     StoreState& state_;
-    PlaneCell* cells_;
+    CellT* cells_;
     PlaneLine* lines_;  // line 0
-    const std::uint32_t* order_;
+    const Index* order_;
     std::size_t vertices_begin_;  // offset of the last vertex
     std::size_t cells_end_;       // offset up to which cells may reach in the end
     Question question_ = {};
@@ -165,12 +173,12 @@ private:
     std::uint32_t cavities_ = 0;
 };
 
-template <int D, class W> Status PlaneRun<D, W>::open(const std::uint32_t* order, std::size_t low) {
+template <int D, class W, class Words> Status PlaneRun<D, W, Words>::open(const std::uint32_t* order, std::size_t low) {
     const std::uint32_t count = state_.vertex_count;
     vertices_begin_ = arena_.high_mark();
-    std::uint32_t* const kept = arena_.template take_high<std::uint32_t>(count);
+    Index* kept = arena_.template take_high<Index>(count);
     cells_end_ = arena_.high_mark();
-    double* const points = arena_.template take_high<double>(Question::numbers * count);
+    double* points = arena_.template take_high<double>(Question::numbers * count);
     if (kept == nullptr || points == nullptr) return Status::out_of_memory;
     constexpr int numbers = static_cast<int>(Question::numbers);
     double least[numbers], most[numbers];
@@ -180,7 +188,7 @@ template <int D, class W> Status PlaneRun<D, W>::open(const std::uint32_t* order
     }
     for (std::uint32_t k = 0; k < count;)
         for (const std::uint64_t piece = arena_.piece(k, count, 30); k < piece; ++k) {
-            kept[k] = order[k];
+            kept[k] = static_cast<Index>(order[k]);
             if (k + 16 < count) __builtin_prefetch(store_.point(order[k + 16]));
             const double* const x = store_.point(order[k]);
             for (int i = 0; i < numbers; ++i) {
@@ -189,6 +197,17 @@ template <int D, class W> Status PlaneRun<D, W>::open(const std::uint32_t* order
                 most[i] = x[i] > most[i] ? x[i] : most[i];
             }
         }
+    // Both go to where the vertices are, which take more room than they do.
+    if constexpr (!is_kept) {
+        const double* const points_below = points;
+        const Index* const kept_below = kept;
+        arena_.release_high(static_cast<std::size_t>(state_.vertices_end) & ~(Arena::alignment - 1));
+        points = arena_.template take_high<double>(Question::numbers * count);
+        kept = arena_.template take_high<Index>(count);
+        if (kept == nullptr || points == nullptr) return Status::out_of_memory;
+        move_bytes(points, points_below, sizeof(double) * Question::numbers * count, arena_);
+        move_bytes(kept, kept_below, sizeof(Index) * count, arena_);
+    }
     const double width = most[0] - least[0], height = most[1] - least[1];
     question_.points = points;
     question_.extent2 = width * width + height * height;
@@ -198,18 +217,18 @@ template <int D, class W> Status PlaneRun<D, W>::open(const std::uint32_t* order
     order_ = kept;
     arena_.release_low(low);
     if (store_.open_cells() != Status::ok) return Status::out_of_memory;
-    cells_ = reinterpret_cast<PlaneCell*>(arena_.at(state_.cells_offset));
+    cells_ = reinterpret_cast<CellT*>(arena_.at(state_.cells_offset));
     lines_ = reinterpret_cast<PlaneLine*>(arena_.at(arena_.high_mark())) - 1;
     return Status::ok;
 }
 
 // Room for that many more cells, now and at the end, and for a list of so many lines?
-template <int D, class W> bool PlaneRun<D, W>::has_room(std::size_t cells, std::size_t lines) {
-    const std::size_t now = cells * sizeof(PlaneCell) + lines * sizeof(PlaneLine) + Arena::alignment;
+template <int D, class W, class Words> bool PlaneRun<D, W, Words>::has_room(std::size_t cells, std::size_t lines) {
+    const std::size_t now = cells * sizeof(CellT) + lines * sizeof(PlaneLine) + Arena::alignment;
     const std::size_t last = state_.cells_offset + (state_.cell_slots + cells) * sizeof(Cell<D>) + Arena::alignment;
     const std::size_t in_the_end =
         arena_.bytes_free() + last > cells_end_ ? arena_.bytes_free() + last - cells_end_ : 0;
-    const std::size_t needed = now > in_the_end ? now : in_the_end;
+    const std::size_t needed = now > in_the_end || !is_kept ? now : in_the_end;
     if (needed > arena_.bytes_free()) {
         arena_.refuse(needed);
         return false;
@@ -219,7 +238,7 @@ template <int D, class W> bool PlaneRun<D, W>::has_room(std::size_t cells, std::
     return true;
 }
 
-template <int D, class W> [[gnu::cold]] Status PlaneRun<D, W>::start(const VertexId* ids) {
+template <int D, class W, class Words> [[gnu::cold]] Status PlaneRun<D, W, Words>::start(const VertexId* ids) {
     if (!has_room(4, 0)) return Status::out_of_memory;
     for (int i = 0; i < 3; ++i) {
         std::uint32_t k = 0;
@@ -231,11 +250,11 @@ template <int D, class W> [[gnu::cold]] Status PlaneRun<D, W>::start(const Verte
     const VertexId v[3] = {VertexId(first_[turn]), VertexId(first_[!turn]), VertexId(first_[2])};
     // Cell 0 is finite; ghost 1 + i lies behind its facet i, and has the facet's vertices exchanged.
     const auto facet = [](std::uint32_t c, std::uint32_t i) { return FacetId(CellId(c), i); };
-    cells_[0] = PlaneCell{{v[0], v[1], v[2]}, {facet(1, 0), facet(2, 1), facet(3, 2)}};
-    cells_[1] = PlaneCell{{none, v[2], v[1]}, {facet(0, 0), facet(3, 1), facet(2, 2)}};
-    cells_[2] = PlaneCell{{v[2], none, v[0]}, {facet(3, 0), facet(0, 1), facet(1, 2)}};
-    cells_[3] = PlaneCell{{v[1], v[0], none}, {facet(2, 0), facet(1, 1), facet(0, 2)}};
-    arena_.extend_low(4 * sizeof(PlaneCell));
+    cells_[0] = CellT{{v[0], v[1], v[2]}, {facet(1, 0), facet(2, 1), facet(3, 2)}};
+    cells_[1] = CellT{{none, v[2], v[1]}, {facet(0, 0), facet(3, 1), facet(2, 2)}};
+    cells_[2] = CellT{{v[2], none, v[0]}, {facet(3, 0), facet(0, 1), facet(1, 2)}};
+    cells_[3] = CellT{{v[1], v[0], none}, {facet(2, 0), facet(1, 1), facet(0, 2)}};
+    arena_.extend_low(4 * sizeof(CellT));
     state_.cell_slots = 4;
     state_.cells_created += 4;
     state_.last_cell = CellId(0);
@@ -243,7 +262,7 @@ template <int D, class W> [[gnu::cold]] Status PlaneRun<D, W>::start(const Verte
 }
 
 // The cell's points and their indices, the point in question for infinity; where that is, -1 for a finite cell.
-template <int D, class W> int PlaneRun<D, W>::collect(CellId c, const double** p, VertexId* ids) const {
+template <int D, class W, class Words> int PlaneRun<D, W, Words>::collect(CellId c, const double** p, VertexId* ids) const {
     int infinite = -1;
     for (int i = 0; i < 3; ++i) {
         const VertexId v = cells_[c].vertex[i];
@@ -255,7 +274,7 @@ template <int D, class W> int PlaneRun<D, W>::collect(CellId c, const double** p
 }
 
 // As Kernel::in_conflict.
-template <int D, class W> [[gnu::noinline]] bool PlaneRun<D, W>::undecided_conflict(CellId c) {
+template <int D, class W, class Words> [[gnu::noinline]] bool PlaneRun<D, W, Words>::undecided_conflict(CellId c) {
     const double* p[3];
     VertexId ids[3];
     const int infinite = collect(c, p, ids);
@@ -277,9 +296,9 @@ template <int D, class W> [[gnu::noinline]] bool PlaneRun<D, W>::undecided_confl
 
 // A cell in conflict: from the last cell on through the first edge beyond which q surely lies, until a circle surely
 // contains q. No other edge than the hull's is left then, or the exact walk goes on.
-template <int D, class W> CellId PlaneRun<D, W>::locate() {
+template <int D, class W, class Words> CellId PlaneRun<D, W, Words>::locate() {
     const Question question = question_;
-    const PlaneCell* const cells = cells_;
+    const CellT* const cells = cells_;
     CellId c = state_.last_cell;
     for (std::uint32_t i = 0; i < 3; ++i)
         if (cells[c].vertex[i] == none) {
@@ -288,7 +307,7 @@ template <int D, class W> CellId PlaneRun<D, W>::locate() {
             break;
         }
     for (;;) {
-        const PlaneCell& cell = cells[c];
+        const CellT& cell = cells[c];
         const PlaneArm arm[3] = {question.arm_to(cell.vertex[0]), question.arm_to(cell.vertex[1]),
                                  question.arm_to(cell.vertex[2])};
         const double side[3] = {cross(arm[1], arm[2]), cross(arm[2], arm[0]), cross(arm[0], arm[1])};
@@ -322,7 +341,7 @@ template <int D, class W> CellId PlaneRun<D, W>::locate() {
 }
 
 // As Kernel::walk.
-template <int D, class W> [[gnu::noinline]] CellId PlaneRun<D, W>::walk(CellId from) {
+template <int D, class W, class Words> [[gnu::noinline]] CellId PlaneRun<D, W, Words>::walk(CellId from) {
     CellId c = from;
     for (;;) {
         const double* p[3];
@@ -342,10 +361,10 @@ template <int D, class W> [[gnu::noinline]] CellId PlaneRun<D, W>::walk(CellId f
 
 // The search of PlanarCavity::find. Each facet starts where the last bounding one ended: `from` and `to` are the ends
 // of the facet that is crossed next, `edge` their cross product, and only the apex beyond is new.
-template <int D, class W> bool PlaneRun<D, W>::find_cavity(CellId first) {
+template <int D, class W, class Words> bool PlaneRun<D, W, Words>::find_cavity(CellId first) {
     const std::size_t capacity = arena_.bytes_free() / sizeof(PlaneLine);
     const Question question = question_;
-    PlaneCell* const cells = cells_;
+    CellT* const cells = cells_;
     PlaneLine* const lines = lines_;
     std::uint64_t sure = 0;
     std::ptrdiff_t count = 1, facets = 0, waiting = 2;
@@ -410,7 +429,7 @@ template <int D, class W> bool PlaneRun<D, W>::find_cavity(CellId first) {
 }
 
 // As PlanarCavity::fill: each new cell (q, a, b) has its neighbours before and after it.
-template <int D, class W> void PlaneRun<D, W>::fill() {
+template <int D, class W, class Words> void PlaneRun<D, W, Words>::fill() {
     PlaneLine* const lines = lines_;
     const std::ptrdiff_t facets = facets_;
     // As many cells as before and two more, but two less for each vertex inside: what is left over stays unused.
@@ -418,7 +437,7 @@ template <int D, class W> void PlaneRun<D, W>::fill() {
     if (!W::has || facets > count_) {
         lines[2 - facets].made = CellId(state_.cell_slots);
         lines[1 - facets].made = CellId(state_.cell_slots + 1);
-        arena_.extend_low(2 * sizeof(PlaneCell));
+        arena_.extend_low(2 * sizeof(CellT));
         state_.cell_slots += 2;
     } else {
         state_.cells_free += static_cast<std::uint32_t>(count_ - facets);
@@ -431,7 +450,7 @@ template <int D, class W> void PlaneRun<D, W>::fill() {
         const FacetId beyond = lines[-k].beyond;
         const VertexId b = lines[-after].start;
         const CellId then = lines[-after].made;
-        cells_[n] = PlaneCell{{VertexId(q_number_), a, b}, {beyond, FacetId(then, 2), FacetId(before, 1)}};
+        cells_[n] = CellT{{VertexId(q_number_), a, b}, {beyond, FacetId(then, 2), FacetId(before, 1)}};
         cells_[beyond.cell()].neighbour[beyond.position()] = FacetId(n, 0);
         before = n;
         n = then;
@@ -440,7 +459,7 @@ template <int D, class W> void PlaneRun<D, W>::fill() {
     state_.last_cell = before;
 }
 
-template <int D, class W> bool PlaneRun<D, W>::insert(std::uint32_t k, std::uint32_t* made) {
+template <int D, class W, class Words> bool PlaneRun<D, W, Words>::insert(std::uint32_t k, std::uint32_t* made) {
     *made = 0;
     if (is_in_first_cell(k)) return true;
     q_number_ = k;
@@ -454,7 +473,7 @@ template <int D, class W> bool PlaneRun<D, W>::insert(std::uint32_t k, std::uint
     return true;
 }
 
-template <int D, class W> void PlaneRun<D, W>::finish() {
+template <int D, class W, class Words> void PlaneRun<D, W, Words>::finish() {
     const std::uint32_t count = close_gaps<D>(cells_, state_.cell_slots, arena_);
     // A cell at each vertex, in place of the points: the last one that has it.
     CellId* const cell_at = reinterpret_cast<CellId*>(arena_.at(arena_.high_mark()));
@@ -476,7 +495,7 @@ template <int D, class W> void PlaneRun<D, W>::finish() {
     Cell<D>* const cells = &store_.cell(0);
     arena_.each(count, 30, [=](std::uint64_t i) {
         const std::uint64_t c = count - 1 - i;
-        const PlaneCell from = cells_[c];
+        const CellT from = cells_[c];
         Cell<D>& to = cells[c];
         for (int j = 0; j < 3; ++j) {
             to.vertex[j] = VertexId(order_[from.vertex[j]]);
@@ -486,6 +505,14 @@ template <int D, class W> void PlaneRun<D, W>::finish() {
         to.mark = 0;
     });
     arena_.release_high(vertices_begin_);
+}
+
+template <int D, class W, class Words>
+PlaneTriangulation<typename PlaneRun<D, W, Words>::CellWords> PlaneRun<D, W, Words>::close() {
+    const std::uint32_t count = close_gaps<D>(cells_, state_.cell_slots, arena_);
+    arena_.release_low(static_cast<std::size_t>(state_.cells_offset) + count * sizeof(CellT));
+    arena_.release_high(arena_.offset_of(question_.points));
+    return {cells_, count, question_.points, state_.vertex_count};
 }
 
 }  // namespace netmesh

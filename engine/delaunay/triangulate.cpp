@@ -1,6 +1,7 @@
 #include "delaunay/triangulate.hpp"
 
 #include "delaunay/independent_points.hpp"
+#include "delaunay/insert_all.hpp"
 #include "delaunay/plane.hpp"
 #include "delaunay/spatial_order.hpp"
 #include "numerics/fingerprint.hpp"
@@ -97,6 +98,8 @@ std::uint64_t copy_points(const InputRows& points, const AnyStore& store) {
 // The triangulation by the kernel of meshes. PlaneRun says what each function does.
 template <int D, class W = NoWeights> class KernelRun {
 public:
+    static constexpr int dim = D;
+
     explicit KernelRun(Store<D>& store) : store_(store), kernel_(store, ball_error_max, VertexCells::ignored) {}
     void weigh(const Weights& weights) { kernel_.weigh(weights); }
     Status open(const std::uint32_t* order, std::size_t low) {
@@ -154,23 +157,6 @@ private:
 };
 template <int D, class W = NoWeights>
 using TriangulationRun = std::conditional_t<D == 2, PlaneRun<D, W>, KernelRun<D, W>>;
-
-// Before so many points nothing is given up: what they share is chance.
-constexpr std::uint64_t sample_least = 16;
-
-// Notes what `points` inserted points have cost. Is it more than is allowed?
-bool is_spent(const StoreState& state, std::uint64_t points, Allowance* allowance) {
-    const std::uint64_t* const calls = state.in_ball_counts.calls;
-    const std::uint64_t hard =
-        calls[NETMESH_PREDICATE_FLOAT] + calls[NETMESH_PREDICATE_INTEGER] + calls[NETMESH_PREDICATE_EXACT];
-    const double work = static_cast<double>(state.cells_created) + allowance->by_hard * static_cast<double>(hard) +
-                        allowance->by_tie * static_cast<double>(calls[NETMESH_PREDICATE_TIE]);
-    allowance->is_dear = points >= sample_least && work > allowance->work_each * static_cast<double>(points);
-    allowance->points_tried = points;
-    allowance->cells_made = state.cells_created;
-    allowance->is_spent = allowance->is_dear || state.cell_slots - state.cells_free > allowance->cells_max;
-    return allowance->is_spent;
-}
 
 // ---- with weights ----
 
@@ -340,21 +326,8 @@ Status triangulate(Store<D>& store, const InputRows& points, std::size_t n, std:
     if (status == Status::ok) status = run.start(ids);
     if (status != Status::ok) return status;
 
-    monitor.begin(NETMESH_STAGE_DELAUNAY, count);
-    for (std::uint32_t k = 0; k < count; ++k) {
-        std::uint32_t made;
-        if (!run.insert(k, &made)) {
-            status = Status::out_of_memory;
-            break;
-        }
-        if (made == 0) continue;
-        if (allowance != nullptr && is_spent(store.state, std::uint64_t{k} + 1, allowance)) return Status::cancelled;
-        monitor.mesh_size(k, store.live_cells());
-        if (monitor.advance(k, 2 + made * (D - 1))) {
-            status = Status::cancelled;
-            break;
-        }
-    }
+    status = insert_all(run, store.state, monitor, allowance);
+    if (allowance != nullptr && allowance->is_spent) return status;
     run.finish();
     return status;
 }

@@ -30,9 +30,9 @@
 #include "filtration/alpha.hpp"
 
 #include "filtration/point_records.hpp"
-#include "geometry/circumsphere_close.hpp"
 #include "geometry/circumsphere_exact.hpp"
 #include "geometry/circumsphere_fast.hpp"
+#include "geometry/circumsphere_settle.hpp"
 #include "geometry/half_distance.hpp"
 #include "geometry/power_sphere_exact.hpp"
 #include "numerics/bits.hpp"
@@ -95,27 +95,15 @@ template <class W> void MarkedValues<W>::finish() {
 template <class W>
 Status MarkedValues<W>::evaluate_exactly(const double* const* point, std::uint32_t k, bool within, bool radius,
                                          Circumsphere* out) {
-    work_.arena.pass(40 * static_cast<std::uint32_t>(table_.dim));
     if constexpr (W::has) {
+        work_.arena.pass(40 * static_cast<std::uint32_t>(table_.dim));
         const ExactPowerSphere sphere(point, static_cast<int>(k), table_.dim, weights_.are_radii);
         if (!sphere.in_range()) return Status::out_of_range;
         if (within && !sphere.find_within(scratch_, &out->within)) return Status::check_failed;
         const bool found = !radius || sphere.find_power(scratch_, weights_.squares, &out->radius);
         return found ? Status::ok : Status::out_of_range;
     }
-    if constexpr (has_close_look) {
-        Circumsphere close;
-        const Certainty certain = look_closely(k, static_cast<std::uint32_t>(table_.dim), point, &close);
-        if (certain.within != 0) out->within = close.within;
-        if (certain.radius != 0) out->radius = close.radius;
-        within = within && certain.within == 0;
-        radius = radius && certain.radius == 0;
-        if (!within && !radius) return Status::ok;
-    }
-    const ExactSphere sphere(point, static_cast<int>(k), table_.dim);
-    if (!sphere.in_range()) return Status::out_of_range;
-    if (within && !sphere.find_within(scratch_, &out->within)) return Status::check_failed;
-    return !radius || sphere.find_radius(scratch_, &out->radius) ? Status::ok : Status::out_of_range;
+    return settle_circumsphere(point, k, table_.dim, within, radius, work_.arena, out);
 }
 
 // D may be any_dimension, and so may the K of faces then.
@@ -132,8 +120,10 @@ public:
 
     Status run() {
         const std::size_t high = work_.arena.high_mark();
-        scratch_ = work_.arena.template take_high<std::uint64_t>(ExactSphere::room(static_cast<int>(dim_)));
-        if (scratch_ == nullptr) return Status::out_of_memory;
+        if constexpr (W::has) {
+            scratch_ = work_.arena.template take_high<std::uint64_t>(ExactSphere::room(static_cast<int>(dim_)));
+            if (scratch_ == nullptr) return Status::out_of_memory;
+        }
         for (std::uint32_t k = 0; k <= dim_; ++k)
             for (std::uint32_t i = 0; i < faces_.count[k];)
                 for (const std::uint64_t piece = work_.arena.piece(i, faces_.count[k], 2); i < piece; ++i) {

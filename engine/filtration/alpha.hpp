@@ -42,7 +42,8 @@ template <int D> struct AlphaFiltration {
 // powers, or powers, of either sign.
 //
 // Requires all faces (faces.dimension_max == D), fewer than 2^32; last_vertex[D] is not read. One small linear solve a
-// face, see circumsphere_fast.hpp, which is nearly always enough. Scratch at the high end: that of ExactSphere.
+// face, see circumsphere_fast.hpp, which is nearly always enough. Scratch at the high end: see
+// settle_circumsphere; with weights that of ExactSphere.
 // out_of_memory, out_of_range, cancelled; check_failed: a simplex is flat, as those of loaded cells may be.
 template <int D>
 Status alpha_values(const Faces<D>& faces, const double* coordinates, std::ptrdiff_t stride_bytes, const Work& work,

@@ -19,7 +19,7 @@ namespace netmesh {
 class ExactSphere {
 public:
     static constexpr int dim_max = dimension_most();
-    // Words of scratch that a question takes in dimension `dim`.
+    // Words of scratch that any question takes in dimension `dim`; words(): those that this sphere's take.
     static constexpr std::size_t room(int dim) { return std::size_t(dim + 3) * residue_prime_count; }
 
     // point: k+1 addresses of dim finite coordinates; not read later. 1 <= k <= dim <= dimension_most().
@@ -28,6 +28,7 @@ public:
     // Whether the table of primes is long enough for signs: differences of coordinates below 2^(16,700 / (2k+2))
     // quanta. The questions below ask for it.
     bool in_range() const { return primes_for_bits(square_bits()) <= residue_prime_count; }
+    std::size_t words() const;
     // The signs alone; false: the simplex is flat.
     bool find_within(std::uint64_t* scratch, std::uint32_t* within) const;
     // The radius alone, of a simplex that is not flat. Where 87 bits do not tell the nearest double, the squared radius

@@ -7,7 +7,8 @@
 namespace netmesh {
 
 // Root of the set of i; parent[root] == root. Halves the path: O(log n) amortised.
-inline std::uint32_t find_root(std::uint32_t* parent, std::uint32_t i) {
+// Index: std::uint32_t, or shorter where there are few.
+template <class Index> inline std::uint32_t find_root(Index* parent, std::uint32_t i) {
     while (parent[i] != i) {
         parent[i] = parent[parent[i]];
         i = parent[i];
@@ -17,7 +18,7 @@ inline std::uint32_t find_root(std::uint32_t* parent, std::uint32_t i) {
 
 // Joins the sets of a and b, which become the roots of the two: of the older one and of the younger one that it takes
 // in. is_older(x, y): whether root x is older than root y. False when a and b were in one set.
-template <class IsOlder> bool unite(std::uint32_t* parent, std::uint32_t& a, std::uint32_t& b, IsOlder is_older) {
+template <class Index, class IsOlder> bool unite(Index* parent, std::uint32_t& a, std::uint32_t& b, IsOlder is_older) {
     a = find_root(parent, a);
     b = find_root(parent, b);
     if (a == b) return false;
@@ -26,7 +27,7 @@ template <class IsOlder> bool unite(std::uint32_t* parent, std::uint32_t& a, std
         a = b;
         b = t;
     }
-    parent[b] = a;
+    parent[b] = static_cast<Index>(a);
     return true;
 }
 

@@ -1,6 +1,7 @@
 #include "jobs/alpha_of_points.hpp"
 
 #include "delaunay/spatial_order.hpp"
+#include "jobs/alpha_of_plane.hpp"
 #include "jobs/alpha_of_triangulation.hpp"
 #include "vocabulary/dimension.hpp"
 
@@ -108,7 +109,11 @@ Status alpha_of_weighted_points(const WeightedAlphaOfPoints& request, const Work
 template <int D> Status alpha_of_points(const AlphaOfPoints& request, const Work& work, AlphaDiagram* out) {
     const std::size_t low = work.arena.low_mark(), high = work.arena.high_mark();
     *out = AlphaDiagram{};
-    const Status status = run<D>(request, work, out);
+    Status status;
+    if constexpr (D == 2)
+        status = alpha_of_plane<D>(request, work, out);
+    else
+        status = run<D>(request, work, out);
     work.arena.release_low(low);
     work.arena.release_high(high);
     return status == Status::ok ? move_pairs_down(low, work.arena, &out->found.pairs) : status;
