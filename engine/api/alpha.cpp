@@ -10,17 +10,28 @@
 namespace netmesh {
 namespace {
 
-netmesh_status alpha_of_given_points(netmesh_context* context) {
+using MakeAlpha = Status(std::uint32_t dim, const AlphaOfPoints&, const Work&, AlphaDiagram*);
+
+Status any_alpha(std::uint32_t dim, const AlphaOfPoints& wanted, const Work& work, AlphaDiagram* made) {
+    return with_dimension(dim, [&](auto dimension) {
+        return alpha_of_points<decltype(dimension)::value>(wanted, work, made);
+    });
+}
+
+Status small_alpha(std::uint32_t dim, const AlphaOfPoints& wanted, const Work& work, AlphaDiagram* made) {
+    return with_dimension(dim, [&](auto dimension) {
+        return alpha_of_few_points<decltype(dimension)::value>(wanted, work, made);
+    });
+}
+
+template <MakeAlpha make_alpha> netmesh_status alpha_of_given_points(netmesh_context* context) {
     clear(context);
     const netmesh_request& r = context->request;
     Monitor monitor = monitor_of(r.monitor);
     const Watch watch(context->arena, monitor);
     const AlphaOfPoints wanted = {rows_of(r.points), r.points.count, r.seed, {r.max_degree, r.keep_zero_pairs != 0}};
     AlphaDiagram made = {};
-    const Status found = with_dimension(r.points.dim, [&](auto dimension) {
-        return alpha_of_points<decltype(dimension)::value>(wanted, {context->arena, monitor}, &made);
-    });
-    const Status status = watch.heed(found);
+    const Status status = watch.heed(make_alpha(r.points.dim, wanted, {context->arena, monitor}, &made));
     if (status != Status::ok) return fail_and_clear(context, status, nullptr, made.input.row_a);
     context->complete = true;
     context->input = {true,         true, r.points.dim, made.input.rows, made.input.duplicates, made.input.fingerprint,
@@ -35,12 +46,24 @@ Complaint settle_alpha(const Settling& s) {
                     : settle_mesh_degree(s);
 }
 
+Complaint settle_small_alpha(const Settling& s) {
+    if (s.source == Source::points && s.dim == 2 && s.r.points.count > few_points_max)
+        return {NETMESH_FIELD_POINTS, "more than 8,192 points in the plane; name netmesh_filter_alpha"};
+    return settle_mesh_degree(s);
+}
+
+netmesh_status run_small_alpha(netmesh_context* context) {
+    if (source_of(context->request) != Source::points)
+        return refuse(context, NETMESH_FIELD_POINTS, "this filter begins with points");
+    return alpha_of_given_points<small_alpha>(context);
+}
+
 netmesh_status run_alpha(netmesh_context* context) {
     const netmesh_request& r = context->request;
     if (r.periods != nullptr) return dispatch(*r.periods, context);
     if (r.weighting != nullptr) return dispatch(*r.weighting, context);
     const bool of_points = source_of(r) == Source::points;
-    if (of_points && r.keep_mesh == 0 && r.cycles == nullptr) return alpha_of_given_points(context);
+    if (of_points && r.keep_mesh == 0 && r.cycles == nullptr) return alpha_of_given_points<any_alpha>(context);
     if (of_points) {
         const netmesh_status status = triangulate_points(context, nullptr);
         return status == NETMESH_OK ? filter_triangulation(context) : status;
@@ -93,4 +116,7 @@ const netmesh_filter netmesh_filter_alpha = {NETMESH_FILTER_ALPHA,
                                              nullptr,
                                              &netmesh_method_delaunay,
                                              nullptr};
+extern const netmesh_filter netmesh_filter_alpha_small;
+const netmesh_filter netmesh_filter_alpha_small = {
+    NETMESH_FILTER_ALPHA, given::seed, run_small_alpha, settle_small_alpha, nullptr, nullptr, nullptr};
 }

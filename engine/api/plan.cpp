@@ -224,6 +224,10 @@ double plan_of_alpha(const netmesh_request& r) {
     if (r.keep_mesh != 0 || r.cycles != nullptr) return plan_of_triangulation(r.points, true);
     return with_dimension(r.points.dim, [&](auto dimension) {
         constexpr int D = decltype(dimension)::value;
+        if (D == 2 && r.weighting == nullptr) {
+            const PeakFigures& f = r.points.count <= few_points_max ? plane_figures_few : plane_figures;
+            return f.at<D>(static_cast<double>(r.points.count));
+        }
         constexpr const PeakFigures& f = DelaunayFiguresOf<D>::value.diagram;
         return alpha_block<D>(f, static_cast<double>(r.points.count), D == 2 ? 0.395 : 0.8);
     });

@@ -313,8 +313,8 @@ Status alpha_of_order(Store<D>& store, const std::uint32_t* order, const VertexI
 // on the way. Memory, in 16-bit words up to 8,192 points and in 32-bit words beyond: 42 and 68 bytes a point while
 // points are inserted; 58 and 82, and 12 for each edge with no point in its smallest circle, when radii are known; in
 // the end 12 for each such edge, 8 for each bar of degree 1 and 24 for each bar. Uniform points have 2 such edges and
-// nearly 2 bars each.
-template <int D> Status alpha_of_plane(const AlphaOfPoints& request, const Work& work, AlphaDiagram* out) {
+// nearly 2 bars each. are_few: there is no code for wide words.
+template <int D, bool are_few> Status alpha_of_plane(const AlphaOfPoints& request, const Work& work, AlphaDiagram* out) {
     const std::size_t low = work.arena.low_mark();
     StoreState state = {};
     Store<D> store(work.arena, state);
@@ -325,9 +325,10 @@ template <int D> Status alpha_of_plane(const AlphaOfPoints& request, const Work&
     out->distinct = state.vertex_count;
     VertexId first[D + 1];
     if (!independent_points(store, order, state.vertex_count, first)) return Status::flat;
-    if (state.vertex_count <= NarrowWords::points_max)
+    if (are_few || state.vertex_count <= NarrowWords::points_max)
         return alpha_of_order<D, NarrowWords>(store, order, first, low, request.diagram, work, &out->found);
-    return alpha_of_order<D, WideWords>(store, order, first, low, request.diagram, work, &out->found);
+    if constexpr (!are_few)
+        return alpha_of_order<D, WideWords>(store, order, first, low, request.diagram, work, &out->found);
 }
 
 }  // namespace netmesh

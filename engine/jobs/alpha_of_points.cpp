@@ -106,12 +106,13 @@ Status alpha_of_weighted_points(const WeightedAlphaOfPoints& request, const Work
     return status == Status::ok ? move_pairs_down(low, arena, &out->found.pairs) : status;
 }
 
-template <int D> Status alpha_of_points(const AlphaOfPoints& request, const Work& work, AlphaDiagram* out) {
+template <int D, bool are_few>
+static Status alpha_of(const AlphaOfPoints& request, const Work& work, AlphaDiagram* out) {
     const std::size_t low = work.arena.low_mark(), high = work.arena.high_mark();
     *out = AlphaDiagram{};
     Status status;
     if constexpr (D == 2)
-        status = alpha_of_plane<D>(request, work, out);
+        status = alpha_of_plane<D, are_few>(request, work, out);
     else
         status = run<D>(request, work, out);
     work.arena.release_low(low);
@@ -119,8 +120,17 @@ template <int D> Status alpha_of_points(const AlphaOfPoints& request, const Work
     return status == Status::ok ? move_pairs_down(low, work.arena, &out->found.pairs) : status;
 }
 
+template <int D> Status alpha_of_points(const AlphaOfPoints& request, const Work& work, AlphaDiagram* out) {
+    return alpha_of<D, false>(request, work, out);
+}
+
+template <int D> Status alpha_of_few_points(const AlphaOfPoints& request, const Work& work, AlphaDiagram* out) {
+    return alpha_of<D, D == 2>(request, work, out);
+}
+
 #define NETMESH_INSTANTIATE(D)                                                                                         \
     template Status alpha_of_points<D>(const AlphaOfPoints&, const Work&, AlphaDiagram*);                              \
+    template Status alpha_of_few_points<D>(const AlphaOfPoints&, const Work&, AlphaDiagram*);                          \
     template Status alpha_of_weighted_points<D>(const WeightedAlphaOfPoints&, const Work&, WeightedAlphaDiagram*);
 NETMESH_EACH_DIMENSION(NETMESH_INSTANTIATE)
 #undef NETMESH_INSTANTIATE

@@ -3,6 +3,7 @@
 #include <cstddef>
 #include <cstdint>
 
+#include "delaunay/plane_cells.hpp"
 #include "delaunay/triangulate.hpp"
 #include "homology/persistence.hpp"
 #include "memory/work.hpp"
@@ -23,12 +24,16 @@ struct AlphaDiagram {
 };
 
 // The diagram that triangulate and alpha_of_triangulation make. Once the points are triangulated nothing stays of a
-// cell but its vertices and nothing of a point but its coordinates.
+// cell but its vertices and nothing of a point but its coordinates; in the plane see alpha_of_plane.
 //
-// The pairs are put at the arena's low end, everything else is given back; without ok nothing stays. Memory: the larger
-// of what triangulate takes and of what alpha_of_triangulation takes above 8 D bytes a point.
+// The pairs are put at the arena's low end, everything else is given back; without ok nothing stays. Memory from
+// space on: the larger of what triangulate takes and of what alpha_of_triangulation takes above 8 D bytes a point.
 // ok, not_finite, flat, out_of_memory, out_of_range, cancelled.
 template <int D> Status alpha_of_points(const AlphaOfPoints& request, const Work& work, AlphaDiagram* out);
+
+// The same, but in the plane of no more than few_points_max points, and in less code.
+constexpr std::size_t few_points_max = NarrowWords::points_max;
+template <int D> Status alpha_of_few_points(const AlphaOfPoints& request, const Work& work, AlphaDiagram* out);
 
 // The same with weights. `distinct` are those that are not hidden; the list of hidden ones stays at the arena's high
 // end. Memory: 8 bytes a point more.

@@ -21,7 +21,7 @@ template <int D> Status bounding_diagram(const PointSet& points, const Work& wor
 std::size_t bound_bytes(std::uint64_t n, std::uint32_t dim) {
     constexpr std::uint64_t points_least = 200, points_most = std::uint64_t{1} << 26;
     if (n < points_least || n > points_most || dim > 3 || !serves_dimension(dim)) return 0;
-    const double bytes = 0x1p17 + (dim == 2 ? 400.0 : 1600.0) * static_cast<double>(n);
+    const double bytes = 0x1p17 + (dim == 2 ? 200.0 : 1600.0) * static_cast<double>(n);
     return bytes < static_cast<double>(SIZE_MAX / 2) ? static_cast<std::size_t>(bytes) : 0;
 }
 

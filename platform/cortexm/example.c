@@ -53,7 +53,7 @@ static netmesh_status find_loop(const uint16_t* range_mm, loop* largest) {
     request.points.coordinates = points[0];
     request.points.count = count;
     request.points.dim = 2;
-    request.filter = &netmesh_filter_alpha;
+    request.filter = &netmesh_filter_alpha_small;
     if ((status = netmesh_persist(context, &request)) != NETMESH_OK) return status;
 
     *largest = none;

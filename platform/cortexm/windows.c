@@ -85,7 +85,7 @@ static void plan(void) {
     request.points.count = POINTS;
     request.points.dim = DIM;
     request.points.format = NETMESH_POINTS_FLOAT32;
-    request.filter = &netmesh_filter_alpha;
+    request.filter = &netmesh_filter_alpha_small;
     request.monitor.poll = netmesh_poll_pause; /* a slice ends at each poll */
     planned = netmesh_plan(&request) / 4 * 5;
 }

@@ -25,7 +25,7 @@ static inline netmesh_status longest_loop(int* born, int* filled) {
     request.points.count = sizeof points / sizeof points[0];
     request.points.dim = 2;
     request.points.format = NETMESH_POINTS_FLOAT32;
-    request.filter = &netmesh_filter_alpha;
+    request.filter = &netmesh_filter_alpha_small;
     if (status == NETMESH_OK) status = netmesh_persist(context, &request);
     *born = *filled = 0;
     bar.struct_bytes = sizeof bar;

@@ -577,7 +577,7 @@ with open(os.path.join(os.path.dirname(os.path.abspath(__file__)), "../../engine
         re.findall(r"^    FILTER\((\w+), ", listed.read(), re.M))
 JOBS = {
     "DELAUNAY": (["netmesh_mesh"], r"netmesh_method_delaunay$"),
-    "ALPHA": (["netmesh_persist"], r"netmesh_filter_alpha$"),
+    "ALPHA": (["netmesh_persist"], r"netmesh_filter_alpha(_small)?$"),
     "CERTIFIED": (["netmesh_mesh", "netmesh_persist"], ON_MESH),
     "RIPS": (["netmesh_persist"], r"netmesh_filter_(rips|cech)$"),
     "RIPS_SMALL": (["netmesh_persist"], r"netmesh_filter_rips_small$"),

@@ -33,7 +33,7 @@ __attribute__((noinline)) static netmesh_status work(netmesh_context* context) {
     request.mesh.method = &netmesh_method_delaunay;
     return netmesh_mesh(context, &request);
 #elif JOB == 2
-    request.filter = &netmesh_filter_alpha;
+    request.filter = &netmesh_filter_alpha_small;
 #elif JOB == 3
     request.filter = &netmesh_filter_complete;
     request.mesh.method = &netmesh_method_svr;

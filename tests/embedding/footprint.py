@@ -25,7 +25,7 @@ SWITCHES = "CERTIFICATE SIZES AUDITS"
 # Name, JOB of footprint.c, points by D, switches that the job leaves on, name of its stack in netmesh/job.h.
 JOBS = [
     ("Delaunay", 1, {2: 500, 3: 500, 4: 50}, "", "DELAUNAY"),
-    ("alpha diagram", 2, {2: 500, 3: 500, 4: 50}, "", "ALPHA"),
+    ("alpha diagram (`alpha_small`)", 2, {2: 500, 3: 500, 4: 50}, "", "ALPHA"),
     ("certified diagram, ratio 2.25", 4, {2: 500, 3: 200, 4: 50}, "CERTIFICATE", "CERTIFIED"),
     ("certified diagram of a quality mesh", 3, {2: 500, 3: 200, 4: 50}, "", "CERTIFIED"),
     ("Rips diagram (`rips_small`), degrees 0 and 1", 5, {2: 100, 3: 100, 4: 100}, "", "RIPS_SMALL"),

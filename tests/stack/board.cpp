@@ -171,7 +171,9 @@ void prepare(Job job, Kind kind, Random& random, const netmesh_monitor& monitor)
     request.monitor = monitor;
     switch (job) {
     case delaunay: request.mesh.method = &netmesh_method_delaunay; break;
-    case alpha: request.filter = &netmesh_filter_alpha; break;
+    case alpha:
+        request.filter = random.below(2) == 0 ? &netmesh_filter_alpha_small : &netmesh_filter_alpha;
+        break;
     case rips:
         request.filter = random.below(4) == 0 ? &netmesh_filter_cech : &netmesh_filter_rips;
         if (count > 24) count = 24;
@@ -256,8 +258,15 @@ void run_clouds(Job job) {
         const Random choices = random;
         prepare(job, kind, random, {});
         paint_area();
-        const netmesh_status done =
-            run_job(job, [](const Call& call) { return call_on(top, call.function, call.first, call.second); });
+        const auto run_on_stack = [job] {
+            return run_job(job, [](const Call& call) { return call_on(top, call.function, call.first, call.second); });
+        };
+        netmesh_status done = run_on_stack();
+        // A mesh of points at many sizes may be too large for the board: fewer of them.
+        while (done == NETMESH_OUT_OF_MEMORY && count > DIM + 2) {
+            request.points.count = count -= count / 4 + 1;
+            done = run_on_stack();
+        }
         const Used plain = used(given);
         refused += done != NETMESH_OK;
         if (plain.bytes > deepest) deepest = plain.bytes, deepest_kind = kind_name[kind];

@@ -37,7 +37,7 @@ extern "C" {
  * netmesh_job_init.
  *
  *   DELAUNAY    netmesh_mesh by the method delaunay
- *   ALPHA       netmesh_persist by the filter alpha
+ *   ALPHA       netmesh_persist by the filters alpha and alpha_small
  *   CERTIFIED   netmesh_mesh and netmesh_persist by filters on meshes, without wants
  *   RIPS        netmesh_persist by the filters rips and cech, of points and of distances
  *   RIPS_SMALL  netmesh_persist by the filter rips_small, of points and of distances
