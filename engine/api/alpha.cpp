@@ -41,7 +41,7 @@ template <MakeAlpha make_alpha> netmesh_status alpha_of_given_points(netmesh_con
 }
 
 Complaint settle_alpha(const Settling& s) {
-    const bool is_other = s.rules.method != nullptr && !s.rules.method->triangulates();
+    const bool is_other = s.rules.method != nullptr && (!s.rules.method->triangulates() || s.rules.method->keeps_few);
     return is_other ? Complaint{NETMESH_FIELD_METHOD, "the filter alpha is of a triangulation; leave out the method"}
                     : settle_mesh_degree(s);
 }

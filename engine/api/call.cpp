@@ -112,6 +112,7 @@ void clear(netmesh_context* context) {
     context->complete = false;
     context->input = {};
     context->mesh = {};
+    context->plane = {};
     context->scales = {};
     context->split = {};
     context->piece = {};

@@ -6,6 +6,7 @@
 #include <cstdint>
 
 #include "api/slice.hpp"
+#include "delaunay/plane_cells.hpp"
 #include "delaunay/store.hpp"
 #include "diagram/pair.hpp"
 #include "homology/cycles/cycles.hpp"
@@ -81,6 +82,15 @@ struct KeptMesh {
     std::uint64_t touches = 0;  // LocationCounts
     std::uint32_t audited = 0;  // a union of netmesh_audit_what
     MeshAudit audit = {};
+};
+
+// The triangulation of few points in the plane in short words (delaunay/plane_few.hpp). Then there is no mesh, but
+// mesh.store has counts.
+struct KeptPlane {
+    bool present = false;
+    Slice<PlaneCell<NarrowWords>> cells;
+    Slice<double> points;
+    Slice<std::uint16_t> place;
 };
 
 struct KeptDiagram {
@@ -180,6 +190,7 @@ struct Context {
 
     KeptInput input;
     KeptMesh mesh;
+    KeptPlane plane;
     KeptDiagram diagram;
     KeptBounds bounds;
     KeptVineyard vineyard;

@@ -1,6 +1,7 @@
 // What the context holds, item by item.
 #include "api/items.hpp"
 
+#include "api/plane.hpp"
 #include "jobs/bar_bounds.hpp"
 
 namespace netmesh {
@@ -10,6 +11,14 @@ namespace {
 template <class T>
 const T* item_of(const netmesh_context* context, bool present, const Slice<T>& items, std::uint64_t index) {
     return present && index < items.count ? items.in(context) + index : nullptr;
+}
+
+// Of a triangulation or a mesh, which are there as a whole or not.
+std::uint64_t count_of_cells(const netmesh_context* context) {
+    return context->mesh.present || context->plane.present ? context->mesh.store.cell_slots : 0;
+}
+std::uint64_t count_of_vertices(const netmesh_context* context) {
+    return count_of_cells(context) > 0 ? context->mesh.store.vertex_count : 0;
 }
 
 // Ends a call by index: what was found for the caller's struct, or INVALID_ARGUMENT.
@@ -25,9 +34,13 @@ using namespace netmesh;
 extern "C" {
 
 netmesh_status netmesh_get_vertex(const netmesh_context* context, uint64_t index, netmesh_vertex* vertex) {
-    if (!usable(context) || !context->mesh.present || index >= context->mesh.store.vertex_count)
-        return NETMESH_INVALID_ARGUMENT;
+    if (!usable(context) || index >= count_of_vertices(context)) return NETMESH_INVALID_ARGUMENT;
     netmesh_vertex found = {};
+    if (keeps_plane && context->plane.present) {
+        const double* const point = PlaneReader(context).point(static_cast<std::uint32_t>(index));
+        for (int k = 0; k < 2; ++k) found.coordinates[k] = point[k];
+        return give_item(found, vertex);
+    }
     with_dimension(context->input.dim, [&](auto dimension) {
         constexpr int D = decltype(dimension)::value;
         const KeptStore<D> kept(context);
@@ -42,9 +55,16 @@ netmesh_status netmesh_get_vertex(const netmesh_context* context, uint64_t index
 }
 
 netmesh_status netmesh_get_cell(const netmesh_context* context, uint64_t index, netmesh_cell* cell) {
-    if (!usable(context) || !context->mesh.present || index >= context->mesh.store.cell_slots)
-        return NETMESH_INVALID_ARGUMENT;
+    if (!usable(context) || index >= count_of_cells(context)) return NETMESH_INVALID_ARGUMENT;
     netmesh_cell found = {};
+    if (keeps_plane && context->plane.present) {
+        const PlaneReader plane(context);
+        for (int i = 0; i < 3; ++i) {
+            found.vertices[i] = plane.vertex(static_cast<std::uint32_t>(index), i);
+            found.neighbours[i] = plane.neighbour(static_cast<std::uint32_t>(index), i);
+        }
+        return give_item(found, cell);
+    }
     with_dimension(context->input.dim, [&](auto dimension) {
         constexpr int D = decltype(dimension)::value;
         const KeptStore<D> kept(context);

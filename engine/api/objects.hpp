@@ -89,6 +89,7 @@ struct netmesh_method {
     std::uint32_t reads;
     netmesh_status (*mesh)(netmesh_context* context);
     netmesh::Complaint (*settle)(const netmesh::Settling& settling);  // without a filter
+    bool keeps_few = false;                                           // in short words, see KeptPlane
 
     bool triangulates() const { return id == NETMESH_METHOD_DELAUNAY; }
     bool has_cages() const { return method == netmesh::MeshMethod::hierarchy; }

@@ -11,6 +11,7 @@
 #include "filtration/mesh_filter.hpp"
 #include "filtration/scale_partition.hpp"
 #include "filtration/tight_filter.hpp"
+#include "jobs/alpha_of_points.hpp"
 #include "jobs/scale_grid.hpp"
 #include "mesh/audit/ball_lists.hpp"
 #include "mesh/audit/observers.hpp"
@@ -340,6 +341,7 @@ extern "C" size_t netmesh_plan_mesh(const netmesh_request* from) {
     if (read_struct(from, &request, sizeof request) != NETMESH_FIELD_NONE) return 0;
     if (settle(Call::mesh, 0, &request).text != nullptr) return 0;
     const netmesh_method* const method = request.mesh.method != nullptr ? request.mesh.method : request.filter->by_tau;
+    if (method->keeps_few) return whole_bytes(few_cells_figures.at<2>(static_cast<double>(request.points.count)));
     return whole_bytes(method->triangulates() ? plan_of_triangulation(request.points, false) + weight_bytes(request)
                                               : plan_of_mesh(request, false));
 }

@@ -1,6 +1,7 @@
 // The report of what the context holds, and its fingerprint.
 #include "api/figures.hpp"
 #include "api/items.hpp"
+#include "api/plane.hpp"
 
 namespace netmesh {
 namespace {
@@ -22,6 +23,18 @@ template <int D> void add_mesh(Fingerprint& f, const netmesh_context* context) {
         f.add(static_cast<std::uint64_t>(cages[d].centre) << 32 | cages[d].parent);
         f.add(cages[d].radius);
     }
+}
+
+// As add_mesh of the same triangulation.
+void add_plane(Fingerprint& f, const netmesh_context* context) {
+    const PlaneReader plane(context);
+    f.add(std::uint64_t{2});
+    for (std::uint32_t v = 0; v < context->mesh.store.vertex_count; ++v) {
+        for (int k = 0; k < 2; ++k) f.add(plane.point(v)[k]);
+        f.add(static_cast<std::uint64_t>(Marker::input));
+    }
+    for (std::uint32_t c = 0; c < context->mesh.store.cell_slots; ++c)
+        for (int i = 0; i <= 2; ++i) f.add(static_cast<std::uint64_t>(plane.vertex(c, i)) << 32 | plane.neighbour(c, i));
 }
 
 void add_pairs(Fingerprint& f, const netmesh_context* context) {
@@ -49,6 +62,8 @@ std::uint64_t fingerprint_of_report(const netmesh_context* context, const netmes
     if (context->input.is_complex) {
         f.add(context->input.fingerprint);
         f.add(context->diagram.simplices);
+    } else if (keeps_plane && context->plane.present) {
+        add_plane(f, context);
     } else {
         with_dimension(context->input.dim, [&](auto dimension) { add_mesh<decltype(dimension)::value>(f, context); });
     }
@@ -99,7 +114,7 @@ void report_mesh(const netmesh_context* context, netmesh_mesh_report* to) {
     to->is_mesh = mesh.is_mesh;
     to->vertices = mesh.store.vertex_count;
     to->inputs = context->input.distinct;
-    with_dimension(dim, [&](auto dimension) { count_markers<decltype(dimension)::value>(context, to); });
+    if (mesh.present) with_dimension(dim, [&](auto dimension) { count_markers<decltype(dimension)::value>(context, to); });
     to->cells = mesh.store.cell_slots;
     to->cells_created = mesh.store.cells_created;
     to->method = mesh.method;
@@ -219,7 +234,7 @@ netmesh_report report_of(const netmesh_context* context) {
     report.input.periods = input.periods;
     report.input.copies = input.copies;
     report.input.moved = input.moved;
-    if (context->mesh.present) {
+    if (context->mesh.present || context->plane.present) {
         report_mesh(context, &report.mesh);
         report_predicates(context->mesh.store, &report.predicates);
     }

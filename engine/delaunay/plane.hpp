@@ -122,7 +122,7 @@ public:
     bool insert(std::uint32_t k, std::uint32_t* made);
     // Makes a compact store of it.
     void finish();
-    // The cells at the low end, the points at the high end, and nothing else of it.
+    // The cells are the last piece at the low end, the points and below them the order at the high end.
     PlaneTriangulation<CellWords> close();
 
     VertexId vertex_at(std::uint32_t k) const { return VertexId(order_[k]); }
@@ -511,8 +511,7 @@ template <int D, class W, class Words>
 PlaneTriangulation<typename PlaneRun<D, W, Words>::CellWords> PlaneRun<D, W, Words>::close() {
     const std::uint32_t count = close_gaps<D>(cells_, state_.cell_slots, arena_);
     arena_.release_low(static_cast<std::size_t>(state_.cells_offset) + count * sizeof(CellT));
-    arena_.release_high(arena_.offset_of(question_.points));
-    return {cells_, count, question_.points, state_.vertex_count};
+    return {cells_, count, question_.points, state_.vertex_count, order_};
 }
 
 }  // namespace netmesh

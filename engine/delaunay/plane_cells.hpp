@@ -53,12 +53,13 @@ template <class Words> struct PlaneCell {
     typename Words::Facet neighbour[3];
 };
 
-// Cells, points and what they are numbered by, which is [point_count][2].
+// order: which vertex of the input each point is.
 template <class Words> struct PlaneTriangulation {
-    const PlaneCell<Words>* cells;
+    PlaneCell<Words>* cells;
     std::uint32_t cell_count;
-    const double* points;
+    const double* points;  // [point_count][2]
     std::uint32_t point_count;
+    const typename Words::Index* order;
 };
 
 }  // namespace netmesh

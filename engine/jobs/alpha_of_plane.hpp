@@ -306,6 +306,7 @@ Status alpha_of_order(Store<D>& store, const std::uint32_t* order, const VertexI
     if (status == Status::ok) status = insert_all(run, store.state, work.monitor, nullptr);
     if (status != Status::ok) return status;
     const PlaneTriangulation<Words> mesh = run.close();
+    work.arena.release_high(work.arena.offset_of(mesh.points));
     return PlaneAlpha<D, Words>(mesh, work.arena.offset_of(mesh.cells), request, work).run(out);
 }
 

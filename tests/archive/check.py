@@ -576,7 +576,7 @@ with open(os.path.join(os.path.dirname(os.path.abspath(__file__)), "../../engine
     ON_MESH = r"_on_meshE$|netmesh_filter_(%s)$|netmesh_method_" % "|".join(
         re.findall(r"^    FILTER\((\w+), ", listed.read(), re.M))
 JOBS = {
-    "DELAUNAY": (["netmesh_mesh"], r"netmesh_method_delaunay$"),
+    "DELAUNAY": (["netmesh_mesh"], r"netmesh_method_delaunay(_small)?$"),
     "ALPHA": (["netmesh_persist"], r"netmesh_filter_alpha(_small)?$"),
     "CERTIFIED": (["netmesh_mesh", "netmesh_persist"], ON_MESH),
     "RIPS": (["netmesh_persist"], r"netmesh_filter_(rips|cech)$"),

@@ -30,7 +30,11 @@ __attribute__((noinline)) static netmesh_status work(netmesh_context* context) {
     request.points.count = POINTS;
     request.points.dim = DIM;
 #if JOB == 1
+#if DIM == 2
+    request.mesh.method = &netmesh_method_delaunay_small;
+#else
     request.mesh.method = &netmesh_method_delaunay;
+#endif
     return netmesh_mesh(context, &request);
 #elif JOB == 2
     request.filter = &netmesh_filter_alpha_small;

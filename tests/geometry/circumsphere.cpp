@@ -92,13 +92,16 @@ ExactSphere exact_sphere(const Points& points) {
 }
 
 void check_exact_stage(const Points& points, const Truth& truth) {
-    static std::vector<std::uint64_t> scratch(ExactSphere::room(6));
     const ExactSphere sphere = exact_sphere(points);
     const bool always = points[0].size() <= 3;  // the range of doubles is in that of the table of primes
     if (!sphere.in_range()) {
         CHECK(!always);
         return;
     }
+    // No question takes more scratch than it says.
+    constexpr std::uint64_t guard = 0x5AC3A55AC35AC3A5u;
+    REQUIRE(sphere.words() <= ExactSphere::room(static_cast<int>(points[0].size())));
+    std::vector<std::uint64_t> scratch(sphere.words() + 4, guard);
     std::uint32_t within = 99;
     CHECK(sphere.find_within(scratch.data(), &within) == !truth.flat);
     if (truth.flat) return;
@@ -108,6 +111,7 @@ void check_exact_stage(const Points& points, const Truth& truth) {
         CHECK(is_nearest_root(radius, truth.squared));
     else
         CHECK(points[0].size() >= 3);
+    for (std::size_t i = sphere.words(); i < scratch.size(); ++i) CHECK(scratch[i] == guard);
 }
 
 void check_close_look(const Points& points, const Truth& truth, Tally* tally) {

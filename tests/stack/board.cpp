@@ -1,7 +1,11 @@
 // Runs the jobs whose stack is documented (netmesh/job.h) on clouds of every kind, each call on a stack of exactly the
 // documented size with a guard below, all of it painted before. Compiled for one DIM; CLOUDS for each job, from SEED
-// on; PERCENT of the documented sizes are given: less than 100 plants a fault that has to be seen.
+// on; PERCENT of the documented sizes are given: less than 100 plants a fault that has to be seen. It prints what each
+// cloud leads to; ON_HOST it does this alone, on any machine: the results that a board has to have.
 #include "board.hpp"
+#ifdef ON_HOST
+#include <cstdio>
+#endif
 #include "determinism/text.hpp"
 #include "netmesh.h"
 
@@ -17,7 +21,11 @@ constexpr std::size_t documented[] = {NETMESH_STACK_BYTES_DELAUNAY(DIM), NETMESH
 // What is refused may be refused by all clouds of a kind, and seven of nine kinds are accepted by every job.
 constexpr std::uint32_t refused_percent_max = 40;
 
+#ifdef ON_HOST
+alignas(16) unsigned char block[8 << 20];  // pointers are longer
+#else
 alignas(16) unsigned char block[2 << 20];
+#endif
 alignas(16) std::uint32_t area[(guard_bytes + stack_most + NETMESH_STACK_BYTES_JOB) / sizeof(std::uint32_t)];
 double points[points_max * DIM];
 std::size_t count;
@@ -137,12 +145,18 @@ struct Call {
     const void *first, *second;
 };
 
+#ifdef ON_HOST
+netmesh_status call_on(std::uint32_t*, const void* function, const void* first, const void* second) {
+    return reinterpret_cast<netmesh_status (*)(const void*, const void*)>(const_cast<void*>(function))(first, second);
+}
+#else
 // function(first, second) on the stack that ends at `top`: nothing else is on it.
 __attribute__((naked)) netmesh_status call_on(std::uint32_t*, const void*, const void*, const void*) {
     asm volatile(
         "push {r4, lr}\n mov r4, sp\n mov sp, r0\n mov r12, r1\n mov r0, r2\n mov r1, r3\n blx r12\n mov sp, r4\n"
         "pop {r4, pc}");
 }
+#endif
 
 template <class Function> const void* address(Function* function) { return reinterpret_cast<const void*>(function); }
 
@@ -170,7 +184,10 @@ void prepare(Job job, Kind kind, Random& random, const netmesh_monitor& monitor)
     request = netmesh_default_request();
     request.monitor = monitor;
     switch (job) {
-    case delaunay: request.mesh.method = &netmesh_method_delaunay; break;
+    case delaunay:
+        request.mesh.method =
+            DIM == 2 && random.below(2) == 0 ? &netmesh_method_delaunay_small : &netmesh_method_delaunay;
+        break;
     case alpha:
         request.filter = random.below(2) == 0 ? &netmesh_filter_alpha_small : &netmesh_filter_alpha;
         break;
@@ -245,6 +262,14 @@ void fault(const char* what, const char* kind, std::uint64_t number, std::size_t
     board::write(text.words());
 }
 
+// A line that starts with = : job, cloud, points, status, fingerprint of what the context holds.
+void tell_result(Job job, std::uint64_t number, netmesh_status done) {
+    Text text;
+    text.words("= ").words(job_name[job]).words(" ").number(number).words(" ").number(count).words(" ");
+    text.number(static_cast<std::uint64_t>(done)).words(" ").hex(done == NETMESH_OK ? report.fingerprint : 0);
+    board::write(text.words("\n").words());
+}
+
 void run_clouds(Job job) {
     const std::size_t given = documented[job] * PERCENT / 100 & ~std::size_t{7};
     std::size_t deepest = 0, deepest_in_slices = 0;
@@ -267,6 +292,10 @@ void run_clouds(Job job) {
             request.points.count = count -= count / 4 + 1;
             done = run_on_stack();
         }
+        tell_result(job, number, done);
+#ifdef ON_HOST
+        continue;
+#endif
         const Used plain = used(given);
         refused += done != NETMESH_OK;
         if (plain.bytes > deepest) deepest = plain.bytes, deepest_kind = kind_name[kind];
@@ -302,7 +331,15 @@ void run_clouds(Job job) {
 
 }  // namespace
 
+#ifdef ON_HOST
+void board::write(const char* text) { std::fputs(text, stdout); }
+int main() {
+    for (int job = 0; job < job_count; ++job) run_clouds(static_cast<Job>(job));
+    return 0;
+}
+#else
 int run() {
     for (int job = 0; job < job_count; ++job) run_clouds(static_cast<Job>(job));
     return faults != 0;
 }
+#endif

@@ -5,7 +5,7 @@
 
 For each core of platform/cortexm/cores.txt and each dimension: the engine as two files for that dimension alone, -Os.
 Its call graph goes through tests/archive/check.py, its jobs through board.cpp in qemu, on N clouds of nine kinds each,
-on stacks of the promised size with a guard below. --planted: and once more with half of the stack, which has to be seen
+on stacks of the promised size with a guard below. Results have to be those of this machine, to the bit. --planted: and once more with half of the stack, which has to be seen
 for each job. The whole of it: run.py --clouds 500 --dims 2,3,4."""
 import argparse
 import concurrent.futures
@@ -80,11 +80,49 @@ def run_clouds(folder, core, dim, clouds, seed, percent):
                 "-semihosting-config", "enable=on,target=native", "-kernel", "clouds.elf"], folder)
 
 
-def one(core, dim, options):
+def results_of(text):
+    """{(job, cloud, points): (status, fingerprint)}, and the other lines."""
+    found, other = {}, []
+    for line in text.splitlines():
+        if line.startswith("= "):
+            job, cloud, points, *rest = line[2:].split()
+            found[job, cloud, points] = rest
+        else:
+            other.append(line)
+    return found, other
+
+
+def results_here(work, dim, clouds, seed):
+    """What board.cpp prints on this machine, by g++ -O2."""
+    folder = os.path.join(work, "host-%d-%d-%d" % (dim, clouds, seed))
+    os.makedirs(folder, exist_ok=True)
+    must([sys.executable, os.path.join(ROOT, "tools", "amalgamate"), folder], folder)
+    compiler = ["g++", "-std=c++17", "-O2"]
+    values = ["-DDIM=%d" % dim, "-DCLOUDS=%d" % clouds, "-DSEED=%d" % seed, "-DPERCENT=100", "-DON_HOST"]
+    must([*compiler, "-DNETMESH_EACH_DIMENSION(DO)=DO(%d)" % dim, "-c", "netmesh.cpp"], folder)
+    must([*compiler, "-w", "-ffp-contract=off", *values, "-I", ".", "-I", BOARD, "-I", os.path.join(ROOT, "tests"),
+          os.path.join(HERE, "board.cpp"), "netmesh.o", "-o", "clouds"], folder)
+    return results_of(must(["./clouds"], folder))[0]
+
+
+def compare(found, due, clouds):
+    """Lines about results that differ. Where a mesh does not fit the board, its cloud has fewer points there."""
+    both = found.keys() & due.keys()
+    bad = sorted(k for k in both if found[k] != due[k])
+    lines = ["FAULT result of %s, cloud %s: %s, here %s" % (*k[:2], found[k], due[k]) for k in bad]
+    if len(both) < 0.9 * len(JOBS) * clouds:
+        lines.append("FAULT only %d results could be compared" % len(both))
+    return lines or ["%d results are those of this machine" % len(both)]
+
+
+def one(core, dim, options, due):
     folder = build_engine(options.build, core, dim)
     faults, text = run([sys.executable, CHECK, "jobs", *check_options(folder, core, dim)], folder)
     failed, said = run_clouds(folder, core, dim, options.clouds, options.seed, 100)
-    text += said
+    found, lines = results_of(said)
+    lines += compare(found, due.result(), options.clouds)
+    failed |= "FAULT" in lines[-1]
+    text += "\n".join(lines) + "\n"
     if options.planted:
         _, said = run_clouds(folder, core, dim, PLANTED_CLOUDS, options.seed, PLANTED_PERCENT)
         blind = [job for job in JOBS if "FAULT " + job not in said]
@@ -111,7 +149,8 @@ def main():
     print("seed %d" % options.seed)
     failed = False
     with concurrent.futures.ThreadPoolExecutor(options.jobs) as pool:
-        for task in [pool.submit(one, core, dim, options) for core in chosen for dim in dims]:
+        due = {dim: pool.submit(results_here, options.build, dim, options.clouds, options.seed) for dim in dims}
+        for task in [pool.submit(one, core, dim, options, due[dim]) for core in chosen for dim in dims]:
             fault, text = task.result()
             failed |= fault
             print(text, end="", flush=True)

@@ -36,7 +36,7 @@ extern "C" {
  * included, whatever the points are. The same has to be added; and NETMESH_STACK_BYTES_JOB for the stack of
  * netmesh_job_init.
  *
- *   DELAUNAY    netmesh_mesh by the method delaunay
+ *   DELAUNAY    netmesh_mesh by the methods delaunay and delaunay_small
  *   ALPHA       netmesh_persist by the filters alpha and alpha_small
  *   CERTIFIED   netmesh_mesh and netmesh_persist by filters on meshes, without wants
  *   RIPS        netmesh_persist by the filters rips and cech, of points and of distances

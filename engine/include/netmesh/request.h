@@ -230,6 +230,10 @@ typedef struct netmesh_method netmesh_method;
  *   cost      6 / 28 / 158 / 898 / 4264 cells made for each of uniform points, D = 2..6
  *   errors    FLAT */
 extern const netmesh_method netmesh_method_delaunay;
+/* The same of at most 8,192 points in the plane, for small parts: 64 bytes a point where delaunay takes 158. The
+ * context then holds cells, vertices and a report, fingerprint included, for no other call. Without OK it is empty.
+ *   errors    FLAT */
+extern const netmesh_method netmesh_method_delaunay_small;
 
 /* The methods below make a quality mesh: a Delaunay triangulation of points and Steiner points. Of svr, refine and
  * certificate these are in the domain's ball but for 2^-20 of it and 16 units in the last place. A vertex that is not
