@@ -1,9 +1,15 @@
-/* What a job takes: JOB on POINTS uniform points in R^DIM, in a block of the harness's (footprint_host.c,
+/* What a job takes: JOB on POINTS points in R^DIM of a KIND, uniform if that is not said, in a block of the harness's (footprint_host.c,
  * footprint_board.cpp). With REPORT it returns the peak bytes of the block; without, it holds no more than a program
  * needs that has the job and reads its result. */
 #include "netmesh.h"
 
 enum { NOTHING, DELAUNAY, ALPHA, CERTIFIED, BY_RATIO, RIPS };
+/* In units of .01; a grid of tenths, each with the rounding of its own; a circle, or in space two skew lines, where
+ * cells are as many as can be. */
+enum { UNIFORM, ROUNDED, TENTHS, WORST };
+#ifndef KIND
+#define KIND 0
+#endif
 
 uint64_t footprint_job(void* block, size_t block_bytes);
 
@@ -14,10 +20,28 @@ static netmesh_report report;
 
 static void draw_points(void) {
     uint64_t state = 17;
-    size_t i;
+    size_t i, k, side = 1;
+    while ((DIM == 2 ? side * side : side * side * side) < POINTS) ++side;
     for (i = 0; i < sizeof points / sizeof points[0]; ++i) {
         state = state * 6364136223846793005u + 1442695040888963407u;
         points[i] = (double)(state >> 33) / 2147483648.0;
+        if (KIND == ROUNDED) points[i] = (double)(int)(points[i] * 100) / 100;
+    }
+    for (i = 0; KIND >= TENTHS && i < POINTS; ++i) {
+        const double t = 2 * (double)i / POINTS - 1;
+        size_t rest = i;
+        for (k = 0; k < DIM; ++k) {
+            points[i * DIM + k] = KIND == TENTHS ? (double)(rest % side) * .1 : 0;
+            rest /= side;
+        }
+        if (KIND == TENTHS) continue;
+        if (DIM == 2) {
+            points[i * DIM] = (1 - t * t) / (1 + t * t);
+            points[i * DIM + 1] = 2 * t / (1 + t * t);
+        } else {
+            points[i * DIM + i % 2] = t;
+            points[i * DIM + 2] = (double)(i % 2);
+        }
     }
 }
 

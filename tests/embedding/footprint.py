@@ -2,6 +2,7 @@
 """What each job takes on a board and on a PC: flash, block, stack and instructions, measured.
 
     footprint.py WORK [--jobs N] [D ...]      prints the table of tools/docs/small-parts.md; D: 2, 3, 4
+    footprint.py WORK --kinds                 the one by kinds of points
 
 Engine in two files, one dimension, -Os for a Cortex-M3 in qemu and -O2 for x86-64 under callgrind. Flash: text,
 constants and initialised data of a program with the job above those of one without. Block: report.memory.peak_bytes.
@@ -30,6 +31,8 @@ JOBS = [
     ("certified diagram of a quality mesh", 3, {2: 500, 3: 200, 4: 50}, "", "CERTIFIED"),
     ("Rips diagram (`rips_small`), degrees 0 and 1", 5, {2: 100, 3: 100, 4: 100}, "", "RIPS_SMALL"),
 ]
+KINDS = ["uniform", "rounded to .01", "grid of tenths", "worst case"]
+KIND_POINTS = {2: 500, 3: 100}
 NOTHING = 0
 CALLER = 1024  # bytes of the stack that footprint.c itself and the start of a program take at most
 SECTIONS = ["-ffunction-sections", "-fdata-sections"]
@@ -70,12 +73,12 @@ def build_board(work):
         run("arm-none-eabi-g++", *flags, "-c", source, cwd=work)
 
 
-def link(work, target, dim, engine, job, points, report):
+def link(work, target, dim, engine, job, points, report, kind=0):
     """A program with one job; 0: with none."""
     cc, _, flags, _ = TARGETS[target]
-    name = f"{target}-{dim}-{job}-{report}"
-    run(*cc, "-std=c11", *flags, f"-DDIM={dim}", f"-DJOB={job}", f"-DPOINTS={points}", f"-DREPORT={report}", "-I", ".",
-        "-c", f"{HERE}/footprint.c", "-o", f"{name}-job.o", cwd=work)
+    name = f"{target}-{dim}-{job}-{report}-{kind}"
+    run(*cc, "-std=c11", *flags, f"-DDIM={dim}", f"-DJOB={job}", f"-DPOINTS={points}", f"-DREPORT={report}",
+        f"-DKIND={kind}", "-I", ".", "-c", f"{HERE}/footprint.c", "-o", f"{name}-job.o", cwd=work)
     objects = [f"{name}-job.o", *([engine] if job != NOTHING else [])]
     if target == "board":
         run(*cc, *CORE, *objects, "footprint_board.o", "start.o", "runtime.o", "-nostartfiles", "-nodefaultlibs", "-T",
@@ -148,8 +151,26 @@ def measured(work, dims, jobs):
     return lines
 
 
+def by_kinds(work):
+    """Lines of the table by kinds of points, on the board."""
+    os.makedirs(work, exist_ok=True)
+    run(sys.executable, os.path.join(ROOT, "tools/amalgamate"), work, cwd=work)
+    build_board(work)
+    lines = ["| job | D | points | " + " | ".join(KINDS) + " |", "|---|" + "---:|" * (2 + len(KINDS))]
+    engines = {dim: build_engine(work, "board", dim, "") for dim in KIND_POINTS}
+    for name, job, *_ in JOBS[:2]:
+        for dim, points in KIND_POINTS.items():
+            counts = [measure(work, "board", link(work, "board", dim, engines[dim], job, points, 1, kind))[2]
+                      for kind in range(len(KINDS))]
+            lines.append(f"| {name} | {dim} | {points} | " + " | ".join(millions(count) for count in counts) + " |")
+    return lines
+
+
 def main():
     arguments = sys.argv[1:]
+    if len(arguments) == 2 and arguments[1] == "--kinds":
+        print("\n".join(by_kinds(os.path.abspath(arguments[0]))))
+        return
     jobs = os.cpu_count() or 1
     if "--jobs" in arguments:
         at = arguments.index("--jobs")

@@ -11,6 +11,7 @@
   write.py coverage LOG     what `tests/coverage/run` printed                          -> tests/coverage/COVERAGE.md
   write.py light WORK       what jobs take on a board, measured by tests/embedding/footprint.py in WORK
                                                                                        -> tools/docs/small-parts.md
+  write.py kinds WORK       instructions by kinds of points, by footprint.py --kinds   -> tools/docs/small-parts.md
   write.py windows LOG      what `platform/cortexm/run --windows D` printed for D = 2 and 3
                                                                                        -> tools/docs/small-parts.md
   write.py lemmas LOG       what `test_mesh -tc="every lemma*"` printed                -> FIGURES.md
@@ -163,6 +164,12 @@ def light(work):
     put(SMALL_PARTS, "light", done.stdout.splitlines())
 
 
+def kinds(work):
+    command = [sys.executable, os.path.join(TESTS, "embedding", "footprint.py"), work, "--kinds"]
+    done = subprocess.run(command, stdout=subprocess.PIPE, text=True, check=True)
+    put(SMALL_PARTS, "kinds", done.stdout.splitlines())
+
+
 def lemmas(log):
     """The last table of each dimension."""
     rows, titles, largest = {}, {}, {}
@@ -215,7 +222,7 @@ def windows(log):
 
 def main():
     writers = {"stack": stack, "jobs": jobs, "size": size, "bare": bare, "gaps": gaps, "coverage": coverage,
-               "light": light, "windows": windows, "lemmas": lemmas}
+               "light": light, "kinds": kinds, "windows": windows, "lemmas": lemmas}
     if len(sys.argv) != 3 or sys.argv[1] not in writers:
         sys.exit(__doc__)
     writers[sys.argv[1]](sys.argv[2])
