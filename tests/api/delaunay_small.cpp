@@ -28,7 +28,7 @@ template <class Item, class Get> void expect_same_items(const Session& a, const 
 
 // False: flat, which both say.
 bool expect_same(const inputs::Points& points) {
-    INFO(points.size() / 2 << " points");
+    INFO("points: " << points.size() / 2);
     Session few(2), any(2);
     few.reserve(std::size_t{1} << 24);
     any.reserve(std::size_t{1} << 24);
@@ -38,7 +38,7 @@ bool expect_same(const inputs::Points& points) {
     if (status != NETMESH_OK) return false;
     netmesh_report a = few.report(), b = any.report();
     const std::size_t peak = a.memory.peak_bytes;
-    CHECK(peak < b.memory.peak_bytes);
+    CHECK(peak <= b.memory.peak_bytes);
     a.memory = b.memory;
     CHECK(std::memcmp(&a, &b, sizeof a) == 0);
     expect_same_items<netmesh_cell>(few, any, netmesh_get_cell);
