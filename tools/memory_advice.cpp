@@ -77,7 +77,7 @@ std::string advice_on_diagram(const Options& options, const Cloud& cloud) {
                              r.fit == nullptr && options.values_at.empty() && r.goal.error == 0;
         if (can_fit)
             add_way(&text, filter.needs_function != 0 ? "--fit finds the least error that fits"
-                                                  : "--fit finds the best ratio that fits");
+                                                      : "--fit finds the best ratio that fits");
         if (options.values_at.empty()) add_coarser_mesh(options, cloud.dim, &text);
     }
     add_alpha(options, cloud, &text);

@@ -347,7 +347,8 @@ Outcome TableParser::check_count_of_names() const {
     cut(lines_[0], &fields);
     for (const Field& field : fields)
         if (read_field(field, dialect_.decimal_comma, &ignored) == FieldKind::word) return {};  // said of that field
-    return fault(lines_[0].number, counted(width_, "column", "columns") + " where the header names " + std::to_string(named) +
+    return fault(lines_[0].number, counted(width_, "column", "columns") + " where the header names " +
+                                       std::to_string(named) +
                                        "; --columns with numbers takes the rows as they are, --skip " +
                                        std::to_string(lines_[0].number - 1) + " leaves the header out");
 }
@@ -514,8 +515,8 @@ Outcome TableParser::explain_width(const TableLine& line) const {
         }
         if (grows) remedy = "; a triangle of distances is read by persist --distances";
     }
-    return fault(line.number, counted(fields.size(), "column", "columns") + " where line " + std::to_string(first) + " has " +
-                                  std::to_string(width_ + dropped_) + remedy);
+    return fault(line.number, counted(fields.size(), "column", "columns") + " where line " + std::to_string(first) +
+                                  " has " + std::to_string(width_ + dropped_) + remedy);
 }
 
 Outcome TableParser::explain_field(const TableLine& line, std::size_t column) const {

@@ -12,7 +12,6 @@ namespace netmesh::tool {
 
 namespace {
 
-
 struct View {
     double x_min, y_min, scale;
     double x(const netmesh_vertex& vertex) const { return page_margin + (vertex.coordinates[0] - x_min) * scale; }
