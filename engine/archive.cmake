@@ -85,20 +85,23 @@ set(unaligned "")
 if(CMAKE_CXX_COMPILER_ID STREQUAL "GNU")
   set(unaligned ";-fno-align-jumps;-fno-align-labels") # loops and functions are
 endif()
-set_source_files_properties(${fast} PROPERTIES COMPILE_OPTIONS "$<$<CONFIG:Release>:-O2${unaligned}>")
 # Where -O3 saves a part of a large job that counts.
 set(fastest delaunay/kernel delaunay/sphere filtration/alpha homology/lower_star/lower_star
   mesh/input_tree numerics/radix_sort numerics/value_order)
 list(TRANSFORM fastest REPLACE ".+" "${PROJECT_SOURCE_DIR}/engine/\\0.cpp")
-set_source_files_properties(${fastest} PROPERTIES COMPILE_OPTIONS "$<$<CONFIG:Release>:-O3${unaligned}>")
-if(CMAKE_CXX_COMPILER_ID STREQUAL "GNU")
-  # Loops that -O3 makes twice, or spells out where they are long, and copies of functions cost a fifth of the bytes
-  # there and save nothing.
-  set(once filtration/alpha homology/lower_star/lower_star mesh/input_tree numerics/value_order)
-  list(TRANSFORM once REPLACE ".+" "${PROJECT_SOURCE_DIR}/engine/\\0.cpp")
-  set_property(SOURCE ${once}
-    APPEND PROPERTY COMPILE_OPTIONS "$<$<CONFIG:Release>:-fno-unswitch-loops;-fno-split-loops;-fno-tree-vectorize>"
-      "$<$<CONFIG:Release>:-fno-ipa-cp-clone;--param=max-completely-peeled-insns=100>")
+# What has options of its own stays out of a build of several sources at once (CMAKE_UNITY_BUILD).
+if(CMAKE_BUILD_TYPE STREQUAL "Release" OR CMAKE_CONFIGURATION_TYPES)
+  set_source_files_properties(${fast} PROPERTIES COMPILE_OPTIONS "$<$<CONFIG:Release>:-O2${unaligned}>")
+  set_source_files_properties(${fastest} PROPERTIES COMPILE_OPTIONS "$<$<CONFIG:Release>:-O3${unaligned}>")
+  if(CMAKE_CXX_COMPILER_ID STREQUAL "GNU")
+    # Loops that -O3 makes twice, or spells out where they are long, and copies of functions cost a fifth of the bytes
+    # there and save nothing.
+    set(once filtration/alpha homology/lower_star/lower_star mesh/input_tree numerics/value_order)
+    list(TRANSFORM once REPLACE ".+" "${PROJECT_SOURCE_DIR}/engine/\\0.cpp")
+    set_property(SOURCE ${once}
+      APPEND PROPERTY COMPILE_OPTIONS "$<$<CONFIG:Release>:-fno-unswitch-loops;-fno-split-loops;-fno-tree-vectorize>"
+        "$<$<CONFIG:Release>:-fno-ipa-cp-clone;--param=max-completely-peeled-insns=100>")
+  endif()
 endif()
 # Beyond D = 4 the same templates are small, but for triangulations: their sources are compiled once more, for those
 # dimensions alone.

@@ -18,7 +18,7 @@ std::string command_names(const char* between) {
     return joined(names, between);
 }
 
-template <class Visit> void for_each_option(Command command, Visit visit) {
+template <class Visit> void for_each_entry(Command command, Visit visit) {
     for (const OptionEntry& option : option_entries())
         if ((option.commands & bit(command)) != 0) visit(option);
 }
@@ -28,7 +28,7 @@ std::string bash_text() {
     for (const CommandEntry& command : command_entries()) {
         const std::string name = command.name;
         std::string own, plain;
-        for_each_option(command.command, [&](const OptionEntry& option) {
+        for_each_entry(command.command, [&](const OptionEntry& option) {
             own += std::string(own.empty() ? "" : " ") + option.name;
             const std::vector<std::string> words = words_of(option, command.command);
             const std::string at = name + ":" + option.name;
@@ -82,7 +82,7 @@ std::string zsh_text() {
     for (const CommandEntry& command : command_entries()) {
         commands += std::string("        '") + command.name + ":" + short_help(command.summary) + "'\n";
         cases += std::string("    ") + command.name + ")\n        _arguments -S '*:file:_files' \\\n";
-        for_each_option(command.command, [&](const OptionEntry& option) {
+        for_each_entry(command.command, [&](const OptionEntry& option) {
             std::string spec = std::string(option.name) + "[" + short_help(option.help) + "]";
             const std::vector<std::string> words = words_of(option, command.command);
             if (option.value != nullptr)

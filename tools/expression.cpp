@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "tools/io/characters.hpp"
 #include "tools/io/numbers.hpp"
 
 namespace netmesh::tool {
@@ -13,8 +14,7 @@ constexpr std::size_t length_max = 4096;
 constexpr int depth_max = 64;  // of parentheses and signs
 constexpr std::uint64_t exponent_max = 64;
 
-bool is_digit(char c) { return c >= '0' && c <= '9'; }
-bool is_letter(char c) { return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z'); }
+bool begins_name(char c) { return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z'); }
 
 }  // namespace
 
@@ -98,7 +98,7 @@ private:
         if (take('(')) return sum() && (take(')') || fault("')' is due, not " + seen()));
         const char c = peek();
         if (is_digit(c) || c == '.') return number();
-        if (is_letter(c)) return name();
+        if (begins_name(c)) return name();
         return fault("a number, a coordinate, a function or '(' is due, not " + seen());
     }
     bool number() {
@@ -112,7 +112,7 @@ private:
     }
     bool name() {
         const std::size_t begin = at_;
-        while (at_ < out_.text_.size() && (is_letter(out_.text_[at_]) || is_digit(out_.text_[at_]))) at_++;
+        while (at_ < out_.text_.size() && (begins_name(out_.text_[at_]) || is_digit(out_.text_[at_]))) at_++;
         const std::string name = out_.text_.substr(begin, at_ - begin);
         constexpr struct {
             const char* name;

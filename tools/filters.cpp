@@ -4,7 +4,7 @@ namespace netmesh::tool {
 
 namespace {
 
-std::vector<netmesh_filter_info> rows() {
+std::vector<netmesh_filter_info> read_filters() {
     std::vector<netmesh_filter_info> rows;
     for_each_filter([&](const netmesh_filter_info& info) { rows.push_back(info); });
     return rows;
@@ -25,7 +25,7 @@ void replace(std::string& text, const std::string& place, const std::string& by)
 }  // namespace
 
 const std::vector<netmesh_filter_info>& filters() {
-    static const std::vector<netmesh_filter_info> table = rows();
+    static const std::vector<netmesh_filter_info> table = read_filters();
     return table;
 }
 

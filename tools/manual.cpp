@@ -44,7 +44,7 @@ std::string option(const std::string& name, const char* value, const std::string
     return text + "\n" + escaped(flowing(help)) + "\n";
 }
 
-std::string examples(const std::string& lines) {
+std::string examples_section(const std::string& lines) {
     std::string text;
     for (std::size_t at = 0; at < lines.size(); at = lines.find('\n', at) + 1)
         text += "netmesh " + lines.substr(at, lines.find('\n', at) + 1 - at);
@@ -80,7 +80,7 @@ std::string program_manual() {
     text += section("OPTIONS") + option("-V, --version", nullptr, "the version") +
             option("--completion", "bash|zsh", "what completes command lines in that shell") +
             option("--manual", "[COMMAND]", "this page, or that of a command");
-    return text + examples(program_examples) + section("EXIT STATUS") + escaped(exit_paragraph) + "\n" +
+    return text + examples_section(program_examples) + section("EXIT STATUS") + escaped(exit_paragraph) + "\n" +
            see_also(Command::none);
 }
 
@@ -104,7 +104,7 @@ std::string manual_text(Command command) {
         text += option(name == "--quiet" ? "-q, --quiet" : name, each.value, each.help);
     }
     text += option("-h, --help", nullptr, "a shorter form of this text");
-    return text + examples(entry.examples) + section("EXIT STATUS") + escaped(exit_paragraph) + "\n" +
+    return text + examples_section(entry.examples) + section("EXIT STATUS") + escaped(exit_paragraph) + "\n" +
            see_also(command);
 }
 

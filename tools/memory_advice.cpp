@@ -14,7 +14,7 @@ struct Cloud {
     std::size_t points, bytes;
 };
 
-void add(std::string* text, const std::string& way) { *text += (text->empty() ? "" : "; ") + way; }
+void add_way(std::string* text, const std::string& way) { *text += (text->empty() ? "" : "; ") + way; }
 
 // Whether these options fit; their plan.
 bool fits(const Options& options, const Cloud& cloud, std::size_t* plan) {
@@ -31,7 +31,7 @@ void add_alpha(const Options& options, const Cloud& cloud, std::string* text) {
     exact.command = Command::persist;
     exact.request.filter = &netmesh_filter_alpha;
     std::size_t plan;
-    if (fits(exact, cloud, &plan)) add(text, "--filter alpha is exact and fits: plan for " + bytes_text_up(plan));
+    if (fits(exact, cloud, &plan)) add_way(text, "--filter alpha is exact and fits: plan for " + bytes_text_up(plan));
 }
 
 void add_lower_degree(const Options& options, const Cloud& cloud, std::string* text) {
@@ -40,7 +40,7 @@ void add_lower_degree(const Options& options, const Cloud& cloud, std::string* t
         lower.request.max_degree = degree;
         std::size_t plan;
         if (!fits(lower, cloud, &plan)) continue;
-        add(text, "--max-degree " + std::to_string(degree) + " fits: plan for " + bytes_text_up(plan));
+        add_way(text, "--max-degree " + std::to_string(degree) + " fits: plan for " + bytes_text_up(plan));
         return;
     }
 }
@@ -50,15 +50,15 @@ void add_coarser_mesh(const Options& options, std::uint32_t dim, std::string* te
     if (options.request.filter == &netmesh_filter_auto) meshed.request.filter = &netmesh_filter_complete;
     const netmesh_request r = settled(meshed, dim).request;
     const double eps = options.request.goal.eps + r.mesh.sizes.eps;
-    if (eps > 0) add(text, "an --eps above " + number_text(eps) + " takes less");
+    if (eps > 0) add_way(text, "an --eps above " + number_text(eps) + " takes less");
     if (r.mesh.sizes.at_inputs > 0)
-        add(text, "a --cell-size above " + number_text(r.mesh.sizes.at_inputs) + " takes less");
-    if (r.goal.error > 0) add(text, "an --error above " + number_text(r.goal.error) + " takes less");
+        add_way(text, "a --cell-size above " + number_text(r.mesh.sizes.at_inputs) + " takes less");
+    if (r.goal.error > 0) add_way(text, "an --error above " + number_text(r.goal.error) + " takes less");
     if (r.fit != nullptr) return;
     if (r.goal.ratio > 0) {
-        add(text, "a --ratio above " + rounded_text(r.goal.ratio, 4) + " takes less");
+        add_way(text, "a --ratio above " + rounded_text(r.goal.ratio, 4) + " takes less");
     } else if (r.goal.eps == 0) {
-        add(text, "a --tau above " + rounded_text(r.mesh.tau, 4) + " takes less");
+        add_way(text, "a --tau above " + rounded_text(r.mesh.tau, 4) + " takes less");
     }
 }
 
@@ -69,15 +69,15 @@ std::string advice_on_diagram(const Options& options, const Cloud& cloud) {
     const netmesh_filter_info& filter = about(r.filter);
     if (filter.is_on_points != 0) {
         add_lower_degree(options, cloud, &text);
-        if (filter.id == NETMESH_FILTER_RIPS) add(&text, "--threshold R joins fewer points");
+        if (filter.id == NETMESH_FILTER_RIPS) add_way(&text, "--threshold R joins fewer points");
     } else if (filter.is_on_triangulation != 0) {
-        add(&text, "--filter complete --fit finds the best ratio that fits");
+        add_way(&text, "--filter complete --fit finds the best ratio that fits");
     } else {
         const bool can_fit = filter.is_on_mesh != 0 && filter.has_eps == 0 && r.mesh.method == nullptr &&
                              r.fit == nullptr && options.values_at.empty() && r.goal.error == 0;
         if (can_fit)
-            add(&text, filter.needs_function != 0 ? "--fit finds the least error that fits"
-                                                  : "--fit finds the best ratio that fits");
+            add_way(&text, filter.needs_function != 0 ? "--fit finds the least error that fits"
+                                                      : "--fit finds the best ratio that fits");
         if (options.values_at.empty()) add_coarser_mesh(options, cloud.dim, &text);
     }
     add_alpha(options, cloud, &text);

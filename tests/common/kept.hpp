@@ -3,7 +3,9 @@
 #include <doctest/doctest.h>
 
 #include <cstdint>
+#include <cstdlib>
 #include <cstring>
+#include <memory>
 #include <vector>
 
 #include "common/polls.hpp"
@@ -11,14 +13,14 @@
 
 namespace kept {
 
-struct Unit {
-    alignas(16) unsigned char bytes[16];
-};
 struct Context {
-    explicit Context(std::size_t bytes) : storage(bytes / 16), engine(storage.data(), storage.size() * 16) {
+    explicit Context(std::size_t bytes) : storage(std::calloc(bytes, 1)), engine(storage.get(), bytes) {
         REQUIRE(engine.status() == NETMESH_OK);
     }
-    std::vector<Unit> storage;
+    struct Free {
+        void operator()(void* memory) const { std::free(memory); }
+    };
+    std::unique_ptr<void, Free> storage;  // zeros, of which the system gives what is used
     netmesh::Engine engine;
 };
 

@@ -5,7 +5,8 @@ answers NETMESH_NOT_BUILT and names its switch.
 
     features.py SOURCE WORK CC CXX
 
-Only sources that read the switches are compiled again; the objects of the others are those of the full build.
+Sources are compiled many at once, those that read the switches by themselves: only they are compiled again, and the
+objects of the others are those of the full build.
 """
 import concurrent.futures
 import os
@@ -15,6 +16,7 @@ import sys
 
 FLAGS = ("-O0 -ffreestanding -fno-exceptions -fno-rtti -fno-threadsafe-statics -fno-math-errno -ffp-contract=off "
          "-ffunction-sections -fdata-sections").split()
+SWITCHES = "vocabulary/features.hpp"
 
 
 def run(command, **more):
@@ -25,30 +27,40 @@ class Builder:
     def __init__(self, source, work, cc, cxx):
         self.source, self.work, self.cc, self.cxx = source, work, cc, cxx
         self.engine = os.path.join(source, "engine")
-        self.files = sorted(os.path.join(folder, name) for folder, _, names in os.walk(self.engine)
-                            for name in names if name.endswith(".cpp"))
+        files = sorted(os.path.relpath(os.path.join(folder, name), self.engine)
+                       for folder, _, names in os.walk(self.engine) for name in names if name.endswith(".cpp"))
+        self.below = {}
+        others = [f for f in files if SWITCHES not in self.included(f)]
+        self.parts = {"readers": [f for f in files if f not in others], "even": others[::2], "odd": others[1::2]}
         self.pool = concurrent.futures.ThreadPoolExecutor(os.cpu_count())
 
-    def compile(self, file, folder, defines):
-        out = os.path.join(folder, os.path.relpath(file, self.engine).replace("/", "_") + ".o")
-        run([self.cxx, "-std=c++17", *FLAGS, *defines, "-I", self.engine, "-I", self.engine + "/include", "-MD", "-c",
-             file, "-o", out])
-        return out
+    def included(self, file):
+        """All of the engine's files that a file includes, itself among them."""
+        if file not in self.below:
+            self.below[file] = {file}
+            with open(os.path.join(self.engine, file), encoding="utf-8") as text:
+                for name in re.findall(r'^#include "(.+)"$', text.read(), re.M):
+                    if os.path.isfile(os.path.join(self.engine, name)):
+                        self.below[file] |= self.included(name)
+        return self.below[file]
+
+    def compile(self, part, folder, defines):
+        """The sources of a part at once, which takes a quarter of the time."""
+        unit = os.path.join(folder, part + ".cpp")
+        with open(unit, "w", encoding="utf-8") as text:
+            text.writelines(f'#include "{os.path.join(self.engine, file)}"\n' for file in self.parts[part])
+        run([self.cxx, "-std=c++17", *FLAGS, *defines, "-I", self.engine, "-I", self.engine + "/include", "-c", unit,
+             "-o", unit[:-4] + ".o"])
+        return unit[:-4] + ".o"
 
     def objects(self, name, defines, base=None):
-        """Object files by source. With `base`, the sources that do not read the switches are taken from it."""
+        """Object files by part. With `base`, the sources that do not read the switches are taken from it."""
         folder = os.path.join(self.work, name)
         os.makedirs(folder, exist_ok=True)
+        again = list(self.parts) if base is None else ["readers"]
         made = dict(base or {})
-        again = [f for f in self.files if base is None or self.reads_switches(base[f])]
-        for file, out in zip(again, self.pool.map(lambda f: self.compile(f, folder, defines), again)):
-            made[file] = out
+        made.update(zip(again, self.pool.map(lambda part: self.compile(part, folder, defines), again)))
         return made
-
-    @staticmethod
-    def reads_switches(made):
-        with open(made[:-2] + ".d", encoding="utf-8") as rules:
-            return "features.hpp" in rules.read()
 
     def lines(self, name, defines, objects):
         program = os.path.join(self.work, name, "features")

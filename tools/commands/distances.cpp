@@ -19,7 +19,7 @@ Outcome check_given(const Options& options) {
 }
 
 // With dim 0 before the input is read.
-Outcome check_outputs(const Options& options, std::uint32_t dim) {
+Outcome check_rips_outputs(const Options& options, std::uint32_t dim) {
     Outcome outcome = check_diagram_ending(options.out);
     if (outcome.good()) outcome = check_picture_ending(options);
     if (outcome.good()) outcome = check_cycles_ending(options.representatives, !options.distances, dim);
@@ -33,9 +33,9 @@ Outcome run_distances(const Options& given) {
     Options options = given;
     RipsInput input;
     Outcome outcome = check_given(given);
-    if (outcome.good()) outcome = check_outputs(options, 0);
+    if (outcome.good()) outcome = check_rips_outputs(options, 0);
     if (outcome.good()) outcome = read_rips_input(options, options.positionals[0], &input);
-    if (outcome.good()) outcome = check_outputs(options, input.cloud.dim);
+    if (outcome.good()) outcome = check_rips_outputs(options, input.cloud.dim);
     if (!outcome.good()) return outcome;
     RunReport run;
     run.options = &options;

@@ -1,6 +1,7 @@
 // Places of atoms: chemical .xyz, .pdb and .pqr.
 #include <array>
 
+#include "tools/io/characters.hpp"
 #include "tools/io/lines.hpp"
 #include "tools/io/numbers.hpp"
 #include "tools/io/points.hpp"
@@ -9,8 +10,6 @@
 namespace netmesh::tool {
 
 namespace {
-
-bool starts(std::string_view text, std::string_view piece) { return text.substr(0, piece.size()) == piece; }
 
 bool is_number(std::string_view word) {
     double ignored;
@@ -25,7 +24,7 @@ bool is_element(std::string_view word) {
            ((word[0] >= 'A' && word[0] <= 'Z') || (word[0] >= 'a' && word[0] <= 'z'));
 }
 
-std::string_view trimmed(std::string_view text) {
+std::string_view word_of(std::string_view text) {
     const std::vector<std::string_view> words = split_blanks(text);
     return words.empty() ? std::string_view() : words.size() == 1 ? words[0] : text;
 }
@@ -56,15 +55,13 @@ Outcome add_radius(std::string_view element, std::uint64_t line, PointCloud* clo
 
 // The element of a line of .pdb: columns 77 and 78, or else the name's, which ends in column 14 and may go on.
 std::string_view element_of_pdb(std::string_view line) {
-    const std::string_view said = line.size() >= 78 ? trimmed(line.substr(76, 2)) : std::string_view();
+    const std::string_view said = line.size() >= 78 ? word_of(line.substr(76, 2)) : std::string_view();
     if (!said.empty()) return said;
     const std::string_view name = line.substr(12, 4);
     const bool letter = (name[0] >= 'A' && name[0] <= 'Z') || (name[0] >= 'a' && name[0] <= 'z');
     if (!letter) return name.substr(1, 1);
-    return name[0] == 'H' && name[3] != ' ' ? name.substr(0, 1) : trimmed(name.substr(0, 2));
+    return name[0] == 'H' && name[3] != ' ' ? name.substr(0, 1) : word_of(name.substr(0, 2));
 }
-
-char lower_case(char c) { return c >= 'A' && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : c; }
 
 // Nothing is said of them; element and place are columns 1 to 4; anything else is said, or may be.
 enum class Columns { plain, extended, other };
@@ -73,8 +70,7 @@ enum class Columns { plain, extended, other };
 // behind. A line with the word alone is other: it may be meant to say it.
 Columns columns_of(std::string_view comment) {
     constexpr std::string_view word = "properties", layout = "Properties=species:S:1:pos:R:3";
-    std::string lower;
-    for (const char c : comment) lower += lower_case(c);
+    const std::string lower = lower_case(comment);
     bool is_layout = false, is_mentioned = false;
     for (std::size_t at = lower.find(word); at != std::string::npos; at = lower.find(word, at + word.size())) {
         const std::string_view rest = comment.substr(at);
@@ -183,7 +179,7 @@ Outcome parse_pdb_atoms(std::string_view content, bool with_radii, PointCloud* c
             continue;
         }
         Outcome outcome =
-            add_atom<3>({trimmed(line.substr(30, 8)), trimmed(line.substr(38, 8)), trimmed(line.substr(46, 8))},
+            add_atom<3>({word_of(line.substr(30, 8)), word_of(line.substr(38, 8)), word_of(line.substr(46, 8))},
                         reader.number(), cloud);
         if (outcome.good() && with_radii) outcome = add_radius(element_of_pdb(line), reader.number(), cloud);
         if (!outcome.good()) return outcome;

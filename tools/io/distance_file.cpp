@@ -15,11 +15,11 @@ namespace {
 
 constexpr std::uint64_t points_max = 65536, sparse_points_max = std::uint64_t{1} << 26;
 
-struct Row {
+struct DistanceRow {
     std::uint64_t line;        // 0: of an array, which has none
     std::size_t first, count;  // in numbers
 };
-using Rows = std::vector<Row>;
+using Rows = std::vector<DistanceRow>;
 
 // The first line, where it holds names.
 struct Header {
@@ -175,7 +175,7 @@ Outcome wrong_count(const DistanceFile& file, const Rows& rows, std::size_t r, s
     return wrong(file, rows, r, count_text(rows[r].count) + " where " + what + " has " + std::to_string(due));
 }
 
-void add_line(const Row& row, DistanceFile* file) {
+void add_line(const DistanceRow& row, DistanceFile* file) {
     if (row.line > 0) file->place.lines.push_back(row.line);
 }
 
@@ -260,7 +260,7 @@ Outcome take_square(const Rows& rows, DistanceFile* file) {
 // that all end in 0 have their diagonal: without one each point would be at the place of the one before it.
 Outcome take_triangle(const Rows& rows, DistanceFile* file) {
     bool has_diagonal = rows.size() > 1, all_zero = true;
-    for (const Row& row : rows) has_diagonal = has_diagonal && file->numbers[row.first + row.count - 1] == 0;
+    for (const DistanceRow& row : rows) has_diagonal = has_diagonal && file->numbers[row.first + row.count - 1] == 0;
     for (const double number : file->numbers) all_zero = all_zero && number == 0;
     for (std::size_t r = 0; r < rows.size(); r++)
         if (rows[r].count != r + 1) return wrong_count(*file, rows, r, r + 1, "a lower triangle");
@@ -268,7 +268,7 @@ Outcome take_triangle(const Rows& rows, DistanceFile* file) {
         return wrong(*file, rows, 0, "a lower triangle of zeros may have its diagonal or not; write the whole matrix");
     if (!has_diagonal) add_line(rows[0], file);  // the first point has no row
     std::size_t kept = 0;
-    for (const Row& row : rows) {
+    for (const DistanceRow& row : rows) {
         for (std::size_t j = 0; j < row.count - (has_diagonal ? 1 : 0); j++)
             file->numbers[kept++] = file->numbers[row.first + j];
         add_line(row, file);
@@ -288,7 +288,7 @@ bool is_upper_triangle(const Rows& rows) {
 
 Outcome take_upper(const Rows& rows, DistanceFile* file) {
     bool has_diagonal = true;
-    for (const Row& row : rows) has_diagonal = has_diagonal && file->numbers[row.first] == 0;
+    for (const DistanceRow& row : rows) has_diagonal = has_diagonal && file->numbers[row.first] == 0;
     if (has_diagonal && std::all_of(file->numbers.begin(), file->numbers.end(), [](double d) { return d == 0; }))
         return wrong(*file, rows, 0, "an upper triangle of zeros may have its diagonal or not; write the whole matrix");
     const std::size_t n = rows.size() + (has_diagonal ? 0 : 1), skipped = has_diagonal ? 1 : 0;
@@ -359,7 +359,7 @@ Outcome check_header(const Header& header, const Rows& rows, const DistanceFile&
 
 Outcome take_rows(const Rows& rows, const Header& header, bool sparse, DistanceFile* file) {
     const auto all_have = [&](std::size_t count) {
-        return std::all_of(rows.begin(), rows.end(), [&](const Row& row) { return row.count == count; });
+        return std::all_of(rows.begin(), rows.end(), [&](const DistanceRow& row) { return row.count == count; });
     };
     const bool is_square = !sparse && all_have(rows.size()) && (rows.size() > 1 || file->numbers[0] == 0);
     Outcome outcome = is_square ? Outcome{} : check_numbers(*file, rows, sparse);

@@ -11,7 +11,6 @@ namespace netmesh::tool {
 
 namespace {
 
-constexpr std::uint32_t dim_min = NETMESH_DIM_MIN, dim_max = NETMESH_DIM_MAX;
 constexpr std::string_view no_period = "-";
 constexpr const char* no_period_at_all = "has no period; write a length or a vector for one of the dashes";
 

@@ -3,27 +3,18 @@
 #include <cmath>
 #include <cstring>
 
+#include "tools/io/characters.hpp"
 #include "tools/io/numbers.hpp"
 
 namespace netmesh::tool {
 
 namespace {
 
-bool is_blank(char c) { return c == ' ' || c == '\t' || c == '\r' || c == '\v' || c == '\f'; }
 bool is_comma(char c) { return c == ',' || c == ';'; }
-bool is_letter(char c) {
-    return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || (static_cast<unsigned char>(c) >= 0x80);
-}
 
 const char* field_end(const char* at, const char* end) {
     while (at != end && !is_blank(*at) && !is_comma(*at)) ++at;
     return at;
-}
-
-std::string_view trimmed(std::string_view line) {
-    while (!line.empty() && is_blank(line.back())) line.remove_suffix(1);
-    while (!line.empty() && is_blank(line.front())) line.remove_prefix(1);
-    return line;
 }
 
 }  // namespace
@@ -49,7 +40,7 @@ bool LineReader::next(std::string_view* line) {
         const void* const hash = std::memchr(start, '#', bytes);
         if (hash != nullptr) bytes = static_cast<std::size_t>(static_cast<const char*>(hash) - start);
     }
-    *line = trimmed(std::string_view(start, bytes));
+    *line = without_blanks(std::string_view(start, bytes));
     return true;
 }
 
@@ -63,8 +54,7 @@ bool LineReader::next_content(std::string_view* line) {
 namespace {
 
 bool is_infinity(std::string_view word) {
-    std::string lower;
-    for (const char c : word) lower += c >= 'A' && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : c;
+    const std::string lower = lower_case(word);
     return lower == "inf" || lower == "+inf" || lower == "infinity" || lower == "+infinity";
 }
 

@@ -86,7 +86,7 @@ std::string hexadecimal(std::uint64_t value) {
 
 namespace {
 
-std::string bytes_text(std::uint64_t bytes, bool up) {
+std::string in_units(std::uint64_t bytes, bool up) {
     const char* const units[] = {"bytes", "KiB", "MiB", "GiB", "TiB", "PiB", "EiB"};
     double amount = static_cast<double>(bytes);
     int unit = 0;
@@ -102,8 +102,8 @@ std::string bytes_text(std::uint64_t bytes, bool up) {
 
 }  // namespace
 
-std::string bytes_text(std::uint64_t bytes) { return bytes_text(bytes, false); }
-std::string bytes_text_up(std::uint64_t bytes) { return bytes_text(bytes, true); }
+std::string bytes_text(std::uint64_t bytes) { return in_units(bytes, false); }
+std::string bytes_text_up(std::uint64_t bytes) { return in_units(bytes, true); }
 
 std::string memory_option_text(std::uint64_t bytes) {
     std::size_t unit = 0;

@@ -4,6 +4,7 @@
 #include <cstdint>
 #include <cstring>
 
+#include "tools/io/characters.hpp"
 #include "tools/io/lines.hpp"
 #include "tools/io/numbers.hpp"
 #include "tools/io/points.hpp"
@@ -13,14 +14,6 @@ namespace netmesh::tool {
 namespace {
 
 using Words = std::vector<std::string_view>;
-
-std::string lower_case(std::string_view text) {
-    std::string lower;
-    for (const char c : text) lower += c >= 'A' && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : c;
-    return lower;
-}
-
-bool starts(std::string_view text, std::string_view piece) { return text.substr(0, piece.size()) == piece; }
 
 // A complaint, or empty.
 std::string make_bar(double degree, double birth, double death, Bar* bar) {

@@ -4,6 +4,7 @@
 
 #include "platform/files.hpp"
 #include "platform/interrupt.hpp"
+#include "tools/io/characters.hpp"
 #include "tools/io/lines.hpp"
 #include "tools/io/numbers.hpp"
 #include "tools/io/point_stream.hpp"
@@ -36,11 +37,7 @@ std::string ending_of(const std::string& path) {
     const std::size_t slash = path.rfind('/');
     const std::size_t dot = path.rfind('.');
     if (dot == std::string::npos || (slash != std::string::npos && dot < slash)) return {};
-    std::string ending = path.substr(dot);
-    for (char& c : ending) {
-        if (c >= 'A' && c <= 'Z') c = static_cast<char>(c - 'A' + 'a');
-    }
-    return ending;
+    return lower_case(path.substr(dot));
 }
 
 std::string shown_name(const std::string& path) { return path == "-" ? "<stdin>" : path; }
@@ -62,10 +59,6 @@ Outcome read_content(const std::string& path, std::string* content, bool* packed
 }
 
 namespace {
-
-std::string columns_text(std::size_t count) { return std::to_string(count) + (count == 1 ? " column" : " columns"); }
-
-bool starts(std::string_view text, std::string_view piece) { return text.substr(0, piece.size()) == piece; }
 
 // A format by what it is called, and the first ending it has.
 struct Format {
@@ -108,9 +101,7 @@ bool is_poscar(std::string_view content) {
         if (split_blanks(lines[i]).size() != 3) return false;
     for (std::size_t i = 6; i < lines.size(); i++)
         for (const char* const word : {"direct", "cartesian", "selective dynamics"}) {
-            std::string lower;
-            for (const char c : lines[i]) lower += c >= 'A' && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : c;
-            if (starts(lower, word)) return true;
+            if (starts(lower_case(lines[i]), word)) return true;
         }
     return false;
 }
@@ -447,7 +438,7 @@ Outcome take_table(Table table, PointCloud* cloud, std::uint32_t columns_max) {
     const bool of_distances = looks_like_distances(table);
     if (width < dim_min || width > columns_max) {
         const std::string complaint =
-            columns_text(width) + (table.has_weights ? " besides that of weights" : "") +
+            counted(width, "column", "columns") + (table.has_weights ? " besides that of weights" : "") +
             (columns_max > dim_max ? "; points have 2 to 65,536 coordinates here" : "; points have 2 to 6 coordinates");
         if (of_distances)
             return file_error(table.name, complaint +

@@ -4,6 +4,7 @@
 #include <cstring>
 #include <set>
 
+#include "tools/io/characters.hpp"
 #include "tools/io/lines.hpp"
 #include "tools/io/numbers.hpp"
 #include "tools/io/points.hpp"
@@ -11,8 +12,6 @@
 namespace netmesh::tool {
 
 namespace {
-
-bool starts(std::string_view text, std::string_view piece) { return text.substr(0, piece.size()) == piece; }
 
 // A vertex for each corner of a triangle: the same one in many of them.
 class Corners {

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cstring>
 
+#include "tools/io/characters.hpp"
 #include "tools/io/lines.hpp"
 #include "tools/io/numbers.hpp"
 #include "tools/io/table_lines.hpp"
@@ -81,17 +82,9 @@ bool is_below_doubles(std::string_view number) {
 
 namespace {
 
-std::string columns_text(std::size_t count) { return std::to_string(count) + (count == 1 ? " column" : " columns"); }
-
 bool starts_with_any(std::string_view text, std::initializer_list<std::string_view> pieces) {
     return std::any_of(pieces.begin(), pieces.end(),
                        [&](std::string_view piece) { return text.substr(0, piece.size()) == piece; });
-}
-
-std::string lower_case(std::string_view text) {
-    std::string lower(text);
-    for (char& c : lower) c = c >= 'A' && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : c;
-    return lower;
 }
 
 // What stands where there is no value.
@@ -301,8 +294,7 @@ bool TableParser::counts(bool by_one) const {
 // A first column that the header says is no coordinate.
 Outcome TableParser::find_index() {
     if (names_.empty() || width_ < 2) return {};
-    std::string first = names_[0];
-    for (char& c : first) c = c >= 'A' && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : c;
+    const std::string first = lower_case(names_[0]);
     const bool unnamed = names_.size() == width_ && (first.empty() || first == "unnamed: 0");
     const bool one_short = names_.size() + 1 == width_;
     bool called = false;
@@ -355,7 +347,8 @@ Outcome TableParser::check_count_of_names() const {
     cut(lines_[0], &fields);
     for (const Field& field : fields)
         if (read_field(field, dialect_.decimal_comma, &ignored) == FieldKind::word) return {};  // said of that field
-    return fault(lines_[0].number, columns_text(width_) + " where the header names " + std::to_string(named) +
+    return fault(lines_[0].number, counted(width_, "column", "columns") + " where the header names " +
+                                       std::to_string(named) +
                                        "; --columns with numbers takes the rows as they are, --skip " +
                                        std::to_string(lines_[0].number - 1) + " leaves the header out");
 }
@@ -377,11 +370,7 @@ Outcome TableParser::check_count_of_rows() const {
 void TableParser::note_other_names() {
     const std::size_t taken_count = columns_.size() - !options_.weights.empty();
     if (names_.size() != width_ || taken_count == 0) return;
-    const auto name_of = [&](std::size_t i) {
-        std::string name = names_[columns_[i]];
-        for (char& c : name) c = c >= 'A' && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : c;
-        return name;
-    };
+    const auto name_of = [&](std::size_t i) { return lower_case(names_[columns_[i]]); };
     std::size_t places = 0;
     while (places < taken_count && places < 3 && name_of(places) == std::string(1, "xyz"[places])) places++;
     if (places < 2) return;
@@ -526,8 +515,8 @@ Outcome TableParser::explain_width(const TableLine& line) const {
         }
         if (grows) remedy = "; a triangle of distances is read by persist --distances";
     }
-    return fault(line.number, columns_text(fields.size()) + " where line " + std::to_string(first) + " has " +
-                                  std::to_string(width_ + dropped_) + remedy);
+    return fault(line.number, counted(fields.size(), "column", "columns") + " where line " + std::to_string(first) +
+                                  " has " + std::to_string(width_ + dropped_) + remedy);
 }
 
 Outcome TableParser::explain_field(const TableLine& line, std::size_t column) const {

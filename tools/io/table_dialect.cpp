@@ -1,6 +1,7 @@
 // Which delimiter a table has, and whether its numbers have decimal commas.
 #include <algorithm>
 
+#include "tools/io/characters.hpp"
 #include "tools/io/lines.hpp"
 #include "tools/io/numbers.hpp"
 #include "tools/io/table_lines.hpp"
@@ -8,8 +9,6 @@
 namespace netmesh::tool {
 
 namespace {
-
-bool is_digit(char c) { return c >= '0' && c <= '9'; }
 
 // How a file looks that is cut in one way.
 struct Look {
@@ -27,7 +26,7 @@ struct Look {
 
 bool has_letter(std::string_view text) {
     for (const char c : text)
-        if ((c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || static_cast<unsigned char>(c) >= 0x80) return true;
+        if (is_letter(c)) return true;
     return false;
 }
 

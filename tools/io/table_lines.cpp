@@ -8,14 +8,7 @@
 
 namespace netmesh::tool {
 
-bool is_blank(char c) { return c == ' ' || c == '\t' || c == '\r' || c == '\v' || c == '\f'; }
-
 namespace {
-
-bool is_digit(char c) { return c >= '0' && c <= '9'; }
-bool is_letter(char c) {
-    return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || (static_cast<unsigned char>(c) >= 0x80);
-}
 
 // Whether a # at `at` begins a comment, not a field: it is the first, or a blank stands between it and a field. Between
 // tabs it is a field.
@@ -90,12 +83,6 @@ template <class Ends> bool take_field(std::string_view line, std::size_t* at, En
 }
 
 }  // namespace
-
-std::string_view without_blanks(std::string_view text) {
-    while (!text.empty() && is_blank(text.back())) text.remove_suffix(1);
-    while (!text.empty() && is_blank(text.front())) text.remove_prefix(1);
-    return text;
-}
 
 namespace {
 

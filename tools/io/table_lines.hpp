@@ -5,6 +5,7 @@
 #include <string_view>
 #include <vector>
 
+#include "tools/io/characters.hpp"
 #include "tools/io/table.hpp"
 
 namespace netmesh::tool {
@@ -25,9 +26,6 @@ struct Dialect {
     char delimiter = 0;          // 0: blanks, commas and semicolons together; ' ': runs of blanks
     bool decimal_comma = false;  // numbers may have a comma in place of the point
 };
-
-bool is_blank(char c);
-std::string_view without_blanks(std::string_view text);
 
 // All lines that hold something, behind `skip` physical ones; ends of lines in a field in quotes are part of it. A
 // complaint about line *line, or empty. *remade holds the text where its line ends had to be replaced; `content` and

@@ -3,6 +3,7 @@
 #include <cstring>
 
 #include "platform/interrupt.hpp"
+#include "tools/io/characters.hpp"
 #include "tools/io/numbers.hpp"
 #include "tools/io/point_stream.hpp"
 #include "tools/io/table_lines.hpp"
@@ -10,8 +11,6 @@
 namespace netmesh::tool {
 
 namespace {
-
-bool is_digit(char c) { return c >= '0' && c <= '9'; }
 
 // The finite number at *at, which is stepped over: digits with a sign, a point and an exponent or without. False for
 // everything of which readers of tables make more than a number: zeros in front, and what is too small for a double.

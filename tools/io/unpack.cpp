@@ -77,7 +77,7 @@ std::uint64_t number_at(std::string_view bytes, std::size_t at, unsigned count) 
     return number;
 }
 
-constexpr const char* broken = "a broken archive; write it again";
+constexpr const char* broken_zip = "a broken archive; write it again";
 
 }  // namespace
 
@@ -88,14 +88,14 @@ std::string list_zip(std::string_view archive, std::vector<ZipEntry>* entries) {
     const std::uint64_t count = number_at(archive, end + 10, 2);
     std::size_t at = number_at(archive, end + 16, 4);
     for (std::uint64_t i = 0; i < count; i++) {
-        if (at > archive.size() || archive.size() - at < 46 || archive.substr(at, 4) != "PK\x01\x02") return broken;
+        if (at > archive.size() || archive.size() - at < 46 || archive.substr(at, 4) != "PK\x01\x02") return broken_zip;
         const std::size_t name_bytes = number_at(archive, at + 28, 2), extra_bytes = number_at(archive, at + 30, 2);
         ZipEntry entry{};
         entry.method = static_cast<unsigned>(number_at(archive, at + 10, 2));
         entry.crc = static_cast<unsigned>(number_at(archive, at + 16, 4));
         std::uint64_t sizes[3] = {number_at(archive, at + 24, 4), number_at(archive, at + 20, 4),
                                   number_at(archive, at + 42, 4)};  // whole, packed, place
-        if (archive.size() - at < 46 + name_bytes + extra_bytes) return broken;
+        if (archive.size() - at < 46 + name_bytes + extra_bytes) return broken_zip;
         entry.name = archive.substr(at + 46, name_bytes);
         const std::string_view extra = archive.substr(at + 46 + name_bytes, extra_bytes);
         for (std::size_t x = 0; x + 4 <= extra.size(); x += 4 + number_at(extra, x + 2, 2)) {
@@ -108,9 +108,9 @@ std::string list_zip(std::string_view archive, std::vector<ZipEntry>* entries) {
         }
         if ((number_at(archive, at + 8, 2) & 1) != 0) return "its archive is encrypted; write it without a password";
         const std::size_t local = sizes[2];
-        if (local > archive.size() || archive.size() - local < 30) return broken;
+        if (local > archive.size() || archive.size() - local < 30) return broken_zip;
         const std::size_t data = local + 30 + number_at(archive, local + 26, 2) + number_at(archive, local + 28, 2);
-        if (data > archive.size() || sizes[1] > archive.size() - data) return broken;
+        if (data > archive.size() || sizes[1] > archive.size() - data) return broken_zip;
         entry.packed = archive.substr(data, sizes[1]);
         entry.bytes = sizes[0];
         entries->push_back(std::move(entry));

@@ -3,19 +3,20 @@
 #include <cstdint>
 #include <string>
 
+#include "tools/io/characters.hpp"
 #include "tools/io/numbers.hpp"
 
 namespace netmesh::tool {
 
 namespace {
 
-struct Element {
+struct Radius {
     std::uint64_t number;
     std::string_view symbol;
     double radius;
 };
 
-constexpr Element elements[] = {
+constexpr Radius radii[] = {
     {1, "h", 1.10},   {2, "he", 1.40},  {3, "li", 1.81},  {4, "be", 1.53},  {5, "b", 1.92},   {6, "c", 1.70},
     {7, "n", 1.55},   {8, "o", 1.52},   {9, "f", 1.47},   {10, "ne", 1.54}, {11, "na", 2.27}, {12, "mg", 1.73},
     {13, "al", 1.84}, {14, "si", 2.10}, {15, "p", 1.80},  {16, "s", 1.80},  {17, "cl", 1.75}, {18, "ar", 1.88},
@@ -29,12 +30,11 @@ constexpr Element elements[] = {
 }  // namespace
 
 double van_der_waals_radius(std::string_view element) {
-    std::string symbol(element.substr(0, element.find_first_of("0123456789")));
-    for (char& c : symbol) c = c >= 'A' && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : c;
+    std::string symbol = lower_case(element.substr(0, element.find_first_of("0123456789")));
     if (symbol == "d") symbol = "h";  // deuterium
     std::uint64_t number = 0;
     if (symbol.empty() && !parse_unsigned(std::string(element), &number)) return 0;
-    for (const Element& known : elements)
+    for (const Radius& known : radii)
         if (symbol.empty() ? known.number == number : known.symbol == symbol) return known.radius;
     return 0;
 }

@@ -17,19 +17,13 @@ constexpr Real dependent = 1e-10L;
 // What is left of a vector in a flat's directions is rounding when it is less than this part of it.
 constexpr Real lost = 1e-15L;
 
-Real dot(const Place& a, const Place& b) {
-    Real sum = 0;
-    for (std::size_t k = 0; k < a.size(); k++) sum += a[k] * b[k];
-    return sum;
-}
-void add(Place* a, Real factor, const Place& b) {
-    for (std::size_t k = 0; k < a->size(); k++) (*a)[k] += factor * b[k];
-}
 Place difference(const Place& a, const Place& b) {
     Place d = a;
     add(&d, -1, b);
     return d;
 }
+
+}  // namespace
 
 using Set = std::vector<std::uint16_t>;  // positions in a list of neighbours, ascending
 
@@ -119,6 +113,8 @@ bool Flat::find(const Star& star, const Set& face) {
     chord2 = dot(across, across) - (dot(base, base) - 2 * dot(base, star.centre) + star.power);
     return true;
 }
+
+namespace {
 
 Real power_of(const Place& x, const Place& centre, Real radius) {
     Wide sum = -(Wide{static_cast<Half>(radius), 0} * Wide{static_cast<Half>(radius), 0});

@@ -16,15 +16,7 @@ constexpr Real margin = 0x1p-40L;
 constexpr Real precision = 0x1p-48L;  // of corners, over the radius; how far each is off is counted
 constexpr Real unit = 0x1p-58L;       // of sums of a few products
 
-Real dot(const Place& a, const Place& b) {
-    Real sum = 0;
-    for (std::size_t k = 0; k < a.size(); k++) sum += a[k] * b[k];
-    return sum;
-}
 Real length(const Place& a) { return std::sqrt(dot(a, a)); }
-void add(Place* a, Real factor, const Place& b) {
-    for (std::size_t k = 0; k < a->size(); k++) (*a)[k] += factor * b[k];
-}
 
 // The rows of `m` hold a square matrix and a right side. False when a pivot vanishes.
 bool eliminate(std::vector<Place>* m, Place* x) {

@@ -7,7 +7,7 @@ namespace netmesh::tool {
 
 namespace {
 
-constexpr Real unit = 0x1p-53L;
+constexpr Real ulp = 0x1p-53L;
 constexpr Real digits_change = 0x1p-22L;
 constexpr Real squares = 1.47L;
 
@@ -24,10 +24,10 @@ CornerError corner_error(const std::vector<Place>& points, const Sphere& sphere)
     const std::size_t dim = points[0].size();
     const Real d = static_cast<Real>(dim), roundings = (d + 1) * (d + 2) / 2 + d + 8;
     const Real factor =
-        3 * std::sqrt(d) * roundings * unit * (d * permanent_bound(dim - 1) + permanent_bound(dim)) / sphere.volume;
+        3 * std::sqrt(d) * roundings * ulp * (d * permanent_bound(dim - 1) + permanent_bound(dim)) / sphere.volume;
     const Place zero(dim);
     CornerError found;
-    found.coordinates = squares * std::sqrt(8.0L) * unit * std::sqrt(distance2(sphere.centre(), zero)) / sphere.radius;
+    found.coordinates = squares * std::sqrt(8.0L) * ulp * std::sqrt(distance2(sphere.centre(), zero)) / sphere.radius;
     for (const Place& first : points) {
         Real lengths = 1;
         for (const Place& other : points)

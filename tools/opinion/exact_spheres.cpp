@@ -4,7 +4,7 @@ namespace netmesh::tool {
 
 namespace {
 
-Exact dot(const ExactPlace& a, const ExactPlace& b) {
+Exact dot_of(const ExactPlace& a, const ExactPlace& b) {
     Exact sum;
     for (std::size_t k = 0; k < a.size(); k++) sum = sum + a[k] * b[k];
     return sum;
@@ -68,12 +68,12 @@ ExactSphere::ExactSphere(const std::vector<const ExactPlace*>& points, const std
     for (std::size_t i = 1; i <= n; i++) edges_.push_back(difference(*points[i], origin_));
     std::vector<std::vector<Exact>> rows(n, std::vector<Exact>(n + 1));
     for (std::size_t i = 0; i < n; i++) {
-        const Exact square = dot(edges_[i], edges_[i]);
+        const Exact square = dot_of(edges_[i], edges_[i]);
         squares_.push_back(weights.empty() ? square : square - weights[i + 1] + weight);
         rows[i][i] = square + square;
         rows[i][n] = squares_[i];
         for (std::size_t j = 0; j < i; j++) {
-            const Exact product = dot(edges_[i], edges_[j]);
+            const Exact product = dot_of(edges_[i], edges_[j]);
             rows[i][j] = rows[j][i] = product + product;
         }
     }
@@ -102,8 +102,8 @@ bool ExactSphere::is_centred() const {
 int ExactSphere::side(const ExactPlace& place) const {
     const ExactPlace way = difference(place, origin_);
     Exact ahead;
-    for (std::size_t i = 0; i < edges_.size(); i++) ahead = ahead + coordinates_[i] * dot(way, edges_[i]);
-    return compare(volume_ * dot(way, way), ahead + ahead);
+    for (std::size_t i = 0; i < edges_.size(); i++) ahead = ahead + coordinates_[i] * dot_of(way, edges_[i]);
+    return compare(volume_ * dot_of(way, way), ahead + ahead);
 }
 
 double ExactSphere::radius() const { return nearest_signed_root(power_, volume_ + volume_); }

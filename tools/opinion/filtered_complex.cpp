@@ -9,7 +9,7 @@ namespace netmesh::tool {
 namespace {
 
 // Sum of two chains over Z/2.
-void add(std::vector<std::uint32_t>& chain, const std::vector<std::uint32_t>& other) {
+void add_chain(std::vector<std::uint32_t>& chain, const std::vector<std::uint32_t>& other) {
     std::vector<std::uint32_t> sum;
     sum.reserve(chain.size() + other.size());
     std::set_symmetric_difference(chain.begin(), chain.end(), other.begin(), other.end(), std::back_inserter(sum));
@@ -53,7 +53,7 @@ void FilteredComplex::reduce() {
             if (dimension(i) != d || killed_by_[i] != nobody) continue;
             Column column = boundary(i);
             while (!column.empty() && killed_by_[column.back()] != nobody)
-                add(column, reduced_[killed_by_[column.back()]]);
+                add_chain(column, reduced_[killed_by_[column.back()]]);
             if (column.empty()) continue;
             killed_by_[column.back()] = i;
             reduced_[i] = std::move(column);
@@ -117,7 +117,7 @@ bool FilteredComplex::is_boundary(Column chain, double until, bool included) con
     while (!chain.empty()) {
         const std::uint32_t by = killed_by_[chain.back()];
         if (by == nobody || simplices_[by].value > until || (!included && simplices_[by].value == until)) return false;
-        add(chain, reduced_[by]);
+        add_chain(chain, reduced_[by]);
     }
     return true;
 }
@@ -131,7 +131,7 @@ std::string FilteredComplex::read_cycle(const std::vector<Vertices>& chain, std:
         if (found == place_.end()) return "has a simplex in its cycle that the complex lacks";
         column->push_back(found->second);
         *latest = std::fmax(*latest, simplices_[found->second].value);
-        add(faces, boundary(found->second));
+        add_chain(faces, boundary(found->second));
     }
     std::sort(column->begin(), column->end());
     if (std::adjacent_find(column->begin(), column->end()) != column->end()) return "has a simplex twice in its cycle";

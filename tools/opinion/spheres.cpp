@@ -24,14 +24,14 @@ constexpr Half leading(const Wide& a) { return a.high; }
 constexpr Wide wide(const Half& a) { return {a, 0}; }
 constexpr Wide wide(const Wide& a) { return a; }
 
-template <class N> N dot(const Vector<N>& a, const Vector<N>& b) {
+template <class N> N dot_of(const Vector<N>& a, const Vector<N>& b) {
     N sum{};
     for (std::size_t k = 0; k < a.size(); k++) sum = sum + a[k] * b[k];
     return sum;
 }
-template <class N> Real length(const Vector<N>& a) { return std::sqrt(static_cast<Real>(leading(dot(a, a)))); }
+template <class N> Real length(const Vector<N>& a) { return std::sqrt(static_cast<Real>(leading(dot_of(a, a)))); }
 
-template <class N> void add(Vector<N>* a, const N& factor, const Vector<N>& b) {
+template <class N> void add_to(Vector<N>* a, const N& factor, const Vector<N>& b) {
     for (std::size_t k = 0; k < a->size(); k++) (*a)[k] = (*a)[k] + factor * b[k];
 }
 
@@ -88,17 +88,17 @@ template <class N> std::vector<Vector<N>> dual_edges(const std::vector<Vector<N>
     for (std::size_t i = 0; i < n; i++) {
         for (std::size_t j = 0; j < 2 * i; j++) {
             const Vector<N>& q = across[j % i];
-            add<N>(&across[i], -(dot(across[i], q) / dot(q, q)), q);
+            add_to<N>(&across[i], -(dot_of(across[i], q) / dot_of(q, q)), q);
         }
     }
     *volume = 1;
     for (const Vector<N>& q : across) *volume *= length(q);
     // across_j . e_i = 0 for i < j: the last is dual but for its length.
     for (std::size_t j = n; j-- > 0;) {
-        const N unit = dot(across[j], edges[j]);
+        const N unit = dot_of(across[j], edges[j]);
         dual[j] = across[j];
         for (N& x : dual[j]) x = x / unit;
-        for (std::size_t i = n; i-- > j + 1;) add<N>(&dual[j], -dot(dual[j], edges[i]), dual[i]);
+        for (std::size_t i = n; i-- > j + 1;) add_to<N>(&dual[j], -dot_of(dual[j], edges[i]), dual[i]);
     }
     return dual;
 }
@@ -125,8 +125,8 @@ template <class N> bool find_circumsphere(const std::vector<Place>& points, Real
     for (const auto& [from, to] : spanning_tree(points)) {
         edges.push_back(edge<N>(points[from], points[to]));
         Vector<N> ends = edge<N>(points[0], points[from]);
-        add<N>(&ends, N{1}, edge<N>(points[0], points[to]));
-        half[edges.size() - 1] = N{0.5} * dot(edges.back(), ends);
+        add_to<N>(&ends, N{1}, edge<N>(points[0], points[to]));
+        half[edges.size() - 1] = N{0.5} * dot_of(edges.back(), ends);
         reach = std::max(reach, std::sqrt(distance2(points[0], points[to])) * 1.01L);
     }
     const std::vector<Vector<N>> dual = dual_edges(edges, &sphere->volume);
@@ -135,7 +135,7 @@ template <class N> bool find_circumsphere(const std::vector<Place>& points, Real
     for (std::size_t i = 0; i < n; i++) {
         Real row = 0;
         for (std::size_t j = 0; j < n; j++) {
-            const N off = dot(edges[i], dual[j]) - (i == j ? N{1} : N{0});
+            const N off = dot_of(edges[i], dual[j]) - (i == j ? N{1} : N{0});
             row += std::fabs(static_cast<Real>(leading(off))) + share * length(edges[i]) * length(dual[j]);
         }
         if (!(row < 0.5L)) return false;
@@ -143,15 +143,15 @@ template <class N> bool find_circumsphere(const std::vector<Place>& points, Real
     }
     Vector<N> x(dim), rest(n);
     for (int turn = 0; turn < 4; turn++) {
-        for (std::size_t i = 0; i < n; i++) rest[i] = half[i] - dot(edges[i], x);
-        for (std::size_t j = 0; j < n && turn < 3; j++) add(&x, rest[j], dual[j]);
+        for (std::size_t i = 0; i < n; i++) rest[i] = half[i] - dot_of(edges[i], x);
+        for (std::size_t j = 0; j < n && turn < 3; j++) add_to(&x, rest[j], dual[j]);
     }
     Vector<N> beside = x;
     std::vector<Real> residual(n);
     Real largest = 0, terms = 0, error = 0;
     for (std::size_t j = 0; j < n; j++) {
-        const N weight = dot(dual[j], x);
-        add<N>(&beside, -weight, edges[j]);
+        const N weight = dot_of(dual[j], x);
+        add_to<N>(&beside, -weight, edges[j]);
         terms += std::fabs(static_cast<Real>(leading(weight))) * length(edges[j]);
         residual[j] = std::fabs(static_cast<Real>(leading(rest[j]))) + share * length(edges[j]) * (reach + length(x));
         largest = std::max(largest, residual[j]);
@@ -187,8 +187,8 @@ Real Sphere::distance_to_centre(const Place& place) const {
 int Sphere::holds(const Place& place) const {
     const WidePlace f = edge<Wide>(point, place);
     WidePlace rest = f;
-    add<Wide>(&rest, {-2, 0}, offset);
-    const Real power = static_cast<Real>(dot(f, rest).high), size = length(f);
+    add_to<Wide>(&rest, {-2, 0}, offset);
+    const Real power = static_cast<Real>(dot_of(f, rest).high), size = length(f);
     const Real rounding = static_cast<Real>(wide_error()) * (static_cast<Real>(f.size()) + 4);
     const Real bound = 2.01L * size * error + rounding * size * (size + 2 * radius);
     return power < -bound ? 1 : power > bound ? -1 : 0;

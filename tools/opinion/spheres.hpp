@@ -1,5 +1,6 @@
 // Circumscribed spheres and smallest enclosing balls of a few points.
 #pragma once
+#include <cstddef>
 #include <cstdint>
 #include <vector>
 
@@ -12,6 +13,14 @@ using Place = std::vector<Real>;  // a point of R^D
 using WidePlace = std::vector<Wide>;
 
 Real distance2(const Place& a, const Place& b);
+inline Real dot(const Place& a, const Place& b) {
+    Real sum = 0;
+    for (std::size_t k = 0; k < a.size(); k++) sum += a[k] * b[k];
+    return sum;
+}
+inline void add(Place* a, Real factor, const Place& b) {
+    for (std::size_t k = 0; k < a->size(); k++) (*a)[k] += factor * b[k];
+}
 
 // The centre is kept from one of the points on: as a place it would be rounded to the points' magnitude, which can be
 // far above the radius.

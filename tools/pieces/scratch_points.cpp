@@ -14,7 +14,7 @@ namespace {
 constexpr std::uint64_t block_records = std::uint64_t{1} << 14;  // read and written at once
 constexpr std::uint32_t bin_bits = 16;
 
-std::uint64_t bits_of(double x) {
+std::uint64_t word_of(double x) {
     std::uint64_t bits;
     std::memcpy(&bits, &x, sizeof bits);
     return bits;
@@ -22,7 +22,7 @@ std::uint64_t bits_of(double x) {
 // A whole number that ascends with x; there is no -0.0.
 std::uint64_t key_of(double x) {
     constexpr std::uint64_t sign = std::uint64_t{1} << 63;
-    const std::uint64_t bits = bits_of(x);
+    const std::uint64_t bits = word_of(x);
     return (bits & sign) != 0 ? ~bits : bits | sign;
 }
 
@@ -100,7 +100,7 @@ Outcome ScratchPoints::add(const std::vector<double>& coordinates) {
         if (rows_ == NETMESH_PIECES_POINTS_MAX)
             return {Exit::data, "netmesh: more points than a job in pieces has room for, 2^31 - 1"};
         grow(point, &box_);
-        for (std::uint32_t k = 0; k < dim_; k++) print_.add(bits_of(point[k]));
+        for (std::uint32_t k = 0; k < dim_; k++) print_.add(word_of(point[k]));
         pending_.insert(pending_.end(), point, point + dim_);
         pending_.push_back(static_cast<double>(rows_++));
         if (pending_.size() < block_records * words()) continue;

@@ -33,13 +33,13 @@ Outcome read_stream(PointStream& stream, const PiecesFolder& folder, std::uint64
     return outcome.good() ? points->end() : outcome;
 }
 
-struct Input {
+struct SplitInput {
     std::string name;
     std::uint32_t dim = 0;
     std::unique_ptr<ScratchPoints> points;
 };
 
-Outcome read_input(const Options& options, const PiecesFolder& folder, const std::string& path, Input* input) {
+Outcome read_input(const Options& options, const PiecesFolder& folder, const std::string& path, SplitInput* input) {
     const std::size_t bytes = options.memory_bytes != 0 ? options.memory_bytes : default_memory;
     std::unique_ptr<PointStream> stream;
     input->name = shown_name(path);
@@ -69,7 +69,7 @@ Outcome split_task(const Options& options, const PiecesFolder& folder, const std
     std::string why;
     if (!platform::make_folder(folder.path(), &why)) return file_error(folder.path(), why);
     const double start = platform::seconds_now();
-    Input read;
+    SplitInput read;
     const Outcome outcome = read_input(options, folder, input, &read);
     *read_seconds = platform::seconds_now() - start;
     if (!outcome.good()) return outcome;

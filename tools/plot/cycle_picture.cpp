@@ -13,7 +13,6 @@ namespace netmesh::tool {
 
 namespace {
 
-constexpr double page_size = 1000, margin = 40;
 // A colour for each cycle, those of degrees, which are told apart with colour blindness, too; the longest bar's first.
 // What has no colour is not drawn.
 constexpr std::size_t cycles_most = 6;
@@ -113,7 +112,7 @@ void write_cycle_picture(const std::vector<CycleEntry>& cycles, const CyclePlace
             pieces.push_back(piece);
         }
     }
-    projection.fit(seen, margin, margin, page_size - 2 * margin, places.dim == 2);
+    projection.fit(seen, page_margin, page_margin, page_size - 2 * page_margin, places.dim == 2);
     for (std::size_t i = 0; i < inputs; i++) pieces.push_back({{all[i]}, 0, input_colour});
     double low = HUGE_VAL, high = -HUGE_VAL;
     for (Piece& piece : pieces) {
@@ -126,7 +125,7 @@ void write_cycle_picture(const std::vector<CycleEntry>& cycles, const CyclePlace
         std::stable_sort(pieces.begin(), pieces.end(),
                          [](const Piece& a, const Piece& b) { return a.depth < b.depth; });
 
-    Legend legend(page_size - 2 * margin, 14);
+    Legend legend(page_size - 2 * page_margin, 14);
     legend.add(
         12, [](Svg& svg, double x, double y) { svg.circle(x + 6, y, 4, input_colour, 0.8); },
         counted_text(inputs, "point"));
@@ -155,15 +154,15 @@ void write_cycle_picture(const std::vector<CycleEntry>& cycles, const CyclePlace
         bottom = std::max(bottom, projection.y(place));
     }
     if (seen.empty()) top = bottom = page_size / 2;
-    const double shift = top - margin, height = bottom - top + 2 * margin;
+    const double shift = top - page_margin, height = bottom - top + 2 * page_margin;
     projection.bottom -= shift;
-    Svg svg(out, page_size, height + legend.height() + margin / 2, title,
+    Svg svg(out, page_size, height + legend.height() + page_margin / 2, title,
             counted_text(chosen.size(), "cycle") + " among the points" +
                 (places.dim > 2 ? ", in parallel projection; what is nearer is darker." : ".") +
                 (left_out.empty() ? "" : " " + left_out + "."));
     const double middle = places.dim > 2 ? 0.5 * low + 0.5 * high : -HUGE_VAL;
     for (const Piece& piece : pieces) draw_piece(piece, projection, middle, svg);
-    legend.draw(svg, margin, height - 4);
+    legend.draw(svg, page_margin, height - 4);
     svg.finish();
 }
 

@@ -10,7 +10,7 @@ namespace netmesh::tool {
 
 namespace {
 
-constexpr double page_width = 1280, margin = 40;
+constexpr double page_width = 1280;
 constexpr double axis_height = 52;  // below a panel
 constexpr double square_side = 440, panel_height = infinity_row + square_side;
 constexpr std::size_t rows_max = 24;  // bars shown of one degree
@@ -75,7 +75,7 @@ std::string certificate(const netmesh_report& report) {
 
 Legend legend_of(const netmesh_report& report, const std::vector<BarGroup>& groups, const BarStyle& style,
                  const ValueScale& scale) {
-    Legend legend(page_width - 2 * margin);
+    Legend legend(page_width - 2 * page_margin);
     bool folds = false, essential = false, labels = false, apart = false;
     for (const BarGroup& group : groups) {
         const std::uint32_t degree = group.degree;
@@ -165,7 +165,7 @@ std::string diagram_picture(const std::vector<Bar>& bars, const netmesh_report& 
                                                             superscript(report.input.dim) +
                                                             (report.input.periods > 0 ? ", which repeat" : "");
     const std::string title = "Persistent homology of " + subject;
-    Heading heading(page_width - 2 * margin);
+    Heading heading(page_width - 2 * page_margin);
     heading.add(title, 20, ink, true);
     heading.add(subtitle(report), 13, faint_ink);
     heading.add(certificate(report), 13, ink);
@@ -174,15 +174,15 @@ std::string diagram_picture(const std::vector<Bar>& bars, const netmesh_report& 
 
     // From the right: the square, labels of deaths, labels of bars; the barcode has the rest.
     const double top = 18 + heading.height() + 22;
-    const double diagram_x = page_width - margin - square_side - (scale.has_zero ? zero_column : 0);
-    const double barcode_x = margin + degree_width;
+    const double diagram_x = page_width - page_margin - square_side - (scale.has_zero ? zero_column : 0);
+    const double barcode_x = page_margin + degree_width;
     const double width = diagram_x - death_label_width(scale) - 44 - label_width(groups) - barcode_x;
     const double curve = style.has_curve() ? ratio_height + 20 : 0;
     const double height = std::max(panel_height, curve + barcode_height(groups));
     const Panel barcode{barcode_x, top + curve, width, height - curve};
     const double legend_y = top + height + axis_height;
     Svg svg(out, page_width, legend_y + legend.height() + 20, title, description_of(report, groups));
-    heading.draw(svg, margin, 18);
+    heading.draw(svg, page_margin, 18);
     if (style.has_curve()) draw_ratio(svg, {barcode_x, top, width, ratio_height}, scale, style);
     draw_barcode(svg, barcode, groups, scale, style);
     svg.text(barcode_x + width / 2, top + height + 40,
@@ -191,7 +191,7 @@ std::string diagram_picture(const std::vector<Bar>& bars, const netmesh_report& 
                                                   : "value v",
              12, ink, Anchor::middle);
     draw_scatter(svg, diagram_x, top, square_side, bars, scale, style);
-    legend.draw(svg, margin, legend_y);
+    legend.draw(svg, page_margin, legend_y);
     svg.finish();
     return out.text();
 }

@@ -12,13 +12,11 @@ namespace netmesh::tool {
 
 namespace {
 
-constexpr double page_size = 1000, margin = 40;
-
 struct View {
     double x_min, y_min, scale;
-    double x(const netmesh_vertex& vertex) const { return margin + (vertex.coordinates[0] - x_min) * scale; }
+    double x(const netmesh_vertex& vertex) const { return page_margin + (vertex.coordinates[0] - x_min) * scale; }
     double y(const netmesh_vertex& vertex) const {
-        return page_size - margin - (vertex.coordinates[1] - y_min) * scale;
+        return page_size - page_margin - (vertex.coordinates[1] - y_min) * scale;
     }
 };
 
@@ -37,7 +35,7 @@ View view_of(const MeshSource& mesh) {
         high[k] = mesh.domain[k] + 1.04 * mesh.domain[2];
     }
     const double side = std::max(std::max(high[0] - low[0], high[1] - low[1]), 1e-300);
-    return {(low[0] + high[0] - side) / 2, (low[1] + high[1] - side) / 2, (page_size - 2 * margin) / side};
+    return {(low[0] + high[0] - side) / 2, (low[1] + high[1] - side) / 2, (page_size - 2 * page_margin) / side};
 }
 
 // Each edge once: from the side of the cell with the smaller index. `outer`: those that end at a boundary vertex, else
@@ -126,8 +124,8 @@ constexpr double coloured_pairs_max = 4e8;  // of vertices and inputs: a second'
 // True when the cells could be coloured.
 bool draw_voronoi(const MeshSource& mesh, const View& view, double stroke, Svg& svg) {
     const std::vector<Corner> corners = corners_of(mesh);
-    const auto x = [&](const Corner& c) { return margin + (c.x - view.x_min) * view.scale; };
-    const auto y = [&](const Corner& c) { return page_size - margin - (c.y - view.y_min) * view.scale; };
+    const auto x = [&](const Corner& c) { return page_margin + (c.x - view.x_min) * view.scale; };
+    const auto y = [&](const Corner& c) { return page_size - page_margin - (c.y - view.y_min) * view.scale; };
     std::vector<std::uint32_t> cell_of(mesh.vertex_count, NETMESH_NONE);
     for (std::uint64_t c = 0; c < mesh.cell_count; c++)
         for (int i = 0; i < 3; i++) cell_of[mesh.cell(c).vertices[i]] = static_cast<std::uint32_t>(c);
@@ -187,16 +185,16 @@ void write_mesh_picture(const MeshSource& mesh, bool voronoi, TextWriter& out) {
         return;
     }
     const MeshCounts counts = counts_of(mesh);
-    Legend legend(page_size - 2 * margin, 14);
+    Legend legend(page_size - 2 * page_margin, 14);
     add_vertices(counts, &legend);
     add_cells(mesh, counts, voronoi, &legend);
     const std::string title = mesh_title(mesh, counts);
-    Svg svg(out, page_size, page_size + legend.height() + margin / 2, title, mesh_description(mesh, counts));
+    Svg svg(out, page_size, page_size + legend.height() + page_margin / 2, title, mesh_description(mesh, counts));
     const View view = view_of(mesh);
     // Strokes and dots shrink as cells do, as far as they are seen.
-    const double cell_size = (page_size - 2 * margin) / std::sqrt(static_cast<double>(mesh.vertex_count) + 1);
+    const double cell_size = (page_size - 2 * page_margin) / std::sqrt(static_cast<double>(mesh.vertex_count) + 1);
     const double dot = std::clamp(0.11 * cell_size, 0.5, 4.5);
-    svg.begin_clip(margin / 2, margin / 2, page_size - margin, page_size - margin);
+    svg.begin_clip(page_margin / 2, page_margin / 2, page_size - page_margin, page_size - page_margin);
     const double stroke = std::clamp(0.035 * cell_size, 0.3, 1.1);
     if (voronoi) {
         draw_voronoi(mesh, view, stroke, svg);
@@ -209,7 +207,7 @@ void write_mesh_picture(const MeshSource& mesh, bool voronoi, TextWriter& out) {
     draw_vertices(mesh, view, 1, 0.6 * dot, svg);
     draw_vertices(mesh, view, 0, std::max(dot, 1.4), svg);
     svg.end_group();
-    legend.draw(svg, margin, page_size - 4);
+    legend.draw(svg, page_margin, page_size - 4);
     svg.finish();
 }
 

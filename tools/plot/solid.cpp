@@ -56,8 +56,6 @@ double Projection::depth(const Vec3& place) const { return dot(place, towards); 
 
 namespace {
 
-constexpr double page_size = 1000, margin = 40;
-
 Vec3 place_of(const netmesh_vertex& vertex) {
     return {vertex.coordinates[0], vertex.coordinates[1], vertex.coordinates[2]};
 }
@@ -150,10 +148,10 @@ void write_cut_picture(const MeshSource& mesh, TextWriter& out) {
     const std::vector<Face> faces = faces_of(mesh, kept, projection);
     std::vector<Vec3> seen;
     for (const Face& face : faces) seen.insert(seen.end(), face.corners, face.corners + 3);
-    projection.fit(seen, margin, margin, page_size - 2 * margin, false);
+    projection.fit(seen, page_margin, page_margin, page_size - 2 * page_margin, false);
 
     const MeshCounts counts = counts_of(mesh);
-    Legend legend(page_size - 2 * margin, 14);
+    Legend legend(page_size - 2 * page_margin, 14);
     const auto swatch = [](const int* colour) {
         return [colour](Svg& svg, double x, double y) {
             svg.polygon({x, y - 7, x + 20, y - 7, x + 20, y + 7, x, y + 7}, shade(colour, 1).c_str());
@@ -165,7 +163,7 @@ void write_cut_picture(const MeshSource& mesh, TextWriter& out) {
     const bool others = std::any_of(faces.begin(), faces.end(), [](const Face& face) { return !face.at_input; });
     legend.add(20, swatch(at_input_rgb), "triangles at an input, of a cut through " + cells_text(mesh));
     if (others) legend.add(20, swatch(others_rgb), "other triangles");
-    Svg svg(out, page_size, page_size + legend.height() + margin / 2, mesh_title(mesh, counts),
+    Svg svg(out, page_size, page_size + legend.height() + page_margin / 2, mesh_title(mesh, counts),
             "A cut through the middle, in parallel projection. " + mesh_description(mesh, counts));
     const double stroke = std::clamp(24 / std::sqrt(static_cast<double>(faces.size()) + 1), 0.25, 1.0);
     // An input's dot comes behind the last of its faces, so that what is nearer covers it.
@@ -186,7 +184,7 @@ void write_cut_picture(const MeshSource& mesh, TextWriter& out) {
             svg.circle(points[2 * k], points[2 * k + 1], std::clamp(6 * stroke, 1.2, 4.0), input_colour);
         }
     }
-    legend.draw(svg, margin, page_size - 4);
+    legend.draw(svg, page_margin, page_size - 4);
     svg.finish();
 }
 

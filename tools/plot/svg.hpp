@@ -9,6 +9,8 @@
 
 namespace netmesh::tool {
 
+constexpr double page_size = 1000, page_margin = 40;  // of pictures of meshes and cycles
+
 // Shapes of dots, the same share of a page each.
 enum class Mark : std::uint8_t { disc, square, diamond, triangle, cross, star };
 

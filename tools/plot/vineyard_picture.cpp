@@ -10,7 +10,7 @@ namespace netmesh::tool {
 
 namespace {
 
-constexpr double panel_width = 460, panel_height = 520, gap = 90, margin = 48;
+constexpr double vines_width = 460, vines_height = 520, gap = 90, text_margin = 48;
 constexpr std::size_t vines_max = 60;  // shown of one degree
 
 // The points of one vine, and how long it is where it is longest.
@@ -101,7 +101,7 @@ std::string vineyard_picture(const Vines& vines, const netmesh_report& report, A
     const ValueScale scale = scale_for(bars, is_linear_axis(axis, true, bars));
     TextWriter out;
     const std::uint32_t panels = vineyard.max_degree + 1;
-    const double width = std::max(gap + panels * (panel_width + gap), 760.0);
+    const double width = std::max(gap + panels * (vines_width + gap), 760.0);
     const std::string of =
         given ? simplices_text(vineyard.simplices) + ", " : counted_text(report.input.points, "point") + ", k = ";
     const std::string title = "Vineyard of " + of + std::to_string(vineyard.k_first) + " to " +
@@ -111,7 +111,7 @@ std::string vineyard_picture(const Vines& vines, const netmesh_report& report, A
     const std::string about = given ? what
                                     : choice_text({vineyard.filter, vineyard.values}) + "; " + what +
                                           "; certified ratio at most " + rounded_text(vineyard.certified_ratio, 4);
-    Heading heading(width - 2 * margin);
+    Heading heading(width - 2 * text_margin);
     heading.add(title, 20, ink, true);
     heading.add(about, 13, faint_ink);
     const double top = 18 + heading.height() + 40;
@@ -119,10 +119,10 @@ std::string vineyard_picture(const Vines& vines, const netmesh_report& report, A
     for (std::uint32_t degree = 0; degree < panels; degree++)
         description += " Degree " + std::to_string(degree) + ": " +
                        counted_text(strips_of(vines, degree, scale.is_linear).size(), "vine") + ".";
-    Svg svg(out, width, top + panel_height + 64, title, description);
-    heading.draw(svg, margin, 18);
+    Svg svg(out, width, top + vines_height + 64, title, description);
+    heading.draw(svg, text_margin, 18);
     for (std::uint32_t degree = 0; degree < panels; degree++) {
-        const Panel panel{gap + degree * (panel_width + gap), top, panel_width, panel_height};
+        const Panel panel{gap + degree * (vines_width + gap), top, vines_width, vines_height};
         const Plot plot(svg, panel, scale, vines, given ? "step" : "k");
         std::vector<Strip> strips = strips_of(vines, degree, scale.is_linear);
         const std::size_t shown = std::min(strips.size(), vines_max);

@@ -11,12 +11,12 @@ template <class T> void write_known(Json& json, const char* name, bool known, co
 }
 
 // What the diagram or the vineyard is of; nothing for other commands.
-struct Choice {
+struct Said {
     const char* filter = nullptr;
     const char* values = nullptr;
 };
 
-Choice choice_of(const RunReport& run, const netmesh_report& engine) {
+Said choice_of(const RunReport& run, const netmesh_report& engine) {
     const bool given = engine.vineyard.present != 0 && engine.vineyard.filter == NETMESH_FILTER_NONE;
     if (run.options->command == Command::vineyard && !given)
         return {filter_name(engine.vineyard.filter), values_name(engine.vineyard.values)};
@@ -39,7 +39,7 @@ void write_lattice(Json& json, const Lattice& lattice) {
 void write_options(Json& json, const RunReport& run, const netmesh_report& engine) {
     const Options& options = *run.options;
     const netmesh_mesh_report& mesh = engine.mesh;
-    const Choice choice = choice_of(run, engine);
+    const Said choice = choice_of(run, engine);
     json.key("options");
     json.open('{');
     const netmesh_request& asked = options.request;
