@@ -24,7 +24,8 @@ Outcome check_outputs(const Options& options, std::uint32_t dim) {
     Outcome outcome = check_diagram_ending(options.out);
     if (outcome.good()) outcome = check_picture_ending(options);
     if (outcome.good()) outcome = check_cycles_ending(options.representatives, !options.distances, dim);
-    if (outcome.good() && !options.proof.empty()) outcome = check_ending(options.out, ".pers", "a diagram with a proof");
+    if (outcome.good() && !options.proof.empty())
+        outcome = check_ending(options.out, ".pers", "a diagram with a proof");
     return outcome.good() ? check_writable({options.out, options.svg, options.representatives, options.proof})
                           : outcome;
 }

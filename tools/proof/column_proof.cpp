@@ -69,7 +69,8 @@ std::string finish(ProofBytes& out) {
 
 std::string proof_of(const RipsEdges& edges, Head head, const BarSource& bars) {
     const RipsCliques cliques(edges);
-    if (!cliques.has_keys(head.max_degree + 1)) return {};
+    const std::uint32_t most = std::max(edges.vertices, 2u) - 1;  // dimension of a set of all points
+    if (!cliques.has_keys(std::min(head.max_degree + 1, most))) return {};
     head.vertices = edges.vertices;
     head.limit = edges.limit;
     ProofBytes out = begin(head, bars);
@@ -110,8 +111,8 @@ std::string rips_proof(const PointCloud& points, double threshold, std::uint32_t
     Fingerprint f;
     f.add(different.dim);
     for (const double x : different.coordinates) f.add(bits_of(x));
-    return proof_of(rips_edges(different, threshold),
-                    {kind_rips_of_points, different.dim, 0, max_degree, 0, f.value()}, bars);
+    return proof_of(rips_edges(different, threshold), {kind_rips_of_points, different.dim, 0, max_degree, 0, f.value()},
+                    bars);
 }
 
 std::string rips_proof(const DistanceFile& distances, double threshold, std::uint32_t max_degree,

@@ -107,7 +107,7 @@ private:
     const std::vector<bool>& joins_;
     std::uint32_t p_ = 0;
     KeyTable pivots_, pivots_below_;  // owned by columns of this dimension, and of one less
-    std::vector<Column> columns_;  // by descending keys
+    std::vector<Column> columns_;     // by descending keys
     std::vector<Key> added_;
     std::vector<Key> work_;  // what is added to the column at work, unless it is a matrix
     typename Complex::Matrix matrix_;
@@ -158,8 +158,7 @@ template <class Complex> void ColumnReduction<Complex>::keep(Key key) {
     columns_.push_back({key, begin, added_.size()});
 }
 
-template <class Complex>
-void ColumnReduction<Complex>::reduce(std::uint32_t p, ProofBytes& out) {
+template <class Complex> void ColumnReduction<Complex>::reduce(std::uint32_t p, ProofBytes& out) {
     p_ = p;
     pivots_below_ = std::move(pivots_);
     pivots_ = {};

@@ -1,6 +1,6 @@
 // The simplices of a Rips complex, for proofs. An edge has its rank, the place in the order of edges; a simplex of
-// dimension p >= 1 is its last edge and its p - 1 other vertices, packed into a key whose order is that of the simplices:
-// first the rank, then the others, the largest first.
+// dimension p >= 1 is its last edge and its p - 1 other vertices, packed into a key whose order is that of the
+// simplices: first the rank, then the others, the largest first.
 #pragma once
 #include <algorithm>
 #include <cstdint>
@@ -206,8 +206,7 @@ template <class F> void RipsCliques::each_column(std::uint32_t p, F f) const {
             const std::uint32_t v = candidates[depth][i];
             chosen[p - 2 - depth] = v;
             if (depth == p - 2) {
-                if (i > 0 && !is_joined_to_any(candidates[depth], i, v, edge))
-                    f(key_of(edge, chosen.data(), p - 1));
+                if (i > 0 && !is_joined_to_any(candidates[depth], i, v, edge)) f(key_of(edge, chosen.data(), p - 1));
                 continue;
             }
             keep_joined(candidates[depth], i, v, edge, &candidates[depth + 1]);

@@ -15,7 +15,7 @@ struct RipsEdge {
 
 struct RipsEdges {
     std::uint32_t vertices = 0;
-    double limit = 0;  // all edges up to here: the threshold, or a vertex is joined to all others by then
+    double limit = 0;             // all edges up to here: the threshold, or a vertex is joined to all others by then
     std::vector<RipsEdge> edges;  // by value, larger and smaller vertex
 };
 

@@ -205,7 +205,8 @@ struct Proof {
         input = take(8);
         if (kind < 3 || kind > 5) bad("not of a kind of its version");
         if (take(8) != diagram.sum.value()) bad("not of this diagram, by its fingerprint");
-        if (!(limit >= 0) || n == 0 || n >= Id(-1) || degree > 31) bad("a number that cannot be");
+        const bool fits = n > 0 && n < Id(-1) && degree <= 31 && (kind == 3 || dim == 0) && (kind < 5 || limit == 0);
+        if (!fits || !(limit >= 0)) bad("a number that cannot be");
     }
 };
 //---- STEP 2: THE COMPLEX ------------------------------------------------------------------------------------------
@@ -297,7 +298,7 @@ public:
         while ((n_ - 1) >> bits_ != 0) ++bits_;
         size_t rankBits = 1;
         while (edges.size() >> rankBits != 0) ++rankBits;
-        if (rankBits + std::min<Word>(proof.degree, n_) * bits_ > 64)
+        if (rankBits + std::min<Word>(proof.degree, n_ > 2 ? n_ - 2 : 0) * bits_ > 64)
             fail("more simplices than this program can number");
         isDense_ = edges.size() >= size_t(n_) * n_ / 32;
     }
@@ -487,7 +488,7 @@ private:
     // Calls f(w, rank of the last edge to it, from which vertex) for the vertices below `end` that are joined to all of
     // v by edges before `before`, ascending, until f is false.
     template <class Fn> void eachJoined(const Id* v, int count, Id before, Id end, Fn f) const {
-        const Joined *at[40], *last[40];
+        const Joined *at[40] = {}, *last[40] = {};
         for (int i = 0; i < count; ++i) at[i] = &joined_[begin_[v[i]]], last[i] = &joined_[begin_[v[i] + 1]];
         for (; at[0] != last[0] && at[0]->first < end; ++at[0]) {
             Id latest = at[0]->second;
@@ -563,27 +564,30 @@ public:
         if (sum.value() != proof.input) refuse("1", proof.name + ": not of this input, by its fingerprint");
         if (order[0].size() != proof.n) refuse("1", proof.name + ": not of so many vertices");
         if (proof.degree >= order.size()) refuse("1", proof.name + ": there are no simplices of such a degree");
-        std::map<Ids, Id> below;
+        vector<std::pair<Ids, Id>> below, keys;  // by vertices
         levels_.resize(order.size() + 1);
         for (size_t p = 0; p < order.size(); ++p) {
             std::sort(order[p].begin(), order[p].end());
-            std::map<Ids, Id> keys;
+            keys.clear();
             Level& level = levels_[p];
             level.cofaces.resize(order[p].size());
             for (const auto& [value, r] : order[p]) {
                 const Id key = Id(level.value.size());
-                if (!keys.emplace(rows[r], key).second) bad(r, "a simplex twice");
+                keys.emplace_back(rows[r], key);
                 level.value.push_back(value);
                 for (size_t i = 0; i <= p && p > 0; ++i) {
                     Ids facet = rows[r];
                     facet.erase(facet.begin() + long(i));
-                    const auto at = below.find(facet);
-                    if (at == below.end() || levels_[p - 1].value[at->second] > value)
+                    const auto at = std::lower_bound(below.begin(), below.end(), std::make_pair(facet, Id(0)));
+                    if (at == below.end() || at->first != facet || levels_[p - 1].value[at->second] > value)
                         bad(r, "a face is missing, or enters later");
                     level.facets.push_back(at->second);
                     levels_[p - 1].cofaces[at->second].push_back(key);
                 }
             }
+            std::sort(keys.begin(), keys.end());
+            for (size_t i = 1; i < keys.size(); ++i)
+                if (keys[i - 1].first == keys[i].first) bad(order[p][keys[i].second].second, "a simplex twice");
             below.swap(keys);
         }
         for (size_t e = 0; e < levels_[1].value.size(); ++e)

@@ -116,8 +116,8 @@ class Proof:
         need(struct.unpack("<Q", data[-8:])[0] == fingerprint([len(data) - 8, *words]), 1, "the proof is damaged")
         self.kind, self.dim, self.n, self.degree, self.limit, self.input, diagram = struct.unpack("<IIQQdQQ",
                                                                                                   data[16:64])
-        need(3 <= self.kind <= 5 and self.limit >= 0 and 0 < self.n < 2**32 - 1 and self.degree <= 31, 1,
-             "a number that cannot be")
+        need(3 <= self.kind <= 5 and self.limit >= 0 and 0 < self.n < 2**32 - 1 and self.degree <= 31 and
+             (self.kind == 3 or self.dim == 0) and (self.kind < 5 or self.limit == 0), 1, "a number that cannot be")
         need(diagram == fingerprint(w for d, b, e in bars for w in (d, bits(b), bits(e))), 1, "not of this diagram")
         self.data, self.at = data[:-8], 64
 
@@ -153,7 +153,7 @@ def points_edges(name, head, proof):
     if any(len(row) != len(rows[0]) for row in rows):
         raise Malformed(f"{name}: rows of different lengths")
     for key, due in (("dim", len(rows[0])), ("points", len(rows)), ("duplicates", len(rows) - len(points))):
-        need(int(head.get(key, 0 if key == "duplicates" else -1)) == due, 1, f"the head must say {key} {due}")
+        need(head.get(key, "0" if key == "duplicates" else "") == str(due), 1, f"the head must say {key} {due}")
     need(proof.dim == len(rows[0]) and proof.n == len(points), 1, "not of so many points, or dimensions")
     need(proof.input == fingerprint([proof.dim, *(bits(x) for point in points for x in point)]), 1, "other points")
     return {(i, j): (Fraction(0), half_distance(points[i], points[j])) for i in range(proof.n) for j in range(i)}
@@ -164,7 +164,7 @@ def distances_edges(name, head, proof):
     words, d = [], {}
     if "sparse" in head:
         for row in rows:
-            if len(row) != 3 or not all(x == int(x) and 0 <= x < 2**26 for x in row[:2]) or not row[2] >= 0:
+            if len(row) != 3 or not all(0 <= x < 2**26 and x == int(x) for x in row[:2]) or not row[2] >= 0:
                 raise Malformed(f"{name}: not two points and a distance")
             i, j = int(max(row[:2])), int(min(row[:2]))
             if (i == j and row[2] != 0) or d.setdefault((i, j), row[2]) != row[2]:
@@ -214,7 +214,7 @@ def rips(edges, head, proof):
 def listed(name, head, proof):
     need("filter" not in head, 1, "of a filter, not of a complex that is listed")
     rows = [(tuple(sorted(row[:-1])), row[-1]) for row in read_rows(name)]
-    if not all(0 < len(set(s)) == len(s) <= 32 and all(v == int(v) and 0 <= v < 2**32 for v in s) for s, _ in rows):
+    if not all(0 < len(set(s)) == len(s) <= 32 and all(0 <= v < 2**32 and v == int(v) for v in s) for s, _ in rows):
         raise Malformed(f"{name}: not vertices and a value")
     values = dict(rows)
     for s, value in rows:
