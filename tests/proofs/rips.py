@@ -13,6 +13,7 @@ import itertools
 import math
 import os
 import random
+import shutil
 import struct
 import subprocess
 import sys
@@ -475,9 +476,10 @@ class Runner:
             words += ["--max-degree", str(r.randrange(0, 4))]
             if (sort == 0 and len(rows[0]) == 1) or r.random() < 0.4:
                 spread = max((abs(x) for row in rows for x in row if abs(x) < INF), default=1.0)
-                words += ["--threshold", repr(r.choice([spread / 2, spread, 1.0, 0.5, 0.75, INF]) or 1.0)]
-                if words[-1] == "inf":
-                    words[-1] = "1e300"
+                most = r.choice([spread / 2, spread, 1.0, 0.5, 0.75, 1e300]) or 1.0
+                if kind == "tiny":  # halves of distances round
+                    most = r.randrange(1, 5) * 5e-324
+                words += ["--threshold", repr(most)]
         elif r.random() < 0.3:
             words += ["--max-degree", str(r.randrange(0, 3))]
         done = subprocess.run([self.a.netmesh, words[0], stem + ".txt", *words[1:], "-q", "-o", stem + ".pers",
@@ -488,6 +490,27 @@ class Runner:
                 self.fault(stem, f"{words}: persist ends with {done.returncode}: {done.stderr}")
             return None
         return stem, f"{words[0]} {kind}"
+
+    def cut(self, r, good):
+        """The diagram up to a threshold and its proof, without the line that says so: edges are left out of both."""
+        for _ in range(1000):
+            stem = r.choice(good)
+            case = Case(stem)
+            ends = [e for _, _, e in case.bars if 0 < e < INF]
+            if case.kind == 5 or not ends:
+                continue
+            at = next_double(r.choice(ends), False)
+            forms = ["--" + name for name in ("distances", "sparse") if case.word(name) is not None]
+            whole = os.path.join(self.a.work, "cut")
+            subprocess.run([self.a.netmesh, "persist", stem + ".txt", "--filter", "rips", *forms, "--threshold",
+                            repr(at), "--max-degree", str(case.degree), "-q", "-o", whole + ".pers", "--proof",
+                            whole + ".proof"], check=True)
+            shutil.copy(stem + ".txt", whole + ".txt")
+            forged = Case(whole)
+            forged.head = case.head
+            if forged.bars != case.bars:
+                return forged
+        sys.exit("no diagram can be cut")
 
     def honest(self):
         r = random.Random(self.a.seed)
@@ -554,6 +577,9 @@ class Runner:
                 elif turn == len(FORGERIES) + 2:
                     case.write(stem, other.body())
                     self.expect(stem, "another's proof", other.input_words() != case.input_words())
+                elif turn == len(FORGERIES) + 3:
+                    self.cut(r, good).write(stem)
+                    self.expect(stem, "cut at a threshold", True)
                 else:
                     flipped = bytearray(body)
                     at = r.randrange(len(body)) if r.random() < 0.3 or len(body) == HEAD_BYTES else r.randrange(
