@@ -455,10 +455,12 @@ private:
                 sum.add(ends.first), sum.add(ends.second), add(ends.first, ends.second, d);
         } else {
             bool diagonal = n > 1;
-            for (size_t i = 0; i < table.rows.size() && triangle; ++i) diagonal = diagonal && table.rows[i].back() == 0;
+            for (size_t i = 0; i < table.rows.size(); ++i) {
+                if (table.rows[i].size() != (triangle ? i + 1 : n)) bad(i, "neither a square nor a lower triangle");
+                diagonal = diagonal && table.rows[i].back() == 0;
+            }
             for (size_t i = 0; i < table.rows.size(); ++i) {
                 vector<double>& row = table.rows[i];
-                if (row.size() != (triangle ? i + 1 : n)) bad(i, "neither a square nor a lower triangle");
                 for (size_t j = 0; j < row.size(); ++j)
                     if (!(row[j] >= 0) || (!triangle && (row[j] != table.rows[j][i] || (i == j && row[j] != 0))))
                         bad(i, "not a distance, or not that of the other way round");
