@@ -224,8 +224,10 @@ Outcome check_together(const Options& options) {
                 return usage_error(std::string(name) + " does not go with --pieces, which keep bars alone");
     }
     if (!options.proof.empty()) {
-        if (r.filter != &netmesh_filter_alpha)
-            return usage_error("--proof is of filter alpha alone, not of " +
+        const bool has_proofs = options.command == Command::homology || r.filter == &netmesh_filter_alpha ||
+                                r.filter == &netmesh_filter_rips;
+        if (!has_proofs)
+            return usage_error("--proof is of filters alpha and rips, not of " +
                                std::string(filter_name(filter_of(options))) +
                                "; `netmesh check` looks at its diagrams");
         for (const char* const name : {"--all", "--least", "--min-persistence", "--top"})

@@ -18,8 +18,8 @@ bool makes_mesh_alone(const Options& options) {
 // The triangulation of alpha is wanted, not its diagram alone; other filters refuse to keep what they do not make.
 bool keeps_mesh(const Options& options) {
     const bool is_alpha = about(options.request.filter).is_on_triangulation != 0;
-    return !options.mesh_out.empty() || !options.proof.empty() ||
-           (is_alpha && (options.check || options.command == Command::size));
+    return !options.mesh_out.empty() ||
+           (is_alpha && (!options.proof.empty() || options.check || options.command == Command::size));
 }
 
 // With --check cycles are made where that is no call of its own.

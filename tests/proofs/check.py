@@ -1,5 +1,5 @@
 #!/usr/bin/env python3
-"""`netmesh check` with proofs beside diagrams, as a shell sees it: check.py NETMESH VERIFY WORK
+"""`netmesh check` with proofs beside diagrams, as a shell sees it: check.py NETMESH VERIFY VERIFY_RIPS WORK
 
 An honest proof is verified and said to be; a forged one, a forged diagram, a proof of other points, one cut off or of
 no kind at all is refused, with the place that the verifier names; without a proof or without netmesh-verify that is
@@ -15,7 +15,7 @@ import sys
 sys.path.insert(0, os.path.dirname(os.path.abspath(__file__)))
 from run import Case  # pylint: disable=wrong-import-position
 
-NETMESH, VERIFY, WORK = (os.path.abspath(path) for path in sys.argv[1:4])
+NETMESH, VERIFY, VERIFY_RIPS, WORK = (os.path.abspath(path) for path in sys.argv[1:5])
 FAULTS = []
 
 
@@ -150,15 +150,62 @@ def without():
            "no proof beside it: there is no bare.proof; persist --proof writes one", "second opinion")
     expect("no such proof", run("check", "bare.pers", "--points", "bare.txt", "--proof", "none.proof"), 3,
            "none.proof: no such file, which --proof names")
-    expect("rips", run("persist", "p.txt", "--filter", "rips", "--max-degree", "0", "-o", "rips.pers"), 0)
-    copy("p.proof", "rips.proof")
-    expect("rips beside", run("check", "rips.pers", "--points", "p.txt"), 0, never=["proof"])
-    expect("rips named", run("check", "rips.pers", "--points", "p.txt", "--proof", "rips.proof"), 2,
-           "--proof is of filter alpha alone, not of rips")
+    expect("cech", run("persist", "p.txt", "--filter", "cech", "--max-degree", "0", "-o", "cech.pers"), 0)
+    copy("p.proof", "cech.proof")
+    expect("cech beside", run("check", "cech.pers", "--points", "p.txt"), 0, never=["proof"])
+    expect("cech named", run("check", "cech.pers", "--points", "p.txt", "--proof", "cech.proof"), 2,
+           "--proof is of filters alpha and rips, not of cech")
     for words, said in ((["p.pers"], "--proof goes with a diagram (.pers) and --points, without --mesh"),
                         (["p.pers", "--points", "p.txt", "--mesh", "p.node"], "and --points, without --mesh"),
                         (["p.node"], "--proof does nothing here: it says nothing about a mesh (.node)")):
         expect("proof with " + " ".join(words), run("check", *words, "--proof", "p.proof"), 2, said)
+
+
+def rips():
+    """Rips diagrams of points, with a threshold and without, and of distances of each form."""
+    proven = "verified by " + VERIFY_RIPS
+    table = "name,x,y\n" + "".join(f"\"n {i}\",{line.replace(' ', ',')}\n"
+                                  for i, line in enumerate(read("p.txt").split("\n")[:-1] + ["1 2", "1 2"]))
+    write("named.csv", table)
+    write("full.txt", "0 1 2\n1 0 1.5\n2 1.5 0\n")
+    write("noise.txt", "0 1 2\n1.00000000000001 0 1.5\n2 1.5 0\n")
+    write("lower.txt", "1\n2 1.5\n2 2 inf\n")
+    write("condensed.txt", "1 0 3 1 1 1\n")
+    write("entries.txt", "0 1 1\n1 2 1\n0 2 2.5\n1 0 1\n")
+    plain = [("p.txt", []), ("p.txt", ["--threshold", "0.7", "--max-degree", "2"]), ("full.txt", ["--distances"]),
+             ("lower.txt", ["--distances"]), ("entries.txt", ["--distances", "--sparse", "--threshold", "1"])]
+    handed = [("named.csv", []), ("named.csv", ["--threshold", "0.7"]), ("noise.txt", ["--distances"]),
+              ("condensed.txt", ["--distances"])]
+    for name, words in plain + handed:
+        columns = ["--columns", "x,y"] if name == "named.csv" else []
+        words = ["--filter", "rips", *words]
+        done = run("persist", name, *columns, *words, "-q", "-o", "r.pers", "--proof", "r.proof")
+        expect(f"made rips {name} {words}", done, 0)
+        kind = "distances" if "--distances" in words else "points"
+        how = f"for the {kind} that netmesh reads in {name}" if (name, words[2:]) in handed else f"{kind} in {name}"
+        expect(f"rips {name} {words}", run("check", "r.pers", "--points", name, *columns), 0, "reproduced",
+               "proof: by r.proof every bar is true", how, proven)
+    expect("rips, stdin", run("check", "r.pers", "--points", "-", stdin=read("condensed.txt")), 0,
+           "for the distances that netmesh reads in", proven)
+    # Refused: another's proof, one of the other kind, one that is cut.
+    expect("a proof of alpha", run("check", "r.pers", "--points", "condensed.txt", "--proof", "p.proof"), 7,
+           "p.proof: check failed: p.proof: not a proof of version 3")
+    expect("a proof of rips for alpha", run("check", "p.pers", "--points", "p.txt", "--proof", "r.proof"), 7,
+           "r.proof: check failed: r.proof: not a proof of version 1")
+    for words in (["--max-degree", "2", "-o", "two.pers", "--proof", "two.proof"], ["-o", "one.pers"]):
+        expect("made rips", run("persist", "q.txt", "--filter", "rips", "-q", *words), 0)
+    expect("another's", run("check", "one.pers", "--points", "q.txt", "--proof", "two.proof"), 7,
+           "two.proof: check failed: not proven: step 1", "not of this diagram" if read("one.pers").split("\n")[-2]
+           != read("two.pers").split("\n")[-2] else "max-degree")
+    with open(os.path.join(WORK, "two.proof"), "rb") as file:
+        whole = file.read()
+    with open(os.path.join(WORK, "two.proof"), "wb") as file:
+        file.write(whole[:-1])
+    expect("cut", run("check", "two.pers", "--points", "q.txt"), 7, "two.proof: check failed: not proven: step 1")
+    expect("none", run("check", "one.pers", "--points", "q.txt"), 0, "no proof beside it: there is no one.proof")
+    done = run("check", "r.pers", "--points", "condensed.txt", program=script("alone", None), path="/nowhere")
+    expect("no program", done, 0, "no proof verified: r.proof is not verified",
+           "there is no netmesh-verify-rips beside netmesh, nor in a folder of PATH", never=["every bar is true"])
 
 
 def verifiers():
@@ -202,6 +249,7 @@ def main():
     honest()
     forged()
     without()
+    rips()
     verifiers()
     print(f"{len(FAULTS)} faults")
     return 1 if FAULTS else 0

@@ -198,7 +198,6 @@ Outcome compare_count(const DiagramFile& file, const char* name, std::uint64_t c
 
 // Rips complexes of distances, or with a threshold.
 Outcome check_with_distances(const Options& open, const DiagramFile& file, const std::string& cycles, RunReport* run) {
-    if (!open.proof_path.empty()) return usage_error("--proof is of filter alpha alone, not of distances");
     RipsInput input;
     Outcome outcome = read_rips_input(open, open.points_path, &input);
     if (!outcome.good()) return outcome;
@@ -224,8 +223,10 @@ Outcome check_with_distances(const Options& open, const DiagramFile& file, const
     add_report(session, run);
     run->engine->input = report.input;
     run->checked->push_back(again.said());
-    return second_opinion_on_complex({file, made, cycles, false}, complex_of(input, made, made.request.max_degree + 1),
-                                     run);
+    DiagramClaim claim = {file, made, cycles, false};
+    outcome = verify_proof(input, &claim, run);
+    if (!outcome.good()) return outcome;
+    return second_opinion_on_complex(claim, complex_of(input, made, made.request.max_degree + 1), run);
 }
 
 Outcome check_with_points(const Options& open, const DiagramFile& file, const std::string& cycles, RunReport* run) {

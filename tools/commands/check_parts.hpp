@@ -54,6 +54,8 @@ struct DiagramFile {
     }
 };
 
+struct RipsInput;
+
 struct DiagramClaim {
     const DiagramFile& file;
     const Options& made;             // settled
@@ -82,10 +84,12 @@ Outcome judge_alpha(const DiagramClaim& claim, const MeshFiles& files, const std
 Outcome second_opinion_on_mesh(const DiagramClaim& claim, const MeshFiles& files, RunReport* run);
 Outcome second_opinion_on_points(const DiagramClaim& claim, const PointCloud& points, RunReport* run);
 
-// The proof of an alpha diagram of these points, where there is one beside it or --proof names one: what netmesh-verify
-// says of it goes to run->checked and claim->is_proven; what it refuses is Exit::check. That there is none, or that the
-// program cannot be run, is said, too; the latter on stderr as well, and where --proof was given it is Exit::data.
+// The proof of an alpha or Rips diagram of this input, where there is one beside it or --proof names one: what its
+// verifier, netmesh-verify or netmesh-verify-rips, says of it goes to run->checked and claim->is_proven; what it
+// refuses is Exit::check. That there is none, or that the program cannot be run, is said, too; the latter on stderr as
+// well, and where --proof was given it is Exit::data.
 Outcome verify_proof(const PointCloud& points, DiagramClaim* claim, RunReport* run);
+Outcome verify_proof(const RipsInput& input, DiagramClaim* claim, RunReport* run);
 
 // The same for a complex that was listed, or is too large for that.
 Outcome second_opinion_on_complex(const DiagramClaim& claim, const SimplexList& simplices, RunReport* run);

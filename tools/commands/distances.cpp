@@ -7,6 +7,7 @@
 #include "tools/commands/output.hpp"
 #include "tools/commands/rips_input.hpp"
 #include "tools/plot/plots.hpp"
+#include "tools/proof/column_proof.hpp"
 
 namespace netmesh::tool {
 
@@ -23,7 +24,10 @@ Outcome check_rips_outputs(const Options& options, std::uint32_t dim) {
     Outcome outcome = check_diagram_ending(options.out);
     if (outcome.good()) outcome = check_picture_ending(options);
     if (outcome.good()) outcome = check_cycles_ending(options.representatives, !options.distances, dim);
-    return outcome.good() ? check_writable({options.out, options.svg, options.representatives}) : outcome;
+    if (outcome.good() && !options.proof.empty())
+        outcome = check_ending(options.out, ".pers", "a diagram with a proof");
+    return outcome.good() ? check_writable({options.out, options.svg, options.representatives, options.proof})
+                          : outcome;
 }
 
 }  // namespace
@@ -43,7 +47,7 @@ Outcome run_distances(const Options& given) {
 
     Session session(options, std::max(input.cloud.dim, dim_min));
     netmesh_report report;
-    input.read_once = true;
+    input.read_once = options.proof.empty();
     outcome = persist_rips(input, session, &report);
     if (!outcome.good()) return outcome;
     const Engine& engine = session.engine();
@@ -71,6 +75,15 @@ Outcome run_distances(const Options& given) {
     if (!options.representatives.empty())
         jobs.push_back({options.representatives,
                         [&](TextWriter& out) { write_cycles(engine, options.representatives, chosen, places, out); }});
+    std::string proof;
+    if (!options.proof.empty()) {
+        const double threshold = options.request.threshold;
+        const std::uint32_t top = report.diagram.max_degree;
+        proof = input.of_points() ? rips_proof(input.cloud, threshold, top, all)
+                                  : rips_proof(input.file, threshold, top, all);
+        if (proof.empty()) return no_numbers_for_proof();
+        jobs.push_back({options.proof, [&](TextWriter& out) { out << proof; }});
+    }
     const Head head = head_of(options, report);
     if (writes_data(options)) jobs.push_back(diagram_job(options, head, chosen, bars, bounds));
     return finish_run(jobs, start, &run);

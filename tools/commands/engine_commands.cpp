@@ -19,6 +19,7 @@
 #include "tools/opinion/cell_values.hpp"
 #include "tools/pieces/schedule.hpp"
 #include "tools/plot/plots.hpp"
+#include "tools/proof/column_proof.hpp"
 #include "tools/proof/proof_writer.hpp"
 
 namespace netmesh::tool {
@@ -226,6 +227,7 @@ struct Result {
     std::vector<bool> chosen;  // bars of the engine's diagram that these are; empty: all
     Head head;
     CyclePlaces places;
+    std::string proof;  // of a Rips diagram
 };
 
 // Cycles go by vertices of a mesh, or by points.
@@ -264,6 +266,10 @@ std::vector<FileJob> diagram_jobs(const Options& options, const Engine& engine, 
     if (!options.mesh_out.empty()) add_mesh_files(result.mesh, options.mesh_out, &jobs);
     if (!options.proof.empty())
         jobs.push_back({options.proof, [&](TextWriter& out) {
+                            if (!result.proof.empty()) {
+                                out << result.proof;
+                                return;
+                            }
                             write_proof(result.mesh, cloud, hidden_rows(engine, report), result.bars,
                                         options.table.are_radii, out);
                         }});
@@ -439,7 +445,7 @@ Outcome make_and_finish(Options& options, Input& input, double start, double rea
     if (options.check) run.checked = std::vector<std::string>{checked_text(options, complex)};
 
     const BarSource bars = bars_in(session.engine());
-    Result result{EngineMesh(session.engine(), *run.engine), bars, {}, {}, {}, {}, {}};
+    Result result{EngineMesh(session.engine(), *run.engine), bars, {}, {}, {}, {}, {}, {}};
     const std::string& mesh_path = persists(options) ? options.mesh_out : options.out;
     const netmesh_mesh_rules rules = session.promise().mesh;
     result.mesh.size_at_inputs = rules.sizes.at_inputs;
@@ -455,6 +461,10 @@ Outcome make_and_finish(Options& options, Input& input, double start, double rea
     result.bars = chosen_of(bars, result.chosen);
     keep_chosen(result.chosen, &result.bounds);
     if (needs_list(options)) result.list = bars_of(result.bars);
+    if (!options.proof.empty() && filter_of(options) == NETMESH_FILTER_RIPS) {
+        result.proof = rips_proof(cloud, options.request.threshold, run.engine->diagram.max_degree, bars);
+        if (result.proof.empty()) return no_numbers_for_proof();
+    }
     result.head = head_of(options, *run.engine);
     const std::string cycles_ending = ending_of(options.representatives);
     if (needs_places(cycles_ending)) result.places = places_of(options, result.mesh, cloud, *run.engine);

@@ -9,6 +9,7 @@
 #include "tools/commands/value_vineyard.hpp"
 #include "tools/io/complex_file.hpp"
 #include "tools/plot/plots.hpp"
+#include "tools/proof/column_proof.hpp"
 #include "tools/session.hpp"
 
 namespace netmesh::tool {
@@ -19,7 +20,9 @@ Outcome read_input(const Options& options, SimplexFile* file) {
     Outcome outcome = check_diagram_ending(options.out);
     if (outcome.good()) outcome = check_picture_ending(options);
     if (outcome.good()) outcome = check_cycles_ending(options.representatives, false, 0);
-    if (outcome.good()) outcome = check_writable({options.out, options.svg, options.representatives});
+    if (outcome.good() && !options.proof.empty())
+        outcome = check_ending(options.out, ".pers", "a diagram with a proof");
+    if (outcome.good()) outcome = check_writable({options.out, options.svg, options.representatives, options.proof});
     std::string content;
     file->lines.name = shown_name(options.positionals[0]);
     if (outcome.good()) outcome = read_content(options.positionals[0], &content);
@@ -92,6 +95,9 @@ Outcome run_homology(const Options& options) {
     if (!options.representatives.empty())
         jobs.push_back({options.representatives,
                         [&](TextWriter& out) { write_cycles(engine, options.representatives, chosen, {}, out); }});
+    if (!options.proof.empty())
+        jobs.push_back(
+            {options.proof, [&](TextWriter& out) { out << complex_proof(file, run.engine->diagram.max_degree, all); }});
     const Head head;  // there is none
     if (writes_data(options)) jobs.push_back(diagram_job(options, head, chosen, bars, bounds));
     return finish_run(jobs, start, &run);

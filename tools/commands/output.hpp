@@ -78,6 +78,12 @@ Outcome check_diagram_ending(const std::string& path);
 Outcome check_picture_ending(const Options& options);
 Outcome check_cycles_ending(const std::string& path, bool has_places, std::uint32_t dim);
 
+// Where rips_proof() makes none.
+inline Outcome no_numbers_for_proof() {
+    return usage_error("--proof: simplices of so many points in so high a degree cannot be numbered in 64 bits; "
+                       "--threshold or --max-degree leave some out");
+}
+
 // Which bars --least and --top leave, in their order; empty when they leave all. Of each degree no more than --top are
 // held at a time.
 std::vector<bool> chosen_bars(const Options& options, const BarSource& bars);

@@ -4,10 +4,9 @@
 #include <array>
 #include <limits>
 #include <numeric>
-#include <string_view>
 
-#include "tools/io/fingerprint.hpp"
 #include "tools/opinion/exact_spheres.hpp"
+#include "tools/proof/proof_bytes.hpp"
 
 namespace netmesh::tool {
 
@@ -15,41 +14,6 @@ namespace {
 
 constexpr char magic[] = "netmesh proof 1\n", magic_of_balls[] = "netmesh proof 2\n";
 constexpr std::uint32_t kind_alpha = 1, kind_alpha_of_balls = 2;
-
-std::uint64_t bits_of(double x) {
-    std::uint64_t bits = 0;
-    if (x != 0) std::memcpy(&bits, &x, sizeof bits);
-    return bits;
-}
-
-// The bytes of a proof. They are held until all are there, as their number is the first that their fingerprint is of.
-class Bytes {
-public:
-    void text(std::string_view text) { bytes_ += text; }
-    void number(std::uint64_t value, std::uint32_t bytes) {
-        for (std::uint32_t i = 0; i < bytes; i++) bytes_ += static_cast<char>(value >> 8 * i);
-    }
-    // 7 bits a byte, the least first.
-    void number(std::uint64_t value) {
-        for (; value >= 0x80; value >>= 7) bytes_ += static_cast<char>(value | 0x80);
-        bytes_ += static_cast<char>(value);
-    }
-    std::uint64_t fingerprint() const {
-        Fingerprint f;
-        f.add(bytes_.size());
-        for (std::size_t i = 0; i < bytes_.size(); i += 8) {
-            std::uint64_t word = 0;
-            for (std::size_t j = std::min(bytes_.size(), i + 8); j-- > i;)
-                word = word << 8 | static_cast<unsigned char>(bytes_[j]);
-            f.add(word);
-        }
-        return f.value();
-    }
-    const std::string& all() const { return bytes_; }
-
-private:
-    std::string bytes_;
-};
 
 // Where a point is along a Hilbert curve through the box around all, by J. Skilling, Programming the Hilbert curve
 // (2004). Only the length of the proof depends on it.
@@ -180,16 +144,6 @@ private:
     std::uint64_t at_ = 0;
 };
 
-std::uint64_t bars_fingerprint(const BarSource& bars) {
-    Fingerprint f;
-    bars.for_each([&](const Bar& bar) {
-        f.add(bar.degree);
-        f.add(bits_of(bar.birth));
-        f.add(bits_of(bar.death));
-    });
-    return f.value();
-}
-
 // The vertices of cells, D + 1 each, as they come.
 std::vector<std::uint32_t> cells_of(const MeshSource& triangulation) {
     const std::uint32_t size = triangulation.dim + 1;
@@ -205,7 +159,7 @@ std::vector<std::uint32_t> cells_of(const MeshSource& triangulation) {
 // cell_numbers, if there are some, become the numbers that the cells have in the file.
 template <std::uint32_t D>
 void write_cells(std::vector<std::uint32_t>* cells, const std::vector<std::uint32_t>& place,
-                 std::vector<std::uint64_t>* cell_numbers, Bytes& out) {
+                 std::vector<std::uint64_t>* cell_numbers, ProofBytes& out) {
     // The others of those whose first place is p begin at begin[p], and end there as soon as all stand there.
     std::vector<std::uint32_t> end(place.size() + 2, 0);
     for (std::size_t i = 0; i < cells->size(); i += D + 1) {
@@ -248,7 +202,7 @@ void write_proof(const MeshSource& triangulation, const PointCloud& cloud, const
                  const BarSource& bars, bool are_radii, TextWriter& to) {
     const bool of_balls = !cloud.weights.empty();
     const std::vector<std::uint32_t> rows = of_balls ? rows_of_balls(cloud, hidden) : rows_of(triangulation, cloud);
-    Bytes out;
+    ProofBytes out;
     out.text(of_balls ? magic_of_balls : magic);
     out.number(of_balls ? kind_alpha_of_balls : kind_alpha, 4);
     out.number(cloud.dim, 4);

@@ -204,7 +204,7 @@ Diagram readDiagram(const string& name) {
     if (diagram.kind == 0 && negative > 0) badFile(name + ", line " + str(negative) + ": a negative number");
     readNumber(head[diagram.kind == 1 ? "radii" : "weights"], diagram.column);
     head.emplace("duplicates", "0");
-    if (head["filter"] != "alpha") badFile(name + ": not one line # filter alpha");
+    if (head["filter"] != "alpha") badFile(name + ": not one line # filter alpha; netmesh-verify-rips is for others");
     for (const char* key : {"dim", "max-degree", "points", "duplicates"})
         if (!readNumber(head[key], diagram.head[key])) badFile(name + ": not one line # " + key + " and a number");
     diagram.fingerprint = sum.value();
