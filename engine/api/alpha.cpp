@@ -13,15 +13,13 @@ namespace {
 using MakeAlpha = Status(std::uint32_t dim, const AlphaOfPoints&, const Work&, AlphaDiagram*);
 
 Status any_alpha(std::uint32_t dim, const AlphaOfPoints& wanted, const Work& work, AlphaDiagram* made) {
-    return with_dimension(dim, [&](auto dimension) {
-        return alpha_of_points<decltype(dimension)::value>(wanted, work, made);
-    });
+    return with_dimension(
+        dim, [&](auto dimension) { return alpha_of_points<decltype(dimension)::value>(wanted, work, made); });
 }
 
 Status small_alpha(std::uint32_t dim, const AlphaOfPoints& wanted, const Work& work, AlphaDiagram* made) {
-    return with_dimension(dim, [&](auto dimension) {
-        return alpha_of_few_points<decltype(dimension)::value>(wanted, work, made);
-    });
+    return with_dimension(
+        dim, [&](auto dimension) { return alpha_of_few_points<decltype(dimension)::value>(wanted, work, made); });
 }
 
 template <MakeAlpha make_alpha> netmesh_status alpha_of_given_points(netmesh_context* context) {

@@ -34,7 +34,8 @@ void add_plane(Fingerprint& f, const netmesh_context* context) {
         f.add(static_cast<std::uint64_t>(Marker::input));
     }
     for (std::uint32_t c = 0; c < context->mesh.store.cell_slots; ++c)
-        for (int i = 0; i <= 2; ++i) f.add(static_cast<std::uint64_t>(plane.vertex(c, i)) << 32 | plane.neighbour(c, i));
+        for (int i = 0; i <= 2; ++i)
+            f.add(static_cast<std::uint64_t>(plane.vertex(c, i)) << 32 | plane.neighbour(c, i));
 }
 
 void add_pairs(Fingerprint& f, const netmesh_context* context) {
@@ -114,7 +115,8 @@ void report_mesh(const netmesh_context* context, netmesh_mesh_report* to) {
     to->is_mesh = mesh.is_mesh;
     to->vertices = mesh.store.vertex_count;
     to->inputs = context->input.distinct;
-    if (mesh.present) with_dimension(dim, [&](auto dimension) { count_markers<decltype(dimension)::value>(context, to); });
+    if (mesh.present)
+        with_dimension(dim, [&](auto dimension) { count_markers<decltype(dimension)::value>(context, to); });
     to->cells = mesh.store.cell_slots;
     to->cells_created = mesh.store.cells_created;
     to->method = mesh.method;

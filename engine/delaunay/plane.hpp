@@ -262,7 +262,8 @@ template <int D, class W, class Words> [[gnu::cold]] Status PlaneRun<D, W, Words
 }
 
 // The cell's points and their indices, the point in question for infinity; where that is, -1 for a finite cell.
-template <int D, class W, class Words> int PlaneRun<D, W, Words>::collect(CellId c, const double** p, VertexId* ids) const {
+template <int D, class W, class Words>
+int PlaneRun<D, W, Words>::collect(CellId c, const double** p, VertexId* ids) const {
     int infinite = -1;
     for (int i = 0; i < 3; ++i) {
         const VertexId v = cells_[c].vertex[i];

@@ -39,9 +39,8 @@ Status triangulate_few(StoreState& state, const InputRows& points, std::size_t n
     });
     std::uint16_t* const place = arena.template take_high<std::uint16_t>(mesh.point_count);
     if (place == nullptr) return Status::out_of_memory;
-    arena.each(mesh.point_count, 6, [&mesh, place](std::uint64_t k) {
-        place[mesh.order[k]] = static_cast<std::uint16_t>(k);
-    });
+    arena.each(mesh.point_count, 6,
+               [&mesh, place](std::uint64_t k) { place[mesh.order[k]] = static_cast<std::uint16_t>(k); });
     // It takes the place of the order.
     arena.release_high(arena.offset_of(mesh.points));
     out->place = arena.template take_high<std::uint16_t>(mesh.point_count);

@@ -41,9 +41,11 @@ ExactSphere::ExactSphere(const double* const* point, int k, int dim) : k_(k), di
     length_bits_ = 2 * (widest + 1 - quantum_) + (dim > 4 ? 3 : dim > 2 ? 2 : 1);
 }
 
-// find_within has k + 2 rows. compare_midpoint has one, of up to two primes more: the radius is half a quantum at least,
-// so 53 bits of it end at 2^(quantum - 54) at the lowest, and it wants 2 * 54 + 8 bits more than the sphere.
-std::size_t ExactSphere::words() const { return static_cast<std::size_t>((k_ + 2) * primes_for_bits(square_bits())); }
+// find_within has k + 2 rows. compare_midpoint has one, of up to two primes more: the radius is half a quantum at
+// least, so 53 bits of it end at 2^(quantum - 54) at the lowest, and it wants 2 * 54 + 8 bits more than the sphere.
+std::size_t ExactSphere::words() const {
+    return static_cast<std::size_t>(k_ + 2) * static_cast<std::size_t>(primes_for_bits(square_bits()));
+}
 
 ExactSphere::Residues ExactSphere::modulo(const ResiduePrime& prime) const {
     const PowersByBits power(power_max_, prime);

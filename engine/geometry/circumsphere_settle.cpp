@@ -27,8 +27,8 @@ namespace {
 
 }  // namespace
 
-Status settle_circumsphere(const double* const* point, std::uint32_t k, int dim, bool within, bool radius,
-                           Arena& arena, Circumsphere* out) {
+Status settle_circumsphere(const double* const* point, std::uint32_t k, int dim, bool within, bool radius, Arena& arena,
+                           Circumsphere* out) {
     arena.pass(40 * static_cast<std::uint32_t>(dim));
     if constexpr (has_close_look) {
         Circumsphere close;

@@ -1,6 +1,6 @@
-// From points in the plane to the diagram of their alpha complex, without a list of its simplices but of edges that have
-// radii of their own. A part of alpha_of_points.cpp; templates, so that nothing of it is made where the plane is not
-// served.
+// From points in the plane to the diagram of their alpha complex, without a list of its simplices but of edges that
+// have radii of their own. A part of alpha_of_points.cpp; templates, so that nothing of it is made where the plane is
+// not served.
 //
 // Edges and triangles alone have radii. A triangle marks at most one edge, the one opposite
 // an angle that is not acute (filtration/alpha.cpp): it has the triangle's radius, and the two are a pair of zero
@@ -72,7 +72,7 @@ private:
     const DiagramRequest request_;
     Arena& arena_;
     Progress progress_;
-    double* radius_ = nullptr;     // of cells
+    double* radius_ = nullptr;      // of cells
     std::uint8_t* mark_ = nullptr;  // of cells: the position of the edge that one marks, or unmarked
     // Edges that are not marked, in the order of their values: half their lengths, and the facets that they are, each
     // in one word; in the end 1 of those that begin a bar, else 0.
@@ -100,8 +100,7 @@ template <int D, class Words> Status PlaneAlpha<D, Words>::find_radii() {
     return Status::ok;
 }
 
-template <int D, class Words>
-inline Status PlaneAlpha<D, Words>::find_batch(std::uint32_t first, std::uint32_t count) {
+template <int D, class Words> inline Status PlaneAlpha<D, Words>::find_batch(std::uint32_t first, std::uint32_t count) {
     const double* corner[batch_most][3];
     const double* const* points[batch_most];
     for (std::uint32_t b = 0; b < batch_most; ++b) {
@@ -315,7 +314,8 @@ Status alpha_of_order(Store<D>& store, const std::uint32_t* order, const VertexI
 // points are inserted; 58 and 82, and 12 for each edge with no point in its smallest circle, when radii are known; in
 // the end 12 for each such edge, 8 for each bar of degree 1 and 24 for each bar. Uniform points have 2 such edges and
 // nearly 2 bars each. are_few: there is no code for wide words.
-template <int D, bool are_few> Status alpha_of_plane(const AlphaOfPoints& request, const Work& work, AlphaDiagram* out) {
+template <int D, bool are_few>
+Status alpha_of_plane(const AlphaOfPoints& request, const Work& work, AlphaDiagram* out) {
     const std::size_t low = work.arena.low_mark();
     StoreState state = {};
     Store<D> store(work.arena, state);

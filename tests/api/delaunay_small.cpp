@@ -1,4 +1,5 @@
-// Few points in the plane, kept in short words: cells, vertices and report of netmesh_method_delaunay, and nothing else.
+// Few points in the plane, kept in short words: cells, vertices and report of netmesh_method_delaunay, and nothing
+// else.
 #include <doctest/doctest.h>
 
 #include <cstring>

@@ -1,6 +1,6 @@
-/* What a job takes: JOB on POINTS points in R^DIM of a KIND, uniform if that is not said, in a block of the harness's (footprint_host.c,
- * footprint_board.cpp). With REPORT it returns the peak bytes of the block; without, it holds no more than a program
- * needs that has the job and reads its result. */
+/* What a job takes: JOB on POINTS points in R^DIM of a KIND, uniform if that is not said, in a block of the harness's
+ * (footprint_host.c, footprint_board.cpp). With REPORT it returns the peak bytes of the block; without, it holds no
+ * more than a program needs that has the job and reads its result. */
 #include "netmesh.h"
 
 enum { NOTHING, DELAUNAY, ALPHA, CERTIFIED, BY_RATIO, RIPS };

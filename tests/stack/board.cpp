@@ -188,9 +188,7 @@ void prepare(Job job, Kind kind, Random& random, const netmesh_monitor& monitor)
         request.mesh.method =
             DIM == 2 && random.below(2) == 0 ? &netmesh_method_delaunay_small : &netmesh_method_delaunay;
         break;
-    case alpha:
-        request.filter = random.below(2) == 0 ? &netmesh_filter_alpha_small : &netmesh_filter_alpha;
-        break;
+    case alpha: request.filter = random.below(2) == 0 ? &netmesh_filter_alpha_small : &netmesh_filter_alpha; break;
     case rips:
         request.filter = random.below(4) == 0 ? &netmesh_filter_cech : &netmesh_filter_rips;
         if (count > 24) count = 24;
