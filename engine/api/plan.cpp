@@ -11,6 +11,7 @@
 #include "filtration/mesh_filter.hpp"
 #include "filtration/scale_partition.hpp"
 #include "filtration/tight_filter.hpp"
+#include "geometry/circumsphere_exact.hpp"
 #include "jobs/alpha_of_points.hpp"
 #include "jobs/scale_grid.hpp"
 #include "mesh/audit/ball_lists.hpp"
@@ -130,12 +131,10 @@ template <int D> double block_bytes(const Amounts& n, const Planned& planned) {
            n.boundary_cells * sizeof(Cell<D>) * figures<D>.mesh_cells_per_vertex;
 }
 
-// A diagram of few points has its peak where radii are put in order by a table of 16 KB, with `share` of what else it
-// takes.
-template <int D> double alpha_block(const PeakFigures& figures, double points, double share) {
-    const double peak = figures.at<D>(points);
-    const double ordered = block_overhead + sizeof(netmesh_context) + 256 + share * (peak - figures.fixed);
-    return ordered > peak ? ordered : peak;
+// In space a few points take more than the figures say, which are for 60 and more.
+template <int D> double alpha_block(const PeakFigures& figures, double points) {
+    const double peak = figures.at<D>(points), least = D == 3 ? 4000 + 440 * points : 0;
+    return least > peak ? least : peak;
 }
 
 // What a mesh is made for.
@@ -217,7 +216,7 @@ double plan_of_triangulation(const netmesh_points& points, bool with_diagram) {
         constexpr int D = decltype(dimension)::value;
         constexpr const DelaunayFigures& f = DelaunayFiguresOf<D>::value;
         const double n = static_cast<double>(points.count);
-        return with_diagram ? alpha_block<D>(f.filtered, n, D == 2 ? 0.68 : 0.8) : f.triangulated.at<D>(n);
+        return with_diagram ? alpha_block<D>(f.filtered, n) : f.triangulated.at<D>(n);
     });
 }
 
@@ -230,7 +229,8 @@ double plan_of_alpha(const netmesh_request& r) {
             return f.at<D>(static_cast<double>(r.points.count));
         }
         constexpr const PeakFigures& f = DelaunayFiguresOf<D>::value.diagram;
-        return alpha_block<D>(f, static_cast<double>(r.points.count), D == 2 ? 0.395 : 0.8);
+        const std::size_t exact = r.weighting != nullptr ? sizeof(std::uint64_t) * ExactSphere::room(D) : 0;
+        return alpha_block<D>(f, static_cast<double>(r.points.count)) + static_cast<double>(exact);
     });
 }
 

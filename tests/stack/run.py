@@ -6,7 +6,7 @@
 For each core of platform/cortexm/cores.txt and each dimension: the engine as two files for that dimension alone, -Os.
 Its call graph goes through tests/archive/check.py, its jobs through board.cpp in qemu, on N clouds of nine kinds each,
 on stacks of the promised size with a guard below. Results have to be those of this machine, to the bit. --planted: and
-once more with half of the stack, which has to be seen for each job. The whole of it: run.py --clouds 500 --dims 2,3,4."""
+once more with half of the stack, which has to be seen for each job. The whole: run.py --clouds 500 --dims 2,3,4."""
 import argparse
 import concurrent.futures
 import os
