@@ -131,9 +131,9 @@ template <int D> double block_bytes(const Amounts& n, const Planned& planned) {
            n.boundary_cells * sizeof(Cell<D>) * figures<D>.mesh_cells_per_vertex;
 }
 
-// In space a few points take more than the figures say, which are for 60 and more.
+// A few points take more than the figures say, which are for 60 and more.
 template <int D> double alpha_block(const PeakFigures& figures, double points) {
-    const double peak = figures.at<D>(points), least = D == 3 ? 4000 + 440 * points : 0;
+    const double peak = figures.at<D>(points), least = D == 2 ? 3700 + 52 * points : D == 3 ? 4000 + 440 * points : 0;
     return least > peak ? least : peak;
 }
 
@@ -226,7 +226,7 @@ double plan_of_alpha(const netmesh_request& r) {
         constexpr int D = decltype(dimension)::value;
         if (D == 2 && r.weighting == nullptr) {
             const PeakFigures& f = r.points.count <= few_points_max ? plane_figures_few : plane_figures;
-            return f.at<D>(static_cast<double>(r.points.count));
+            return alpha_block<D>(f, static_cast<double>(r.points.count));
         }
         constexpr const PeakFigures& f = DelaunayFiguresOf<D>::value.diagram;
         const std::size_t exact = r.weighting != nullptr ? sizeof(std::uint64_t) * ExactSphere::room(D) : 0;

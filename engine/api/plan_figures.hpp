@@ -38,7 +38,7 @@ struct DelaunayFigures {
     PeakFigures triangulated, filtered, diagram;
 };
 // In the plane without weights, where words have 16 or 32 bits (alpha_of_plane.hpp).
-constexpr PeakFigures plane_figures_few = {3500, 82, 0}, plane_figures = {3500, 106, 0},
+constexpr PeakFigures plane_figures_few = {2700, 82, 0}, plane_figures = {2700, 106.1, 0},
                       few_cells_figures = {2600, 64, 0};
 constexpr DelaunayFigures delaunay_figures_in(int dim) {
     using Peak = ByDimension<PeakFigures>;
