@@ -11,7 +11,6 @@
 #include "filtration/mesh_filter.hpp"
 #include "filtration/scale_partition.hpp"
 #include "filtration/tight_filter.hpp"
-#include "geometry/circumsphere_exact.hpp"
 #include "jobs/alpha_of_points.hpp"
 #include "jobs/scale_grid.hpp"
 #include "mesh/audit/ball_lists.hpp"
@@ -229,7 +228,7 @@ double plan_of_alpha(const netmesh_request& r) {
             return alpha_block<D>(f, static_cast<double>(r.points.count));
         }
         constexpr const PeakFigures& f = DelaunayFiguresOf<D>::value.diagram;
-        const std::size_t exact = r.weighting != nullptr ? sizeof(std::uint64_t) * ExactSphere::room(D) : 0;
+        const std::size_t exact = r.weighting != nullptr ? exact_power_bytes * (D + 3) : 0;
         return alpha_block<D>(f, static_cast<double>(r.points.count)) + static_cast<double>(exact);
     });
 }

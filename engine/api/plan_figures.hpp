@@ -40,6 +40,8 @@ struct DelaunayFigures {
 // In the plane without weights, where words have 16 or 32 bits (alpha_of_plane.hpp).
 constexpr PeakFigures plane_figures_few = {2700, 82, 0}, plane_figures = {2700, 106.1, 0},
                       few_cells_figures = {2600, 64, 0};
+// With weights scratch for exact powers is taken ahead, so much times D + 3 (ExactSphere::room).
+constexpr std::size_t exact_power_bytes = 276 * sizeof(std::uint64_t);
 constexpr DelaunayFigures delaunay_figures_in(int dim) {
     using Peak = ByDimension<PeakFigures>;
     DelaunayFigures f = {};
