@@ -70,13 +70,13 @@ extern "C" {
     ((size_t)((dim) == 2 ? 3328 : (dim) == 3 ? 3840 : (dim) == 4 ? 4736 : \
               NETMESH_STACK_BYTES(dim)))
 #define NETMESH_STACK_BYTES_ALPHA(dim) \
-    ((size_t)((dim) == 2 ? 4096 : (dim) == 3 ? 4096 : (dim) == 4 ? 4992 : \
+    ((size_t)((dim) == 2 ? 4224 : (dim) == 3 ? 4096 : (dim) == 4 ? 4992 : \
               NETMESH_STACK_BYTES(dim)))
 #define NETMESH_STACK_BYTES_CERTIFIED(dim) \
     ((size_t)((dim) == 2 ? 6208 : (dim) == 3 ? 7552 : (dim) == 4 ? 9088 : \
               NETMESH_STACK_BYTES(dim)))
 #define NETMESH_STACK_BYTES_RIPS(dim) \
-    ((size_t)((dim) == 2 ? 4992 : (dim) == 3 ? 4928 : (dim) == 4 ? 4224 : \
+    ((size_t)((dim) == 2 ? 5056 : (dim) == 3 ? 4928 : (dim) == 4 ? 4224 : \
               NETMESH_STACK_BYTES(dim)))
 #define NETMESH_STACK_BYTES_RIPS_SMALL(dim) \
     ((size_t)((dim) == 2 ? 3904 : (dim) == 3 ? 3968 : (dim) == 4 ? 4224 : \
