@@ -77,7 +77,7 @@ set(fast api/report api/structs complex/faces_along delaunay/any_store delaunay/
   delaunay/triangulate diagram/bottleneck diagram/wasserstein filtration/mesh_filter
   filtration/rips_graph homology/lower_star/surface homology/matrix/ball homology/matrix/cohomology
   homology/matrix/homology homology/matrix/image homology/pair_writer homology/rips/rips homology/rips/rips_simplices
-  homology/vineyard/vineyard jobs/alpha_of_points jobs/alpha_of_triangulation mesh/clip/clipped_cell
+  homology/vineyard/vineyard jobs/alpha_of_plane jobs/alpha_of_triangulation mesh/clip/clipped_cell
   mesh/clip/clipped_reach
   mesh/loop/certificate_rule mesh/loop/quality_rule numerics/residues periods/final_stars periods/lattice
   periods/orbits periods/wanted_copies pieces/cancel pieces/leaf pieces/stars predicates/predicates)

@@ -1,6 +1,7 @@
 // What plans are fitted to, measured on uniform points.
 #pragma once
 #include "numerics/elementary.hpp"
+#include "numerics/residues.hpp"
 #include "numerics/square_root.hpp"
 #include "vocabulary/dimension.hpp"
 
@@ -41,19 +42,23 @@ struct DelaunayFigures {
 constexpr PeakFigures plane_figures_few = {2700, 82, 0}, plane_figures = {2700, 106.1, 0},
                       few_cells_figures = {2600, 64, 0};
 // With weights scratch for exact powers is taken ahead, so much times D + 3 (ExactSphere::room).
-constexpr std::size_t exact_power_bytes = 276 * sizeof(std::uint64_t);
+constexpr std::size_t exact_power_bytes = residue_prime_count * sizeof(std::uint64_t);
 constexpr DelaunayFigures delaunay_figures_in(int dim) {
     using Peak = ByDimension<PeakFigures>;
     DelaunayFigures f = {};
     f.triangulated =
         Peak{{{2200, 158, 0}, {2800, 554, 201}, {4100, 3209, 3885}, {14000, 24150, 40287}, {2100, 172700, 300000}}}.at(
             dim);
-    f.filtered =
-        Peak{
-            {{2800, 330, 0}, {-2300, 1333.5, 1200}, {2100, 9471, 14659}, {3000, 90250, 165768}, {2100, 802200, 1450000}}}
-            .at(dim);
+    f.filtered = Peak{
+        {{2800, 330, 0},
+         {-2300, 1333.5, 1200},
+         {2100, 9471, 14659},
+         {3000, 90250, 165768},
+         {2100, 802200,
+          1450000}}}.at(dim);
     f.diagram =
-        Peak{{{2400, 196.5, 0}, {-1400, 762.5, 558}, {2100, 6092, 9257}, {2100, 65330, 119761}, {2100, 635700, 1150000}}}
+        Peak{
+            {{2400, 196.5, 0}, {-1400, 762.5, 558}, {2100, 6092, 9257}, {2100, 65330, 119761}, {2100, 635700, 1150000}}}
             .at(dim);
     return f;
 }

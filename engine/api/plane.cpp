@@ -16,7 +16,8 @@ Complaint settle_few(const Settling& s) {
                : fine();
 }
 
-template <int D> netmesh_status keep_few(netmesh_context* context) {
+netmesh_status mesh_few(netmesh_context* context) {
+    clear(context);
     const netmesh_request& r = context->request;
     Monitor monitor = monitor_of(r.monitor);
     const Watch watch(context->arena, monitor);
@@ -25,10 +26,10 @@ template <int D> netmesh_status keep_few(netmesh_context* context) {
     InputReport input = {};
     FewCells made;
     const Status status =
-        watch.heed(triangulate_few<D>(state, rows_of(r.points), r.points.count, r.seed, work, &input, &made));
+        watch.heed(triangulate_few(state, rows_of(r.points), r.points.count, r.seed, work, &input, &made));
     if (status != Status::ok) return fail_and_clear(context, status, nullptr, input.row_a, input.row_b);
     context->complete = true;
-    context->input = {true, false, D, input.rows, input.duplicates, input.fingerprint, state.vertex_count};
+    context->input = {true, false, 2, input.rows, input.duplicates, input.fingerprint, state.vertex_count};
     context->mesh.method = NETMESH_METHOD_DELAUNAY;
     KeptPlane& plane = context->plane;
     plane.present = true;
@@ -36,17 +37,6 @@ template <int D> netmesh_status keep_few(netmesh_context* context) {
     plane.points = Slice<double>::of(context->arena, made.mesh.points, 2 * std::uint64_t{made.mesh.point_count});
     plane.place = Slice<std::uint16_t>::of(context->arena, made.place, made.mesh.point_count);
     return finish(context, status);
-}
-
-netmesh_status mesh_few(netmesh_context* context) {
-    clear(context);
-    return with_dimension(context->request.points.dim, [&](auto dimension) {
-        constexpr int D = decltype(dimension)::value;
-        if constexpr (D == 2)
-            return keep_few<D>(context);
-        else
-            return finish(context, Status::internal);
-    });
 }
 
 }  // namespace

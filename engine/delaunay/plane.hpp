@@ -101,15 +101,16 @@ template <> struct PlaneQuestion<Weights> {
     }
 };
 
-// Words: of cells that stay; void: finish() is called, not close().
-template <int D, class W = NoWeights, class Words = void> class PlaneRun {
-    static constexpr bool is_kept = std::is_void_v<Words>;
-    using CellWords = std::conditional_t<is_kept, WideWords, Words>;
+// Which of the two ends it comes to.
+enum class PlaneEnd { finish, close };
 
+// Short words are closed.
+template <int D, class W = NoWeights, class Words = WideWords> class PlaneRun {
 public:
     static constexpr int dim = D;
 
-    explicit PlaneRun(Store<D>& store) : store_(store), arena_(store.arena), state_(store.state) {}
+    explicit PlaneRun(Store<D>& store, PlaneEnd end = PlaneEnd::finish)
+        : store_(store), arena_(store.arena), state_(store.state), end_(end) {}
     // Of points with weights; before open.
     void weigh(const Weights& weights) { question_.weights = weights; }
 
@@ -123,7 +124,7 @@ public:
     // Makes a compact store of it.
     void finish();
     // The cells are the last piece at the low end, the points and below them the order at the high end.
-    PlaneTriangulation<CellWords> close();
+    PlaneTriangulation<Words> close();
 
     VertexId vertex_at(std::uint32_t k) const { return VertexId(order_[k]); }
     bool is_in_first_cell(std::uint32_t k) const { return k == first_[0] || k == first_[1] || k == first_[2]; }
@@ -131,8 +132,9 @@ public:
 private:
     static constexpr std::uint32_t next[4] = {1, 2, 0, 0};
     using Question = PlaneQuestion<W>;
-    using Index = typename CellWords::Index;
-    using CellT = std::conditional_t<W::has, MarkedPlaneCell, PlaneCell<CellWords>>;
+    using Index = typename Words::Index;
+    using CellT = std::conditional_t<W::has, MarkedPlaneCell, PlaneCell<Words>>;
+    bool is_finished() const { return !Words::are_short && end_ == PlaneEnd::finish; }
     using PlaneArm = typename Question::Arm;
 
     // Whether q lies inside of a cell, by the sides of its edges, as far as doubles tell.
@@ -159,6 +161,7 @@ private:
     Store<D>& store_;
     Arena& arena_;
     StoreState& state_;
+    const PlaneEnd end_;
     CellT* cells_;
     PlaneLine* lines_;  // line 0
     const Index* order_;
@@ -198,7 +201,7 @@ template <int D, class W, class Words> Status PlaneRun<D, W, Words>::open(const 
             }
         }
     // Both go to where the vertices are, which take more room than they do.
-    if constexpr (!is_kept) {
+    if (!W::has && !is_finished()) {
         const double* const points_below = points;
         const Index* const kept_below = kept;
         arena_.release_high(static_cast<std::size_t>(state_.vertices_end) & ~(Arena::alignment - 1));
@@ -228,7 +231,7 @@ template <int D, class W, class Words> bool PlaneRun<D, W, Words>::has_room(std:
     const std::size_t last = state_.cells_offset + (state_.cell_slots + cells) * sizeof(Cell<D>) + Arena::alignment;
     const std::size_t in_the_end =
         arena_.bytes_free() + last > cells_end_ ? arena_.bytes_free() + last - cells_end_ : 0;
-    const std::size_t needed = now > in_the_end || !is_kept ? now : in_the_end;
+    const std::size_t needed = now > in_the_end || !is_finished() ? now : in_the_end;
     if (needed > arena_.bytes_free()) {
         arena_.refuse(needed);
         return false;
@@ -508,8 +511,7 @@ template <int D, class W, class Words> void PlaneRun<D, W, Words>::finish() {
     arena_.release_high(vertices_begin_);
 }
 
-template <int D, class W, class Words>
-PlaneTriangulation<typename PlaneRun<D, W, Words>::CellWords> PlaneRun<D, W, Words>::close() {
+template <int D, class W, class Words> PlaneTriangulation<Words> PlaneRun<D, W, Words>::close() {
     const std::uint32_t count = close_gaps<D>(cells_, state_.cell_slots, arena_);
     arena_.release_low(static_cast<std::size_t>(state_.cells_offset) + count * sizeof(CellT));
     return {cells_, count, question_.points, state_.vertex_count, order_};

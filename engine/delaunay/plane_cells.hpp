@@ -9,6 +9,7 @@ namespace netmesh {
 
 // 32 bits each.
 struct WideWords {
+    static constexpr bool are_short = false;
     using Vertex = VertexId;
     using Facet = FacetId;
     using Index = std::uint32_t;
@@ -16,6 +17,7 @@ struct WideWords {
 
 // 16 bits each, of up to points_max points: with ghosts these have 2 points_max - 2 cells.
 struct NarrowWords {
+    static constexpr bool are_short = true;
     static constexpr std::uint32_t points_max = 8192;
     using Index = std::uint16_t;
 

@@ -1,8 +1,7 @@
 #include "filtration/point_complexes.hpp"
 
-#include "geometry/circumsphere_close.hpp"
-#include "geometry/circumsphere_exact.hpp"
 #include "geometry/circumsphere_fast.hpp"
+#include "geometry/circumsphere_settle.hpp"
 #include "geometry/half_distance.hpp"
 #include "numerics/real.hpp"
 #include "vocabulary/dimension.hpp"
@@ -96,8 +95,8 @@ private:
 };
 
 template <class Half>
-Status list_cliques(Half half, std::uint32_t n, std::uint32_t dimension, double limit, const Work& work,
-                    ListedComplex* out) {
+[[gnu::noinline]] Status list_cliques(Half half, std::uint32_t n, std::uint32_t dimension, double limit,
+                                      const Work& work, ListedComplex* out) {
     Cliques<Half> cliques(half, n, limit, work, out);
     const Status status = cliques.list(dimension);
     ComplexFault fault;
@@ -107,12 +106,11 @@ Status list_cliques(Half half, std::uint32_t n, std::uint32_t dimension, double 
 // Radii of smallest enclosing balls.
 class EnclosingBalls {
 public:
-    EnclosingBalls(int dim, const double* coordinates, const ListedComplex& complex, std::uint64_t* scratch)
-        : dim_(dim), coordinates_(coordinates), complex_(complex.filtered()), labels_(complex.rows[0]),
-          scratch_(scratch) {}
+    EnclosingBalls(int dim, const double* coordinates, const ListedComplex& complex, Arena& arena)
+        : dim_(dim), coordinates_(coordinates), complex_(complex.filtered()), labels_(complex.rows[0]), arena_(arena) {}
 
     // Of a k-simplex, k >= 2, whose facets have their values. The ball is that of a facet or the simplex's own sphere,
-    // which then has its centre strictly inside. out_of_range.
+    // which then has its centre strictly inside. out_of_memory, out_of_range.
     Status radius(std::uint32_t k, std::uint32_t simplex, double* out) const {
         double value = 0;
         for (std::uint32_t i = 0; i <= k; ++i) {
@@ -128,24 +126,16 @@ public:
         for (std::uint32_t i = 0; i <= k; ++i) point[i] = coordinates_ + vertices[i] * std::size_t{space};
         Circumsphere sphere;
         const double* const* const one[] = {point};
-        Certainty certain = sphere_of(k, space, one, &sphere);
-        if (has_close_look && (certain.within == 0 || certain.radius == 0)) {
-            Circumsphere close;
-            const Certainty closer = look_closely(k, space, point, &close);
-            if (certain.within == 0) sphere.within = close.within;
-            if (certain.radius == 0) sphere.radius = close.radius;
-            certain.within |= closer.within;
-            certain.radius |= closer.radius;
+        const Certainty certain = sphere_of(k, space, one, &sphere);
+        if (certain.within == 0) {
+            const Status status = settle_circumsphere(point, k, dim_, true, false, arena_, &sphere);
+            if (status != Status::ok) return status == Status::check_failed ? Status::ok : status;  // flat
         }
-        if (certain.within != 0 && (sphere.within != 0 || certain.radius != 0)) {
-            if (sphere.within == 0) *out = sphere.radius;
-            return Status::ok;
-        }
-        const ExactSphere exact(point, static_cast<int>(k), dim_);
-        if (!exact.in_range()) return Status::out_of_range;
-        if (certain.within == 0 && !exact.find_within(scratch_, &sphere.within)) return Status::ok;  // flat
         if (sphere.within != 0) return Status::ok;
-        if (certain.radius == 0 && !exact.find_radius(scratch_, &sphere.radius)) return Status::out_of_range;
+        if (certain.radius == 0) {
+            const Status status = settle_circumsphere(point, k, dim_, false, true, arena_, &sphere);
+            if (status != Status::ok) return status;
+        }
         *out = sphere.radius;
         return Status::ok;
     }
@@ -155,7 +145,7 @@ private:
     const double* coordinates_;
     const FilteredComplex complex_;
     const std::uint32_t* labels_;
-    std::uint64_t* scratch_;
+    Arena& arena_;
 };
 
 // The chains of nested sets that end in one set, from the top down: a chain of length m is a path of m - 1 steps.
@@ -238,21 +228,26 @@ Status distance_complex(const DistanceSource& source, std::uint32_t dimension, d
     return list_cliques(half, source.count, dimension, limit, work, out);
 }
 
+namespace {
+
+// Apart from what follows, as it takes its share of the stack.
+[[gnu::noinline]] void measure_listed_edges(const HalfDistances& half, ListedComplex* out, const Arena& arena) {
+    if (out->dimension == 0) return;
+    arena.each(out->count[1], 60, [&](std::uint64_t i) {
+        const std::uint32_t* const ends = out->rows[1] + 2 * i;
+        out->value[1][i] = half(ends[0], ends[1]);
+    });
+}
+
+}  // namespace
+
 Status cech_complex(int dim, const double* coordinates, std::uint32_t n, std::uint32_t dimension, const Work& work,
                     ListedComplex* out) {
     const auto none = [](std::uint32_t, std::uint32_t) { return 0.0; };  // values come below
     Status status = list_cliques(none, n, dimension, infinity, work, out);
     if (status != Status::ok) return status;
-    const HalfDistances half = {dim, coordinates};
-    for (std::uint32_t i = 0; out->dimension > 0 && i < out->count[1];)
-        for (const std::uint64_t piece = work.arena.piece(i, out->count[1], 60); i < piece; ++i) {
-            const std::uint32_t* const ends = out->rows[1] + 2 * std::size_t{i};
-            out->value[1][i] = half(ends[0], ends[1]);
-        }
-    const HighScope scope(work.arena);
-    std::uint64_t* const scratch = work.arena.take_high<std::uint64_t>(ExactSphere::room(dim));
-    if (scratch == nullptr) return Status::out_of_memory;
-    const EnclosingBalls balls(dim, coordinates, *out, scratch);
+    measure_listed_edges({dim, coordinates}, out, work.arena);
+    const EnclosingBalls balls(dim, coordinates, *out, work.arena);
     for (std::uint32_t k = 2; k <= out->dimension; ++k) {
         for (std::uint32_t i = 0; i < out->count[k]; ++i) {
             if (work.monitor.advance(i, 2 * k)) return Status::cancelled;

@@ -30,8 +30,8 @@ Status distance_complex(const DistanceSource& source, std::uint32_t dimension, d
                         ListedComplex* out);
 
 // All simplices of up to dimension + 1 points. The value of a simplex is the radius of its smallest circumsphere if
-// that has its centre inside, otherwise the largest of its facets': the smallest enclosing ball. Scratch: that of
-// ExactSphere. out_of_memory, cancelled; out_of_range, as alpha_values.
+// that has its centre inside, otherwise the largest of its facets': the smallest enclosing ball. Scratch: see
+// settle_circumsphere. out_of_memory, cancelled; out_of_range, as alpha_values.
 Status cech_complex(int dim, const double* coordinates, std::uint32_t n, std::uint32_t dimension, const Work& work,
                     ListedComplex* out);
 

@@ -69,7 +69,8 @@ ExactSphere::Residues ExactSphere::modulo(const ResiduePrime& prime) const {
     return r;
 }
 
-bool ExactSphere::find_within(std::uint64_t* scratch, std::uint32_t* within) const {
+// This and find_radius stand apart, or a caller of both holds the stack of both.
+[[gnu::noinline]] bool ExactSphere::find_within(std::uint64_t* scratch, std::uint32_t* within) const {
     const int n = primes_for_bits(square_bits());
     std::uint64_t* const det = scratch;  // rows: 2 det G beta_0, then det G_i, then det G
     for (int j = 0; j < n; ++j) {
@@ -109,7 +110,7 @@ int ExactSphere::compare_midpoint(double x, std::uint64_t* scratch) const {
     return sign_of_residues(scratch, n);
 }
 
-bool ExactSphere::find_radius(std::uint64_t* scratch, double* radius) const {
+[[gnu::noinline]] bool ExactSphere::find_radius(std::uint64_t* scratch, double* radius) const {
     const int n = primes_for_bits(square_bits());
     for (int j = 0; j < n; ++j) {
         const Residues r = modulo(residue_prime(j));

@@ -7,8 +7,9 @@
 namespace netmesh {
 namespace {
 
-// Of a triangle: a vertex is inside or on the smallest sphere of the edge opposite it where its angle is not acute, so
-// where the product of the two edges there is not positive. On lattices most triangles have a right angle.
+// Of a triangle, a flat one as well: a vertex is inside or on the smallest sphere of the edge opposite it where its
+// angle is not acute, so where the product of the two edges there is not positive. On lattices most triangles have a
+// right angle.
 [[gnu::noinline]] std::uint32_t angles_not_acute(const double* const* point, int dim) {
     std::uint32_t within = 0;
     for (int i = 0; i < 3; ++i) {
@@ -39,7 +40,6 @@ Status settle_circumsphere(const double* const* point, std::uint32_t k, int dim,
         radius = radius && certain.radius == 0;
         if (!within && !radius) return Status::ok;
     }
-    // Whose radius is known is not flat.
     if (k == 2 && !radius) {
         out->within = angles_not_acute(point, dim);
         return Status::ok;

@@ -106,26 +106,29 @@ Status alpha_of_weighted_points(const WeightedAlphaOfPoints& request, const Work
     return status == Status::ok ? move_pairs_down(low, arena, &out->found.pairs) : status;
 }
 
-template <int D, bool are_few>
-static Status alpha_of(const AlphaOfPoints& request, const Work& work, AlphaDiagram* out) {
+using MakeAlphaDiagram = Status(const AlphaOfPoints&, const Work&, AlphaDiagram*);
+template <MakeAlphaDiagram make_diagram>
+static Status make_alpha(const AlphaOfPoints& request, const Work& work, AlphaDiagram* out) {
     const std::size_t low = work.arena.low_mark(), high = work.arena.high_mark();
     *out = AlphaDiagram{};
-    Status status;
-    if constexpr (D == 2)
-        status = alpha_of_plane<D, are_few>(request, work, out);
-    else
-        status = run<D>(request, work, out);
+    const Status status = make_diagram(request, work, out);
     work.arena.release_low(low);
     work.arena.release_high(high);
     return status == Status::ok ? move_pairs_down(low, work.arena, &out->found.pairs) : status;
 }
 
 template <int D> Status alpha_of_points(const AlphaOfPoints& request, const Work& work, AlphaDiagram* out) {
-    return alpha_of<D, false>(request, work, out);
+    if constexpr (D == 2)
+        return make_alpha<alpha_of_plane>(request, work, out);
+    else
+        return make_alpha<run<D>>(request, work, out);
 }
 
 template <int D> Status alpha_of_few_points(const AlphaOfPoints& request, const Work& work, AlphaDiagram* out) {
-    return alpha_of<D, D == 2>(request, work, out);
+    if constexpr (D == 2)
+        return make_alpha<alpha_of_few_in_plane>(request, work, out);
+    else
+        return alpha_of_points<D>(request, work, out);
 }
 
 #define NETMESH_INSTANTIATE(D)                                                                                         \

@@ -235,7 +235,7 @@ const std::vector<Named>& larger_jobs() {
          }},
         {"vineyard", 2,
          [](Session& s) {
-             netmesh_status status = s.mesh(inputs::uniform(2, 400), &netmesh_filter_complete);
+             netmesh_status status = s.mesh(inputs::uniform(2, 800), &netmesh_filter_complete);
              if (status == NETMESH_OK) status = s.vineyard(&netmesh_filter_knn, 2, 5);
              return result(s, status);
          }},

@@ -186,7 +186,7 @@ SEES = {
     "filtration": MESH | {"geometry", "mesh", "homology/rips/rips.hpp", "homology/rank.hpp"},
     "pieces": DELAUNAY | HOMOLOGY | {"delaunay", "complex", "filtration", "homology", "diagram"},
     "periods": DELAUNAY | {"delaunay", "complex"},
-    "jobs": MESH | HOMOLOGY | {"geometry", "mesh", "filtration", "homology", "diagram", "periods"},
+    "jobs": MESH | HOMOLOGY | {"mesh", "filtration", "homology", "diagram", "periods"},
     "api": MESH | HOMOLOGY | {"mesh", "filtration", "homology", "diagram", "laboratory", "jobs", "pieces"},
 }
 INCLUDE = re.compile(r"^[ \t]*#[ \t]*(?:include|include_next|import)\b[ \t]*(.*)", re.M)
@@ -720,7 +720,7 @@ def main():
     size = sub.add_parser("size")
     size.add_argument("--records", required=True)
     size.add_argument("--objects")
-    size.add_argument("--bytes", type=int, default=1_840_000)
+    size.add_argument("--bytes", type=int, default=1_800_000)
     size.add_argument("--nm", default="nm")
     options = parser.parse_args()
     if options.check == "size":

@@ -51,16 +51,16 @@ extern "C" {
 /* clang-format off */
 #if UINTPTR_MAX > 0xFFFFFFFFu
 #define NETMESH_STACK_BYTES_DELAUNAY(dim) \
-    ((size_t)((dim) == 2 ? 7744 : (dim) == 3 ? 9600 : (dim) == 4 ? 9600 : \
+    ((size_t)((dim) == 2 ? 7680 : (dim) == 3 ? 9600 : (dim) == 4 ? 9600 : \
               (dim) == 5 ? 9728 : (dim) == 6 ? 9856 : NETMESH_STACK_BYTES(dim)))
 #define NETMESH_STACK_BYTES_ALPHA(dim) \
-    ((size_t)((dim) == 2 ? 8448 : (dim) == 3 ? 9920 : (dim) == 4 ? 9920 : \
+    ((size_t)((dim) == 2 ? 8000 : (dim) == 3 ? 9920 : (dim) == 4 ? 9920 : \
               (dim) == 5 ? 9984 : (dim) == 6 ? 10112 : NETMESH_STACK_BYTES(dim)))
 #define NETMESH_STACK_BYTES_CERTIFIED(dim) \
     ((size_t)((dim) == 2 ? 13696 : (dim) == 3 ? 13696 : (dim) == 4 ? 13696 : \
               (dim) == 5 ? 13696 : (dim) == 6 ? 13696 : NETMESH_STACK_BYTES(dim)))
 #define NETMESH_STACK_BYTES_RIPS(dim) \
-    ((size_t)((dim) == 2 ? 9920 : (dim) == 3 ? 11328 : (dim) == 4 ? 6912 : \
+    ((size_t)((dim) == 2 ? 9408 : (dim) == 3 ? 11264 : (dim) == 4 ? 6912 : \
               (dim) == 5 ? 6912 : (dim) == 6 ? 6912 : NETMESH_STACK_BYTES(dim)))
 #define NETMESH_STACK_BYTES_RIPS_SMALL(dim) \
     ((size_t)((dim) == 2 ? 6912 : (dim) == 3 ? 6912 : (dim) == 4 ? 6912 : \
@@ -70,13 +70,13 @@ extern "C" {
     ((size_t)((dim) == 2 ? 3328 : (dim) == 3 ? 3840 : (dim) == 4 ? 4736 : \
               NETMESH_STACK_BYTES(dim)))
 #define NETMESH_STACK_BYTES_ALPHA(dim) \
-    ((size_t)((dim) == 2 ? 4224 : (dim) == 3 ? 4096 : (dim) == 4 ? 4992 : \
+    ((size_t)((dim) == 2 ? 3584 : (dim) == 3 ? 4096 : (dim) == 4 ? 4992 : \
               NETMESH_STACK_BYTES(dim)))
 #define NETMESH_STACK_BYTES_CERTIFIED(dim) \
     ((size_t)((dim) == 2 ? 6208 : (dim) == 3 ? 7552 : (dim) == 4 ? 9088 : \
               NETMESH_STACK_BYTES(dim)))
 #define NETMESH_STACK_BYTES_RIPS(dim) \
-    ((size_t)((dim) == 2 ? 5056 : (dim) == 3 ? 4928 : (dim) == 4 ? 4224 : \
+    ((size_t)((dim) == 2 ? 4416 : (dim) == 3 ? 4928 : (dim) == 4 ? 4224 : \
               NETMESH_STACK_BYTES(dim)))
 #define NETMESH_STACK_BYTES_RIPS_SMALL(dim) \
     ((size_t)((dim) == 2 ? 3904 : (dim) == 3 ? 3968 : (dim) == 4 ? 4224 : \
