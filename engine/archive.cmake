@@ -73,7 +73,7 @@ set_property(TARGET netmesh_engine PROPERTY NETMESH_SOURCES ${NETMESH_ENGINE_SOU
 # A Release build is small, but for what the large jobs spend their time in: archive.size counts the bytes of all that
 # is built. What headers leave out at -Os (__OPTIMIZE_SIZE__) stays in: they have to mean the same in all files.
 target_compile_options(netmesh_engine PRIVATE "$<$<CONFIG:Release>:-Os;-U__OPTIMIZE_SIZE__>")
-set(fast api/report api/structs complex/faces_along delaunay/any_store delaunay/spatial_order delaunay/store
+set(fast api/report api/structs complex/faces_along delaunay/any_store delaunay/spatial_order
   delaunay/triangulate diagram/bottleneck diagram/wasserstein filtration/mesh_filter
   filtration/rips_graph homology/lower_star/surface homology/matrix/ball homology/matrix/cohomology
   homology/matrix/homology homology/matrix/image homology/pair_writer homology/rips/rips homology/rips/rips_simplices
@@ -97,11 +97,15 @@ if(CMAKE_BUILD_TYPE STREQUAL "Release" OR CMAKE_CONFIGURATION_TYPES)
   if(CMAKE_CXX_COMPILER_ID STREQUAL "GNU")
     # Loops that -O3 makes twice, or spells out where they are long, and copies of functions cost a fifth of the bytes
     # there and save nothing.
-    set(once filtration/alpha homology/lower_star/lower_star mesh/input_tree numerics/value_order)
+    set(spelled_out --param=max-completely-peeled-insns=100)
+    set(once delaunay/sphere filtration/alpha homology/lower_star/lower_star mesh/input_tree numerics/value_order)
     list(TRANSFORM once REPLACE ".+" "${PROJECT_SOURCE_DIR}/engine/\\0.cpp")
     set_property(SOURCE ${once}
       APPEND PROPERTY COMPILE_OPTIONS "$<$<CONFIG:Release>:-fno-unswitch-loops;-fno-split-loops;-fno-tree-vectorize>"
-        "$<$<CONFIG:Release>:-fno-ipa-cp-clone;--param=max-completely-peeled-insns=100>")
+        "$<$<CONFIG:Release>:-fno-ipa-cp-clone;${spelled_out}>")
+    # The kernel's loops over corners are worth a copy, but not that much of it.
+    set_property(SOURCE ${PROJECT_SOURCE_DIR}/engine/delaunay/kernel.cpp
+      APPEND PROPERTY COMPILE_OPTIONS "$<$<CONFIG:Release>:${spelled_out}>")
   endif()
 endif()
 # Beyond D = 4 the same templates are small, but for triangulations: their sources are compiled once more, for those

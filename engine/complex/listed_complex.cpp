@@ -189,14 +189,33 @@ Status order_by_value(ListedComplex& complex, Arena& arena) {
     return Status::ok;
 }
 
-void vertices_of(const FilteredComplex& complex, const std::uint32_t* labels, std::uint32_t k, std::uint32_t simplex,
-                 std::uint32_t* vertices) {
+namespace {
+
+// facet(d, simplex, i): facet i of a d-simplex.
+template <class Facet>
+void find_vertices(Facet facet, const std::uint32_t* labels, std::uint32_t k, std::uint32_t simplex,
+                   std::uint32_t* vertices) {
     for (std::uint32_t i = 0; i <= k; ++i) {
         std::uint32_t at = simplex, d = k;
-        for (; d > i; --d) at = complex.of[d].faces[std::size_t{at} * (d + 1) + d];
-        for (; d > 0; --d) at = complex.of[d].faces[std::size_t{at} * (d + 1)];
+        for (; d > i; --d) at = facet(d, at, d);
+        for (; d > 0; --d) at = facet(d, at, 0);
         vertices[i] = labels[at];
     }
+}
+
+}  // namespace
+
+void vertices_of(const FilteredComplex& complex, const std::uint32_t* labels, std::uint32_t k, std::uint32_t simplex,
+                 std::uint32_t* vertices) {
+    find_vertices([&complex](std::uint32_t d, std::uint32_t at,
+                             std::uint32_t i) { return complex.of[d].faces[std::size_t{at} * (d + 1) + i]; },
+                  labels, k, simplex, vertices);
+}
+
+void vertices_of(const ListedComplex& complex, std::uint32_t k, std::uint32_t simplex, std::uint32_t* vertices) {
+    find_vertices([&complex](std::uint32_t d, std::uint32_t at,
+                             std::uint32_t i) { return complex.rows[d][std::size_t{at} * (d + 1) + i]; },
+                  complex.rows[0], k, simplex, vertices);
 }
 
 }  // namespace netmesh

@@ -50,5 +50,6 @@ Status order_beside(const double* value, std::uint32_t count, std::uint32_t* row
 // The labels of the vertices of one k-simplex of a linked complex, in the order in which facets lack them. O(k^2).
 void vertices_of(const FilteredComplex& complex, const std::uint32_t* labels, std::uint32_t k, std::uint32_t simplex,
                  std::uint32_t* vertices);
+void vertices_of(const ListedComplex& complex, std::uint32_t k, std::uint32_t simplex, std::uint32_t* vertices);
 
 }  // namespace netmesh

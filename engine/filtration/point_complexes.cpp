@@ -107,22 +107,22 @@ template <class Half>
 class EnclosingBalls {
 public:
     EnclosingBalls(int dim, const double* coordinates, const ListedComplex& complex, Arena& arena)
-        : dim_(dim), coordinates_(coordinates), complex_(complex.filtered()), labels_(complex.rows[0]), arena_(arena) {}
+        : dim_(dim), coordinates_(coordinates), complex_(complex), arena_(arena) {}
 
     // Of a k-simplex, k >= 2, whose facets have their values. The ball is that of a facet or the simplex's own sphere,
     // which then has its centre strictly inside. out_of_memory, out_of_range.
     Status radius(std::uint32_t k, std::uint32_t simplex, double* out) const {
         double value = 0;
         for (std::uint32_t i = 0; i <= k; ++i) {
-            const std::uint32_t facet = complex_.of[k].faces[std::size_t{simplex} * (k + 1) + i];
-            if (complex_.of[k - 1].value[facet] > value) value = complex_.of[k - 1].value[facet];
+            const double facet = complex_.value[k - 1][complex_.rows[k][std::size_t{simplex} * (k + 1) + i]];
+            if (facet > value) value = facet;
         }
         *out = value;
         const std::uint32_t space = static_cast<std::uint32_t>(dim_);
         if (k > space) return Status::ok;  // no more than dim + 1 points hold a ball
         std::uint32_t vertices[dimension_most() + 1];
         const double* point[dimension_most() + 1];
-        vertices_of(complex_, labels_, k, simplex, vertices);
+        vertices_of(complex_, k, simplex, vertices);
         for (std::uint32_t i = 0; i <= k; ++i) point[i] = coordinates_ + vertices[i] * std::size_t{space};
         Circumsphere sphere;
         const double* const* const one[] = {point};
@@ -143,8 +143,7 @@ public:
 private:
     int dim_;
     const double* coordinates_;
-    const FilteredComplex complex_;
-    const std::uint32_t* labels_;
+    const ListedComplex& complex_;
     Arena& arena_;
 };
 

@@ -87,8 +87,10 @@ template <int D, bool lifted> FloatResult float_stage(const double* const* point
 inline double scale(double x, int k) { return x * power_of_two(k / 2) * power_of_two(k - k / 2); }
 
 // With the frame's base, each row divided by its size, so that no range is too wide: an entry or a lift that underflows
-// is too small to matter by far. The rows must be neither zero nor infinite.
-template <class Dim, class Lifted> FloatResult float_stage_scaled(const Frame& frame, Dim dim, Lifted lifted) {
+// is too small to matter by far. The rows must be neither zero nor infinite. A function of its own, as its frame is
+// large and exact stages are called where it would stand.
+template <class Dim, class Lifted>
+[[gnu::noinline]] FloatResult float_stage_scaled(const Frame& frame, Dim dim, Lifted lifted) {
     const int n = frame_rows(dim, lifted), widest = frame.widest(n);
     double column[frame_rows_max][minor_rows_max], product = 1, highest = 0;
     for (int i = 0; i < n; ++i) {

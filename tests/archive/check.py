@@ -232,6 +232,9 @@ def check_includes(engine):
                     faults.append('%s: "%s" is not a file of the engine' % (where, target))
                     continue
                 seen = os.path.relpath(full, engine)
+                if seen.endswith((".cpp", ".c")):
+                    faults.append("%s: %s is a source, not a header" % (where, seen))
+                    continue
                 names_of = {room_of(seen), seen.split(os.sep)[0], seen.replace(os.sep, "/")}
                 if room_of(seen) != room and not names_of & SEES[room]:
                     faults.append("%s: %s does not see %s" % (where, room, seen))
@@ -589,7 +592,7 @@ JOB_RECORD_BYTES = 192  # of netmesh_job, its guard and its alignment (api/job.c
 
 
 def stack_of_jobs(graph, dims):
-    """{(job, dim): (bytes, bytes in slices beside the job's record)}."""
+    """{(job, dim): (bytes, bytes in slices beside the job's record, the deepest chain of calls)}."""
     entry = [t for t in graph.frame if JOB_ENTRY.match(graph.label[t])]
     slices = bool(entry)  # a processor on which stacks are not switched has none
     if slices and (len(entry) != 1 or PAUSE not in graph.frame or not graph.polls):
@@ -602,8 +605,9 @@ def stack_of_jobs(graph, dims):
         if not set(calls) <= set(roots):
             sys.exit("FAULT not in the archive: %s" % " ".join(sorted(set(calls) - set(roots))))
         for dim in dims:
-            found[job, dim] = (max(limited.worst(t, dim)[0] for t in roots),
-                               max(pausing.worst(t, dim)[0] for t in roots) + graph.frame[entry[0]] if slices else 0)
+            plain, chain = max((limited.worst(t, dim) for t in roots), key=lambda found: found[0])
+            sliced = max(pausing.worst(t, dim)[0] for t in roots) + graph.frame[entry[0]] if slices else 0
+            found[job, dim] = plain, sliced, chain
     return found
 
 
@@ -635,8 +639,10 @@ def check_jobs(options):
         RED_ZONE_BYTES = 0
     promise = {key: size * options.percent // 100 for key, size in promised(options, dims).items()}
     print("%-10s %s %10s %10s %10s" % ("job", "D", "bytes", "in slices", "promised"))
-    for (job, dim), (plain, sliced) in stack_of_jobs(graph, dims).items():
+    for (job, dim), (plain, sliced, chain) in stack_of_jobs(graph, dims).items():
         print("%-10s %d %10d %10d %10d" % (job, dim, plain, sliced, promise[job, dim]))
+        if max(plain, sliced + JOB_RECORD_BYTES - promise["JOB", 0]) > promise[job, dim]:
+            print("".join("    %6d  %s\n" % (graph.frame[node], graph.label[node]) for node in chain), end="")
         if plain > promise[job, dim]:
             faults.append("%s in dimension %d takes %d bytes of stack, netmesh/job.h promises %d" %
                           (job, dim, plain, promise[job, dim]))

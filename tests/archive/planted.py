@@ -53,6 +53,7 @@ INCLUDES = {
     "geometry": ("homology/bad.cpp", '#include "../delaunay/kernel.hpp"\n',
                  "homology does not see delaunay/kernel.hpp"),
     "outside": ("api/bad.cpp", '#include "../../platform/clock.hpp"\n', "api does not see ../platform/clock.hpp"),
+    "source": ("mesh/bad.cpp", '#include "mesh/mesh.cpp"\n', "mesh/bad.cpp:1: mesh/mesh.cpp is a source, not a header"),
     "macro": ("api/bad.cpp", "#define KERNEL <cmath>\n#include KERNEL\n", "api/bad.cpp:2: include by macro"),
     "public": ("include/netmesh/bad.h", "#include <stdlib.h>\n",
                "include/netmesh/bad.h:1: <stdlib.h> is not on the allow-list"),
@@ -122,7 +123,7 @@ def plant_compile(options, fault):
 
 def plant_includes(options, fault):
     path, text, words = INCLUDES[fault]
-    for name in ("delaunay/kernel.hpp", "mesh/mesh.hpp", path):
+    for name in ("delaunay/kernel.hpp", "mesh/mesh.hpp", "mesh/mesh.cpp", path):
         full = os.path.join(options.work, "engine", name)
         os.makedirs(os.path.dirname(full), exist_ok=True)
         with open(full, "w", encoding="utf-8") as f:

@@ -530,7 +530,7 @@ REPEATED = {
         "question_.extent2 = width * width + height * height; "
         "if constexpr (W::has) question_.extent2 += question_.weights.difference(most[2], least[2]);",
         "question_.underflow = question_.extent2 < 0x1p240 ? 0x1p-790 : infinity;")}
-ARMS = ("struct PlaneArm {", "template <int D, class W = NoWeights> class PlaneRun {")
+ARMS = ("struct PlaneArm {", "enum class PlaneEnd {")
 
 
 def write_arms(engine, scratch):

@@ -81,7 +81,7 @@ def promises(graphs):
     """{(job, dim): bytes}: the most of (graph, dimensions), rounded up, in slices without what a job takes beside."""
     most = {}
     for graph, dims in graphs:
-        for key, (plain, sliced) in graph_check.stack_of_jobs(graph, dims).items():
+        for key, (plain, sliced, _) in graph_check.stack_of_jobs(graph, dims).items():
             room = (1024 if graph_check.RED_ZONE_BYTES else 512) - graph_check.JOB_RECORD_BYTES
             most[key] = max(most.get(key, 0), plain, sliced - room)
     return {key: -(-n // PROMISE_STEP) * PROMISE_STEP for key, n in most.items()}

@@ -268,64 +268,95 @@ void tell_result(Job job, std::uint64_t number, netmesh_status done) {
     board::write(text.words("\n").words());
 }
 
-void run_clouds(Job job) {
-    const std::size_t given = documented[job] * PERCENT / 100 & ~std::size_t{7};
-    std::size_t deepest = 0, deepest_in_slices = 0;
-    std::uint32_t refused = 0, pauses = 0;
-    const char* deepest_kind = "";
-    for (std::uint32_t i = 0; i < CLOUDS; ++i) {
-        const std::uint64_t number = SEED + i;
-        Random random = {number * 0x9E3779B97F4A7C15u + job};
-        const Kind kind = static_cast<Kind>(i % kind_count);
-        draw(kind, random);
-        const Random choices = random;
-        prepare(job, kind, random, {});
-        paint_area();
-        const auto run_on_stack = [job] {
-            return run_job(job, [](const Call& call) { return call_on(top, call.function, call.first, call.second); });
-        };
-        netmesh_status done = run_on_stack();
-        // A mesh of points at many sizes may be too large for the board: fewer of them.
-        while (done == NETMESH_OUT_OF_MEMORY && count > DIM + 2) {
-            request.points.count = count -= count / 4 + 1;
-            done = run_on_stack();
-        }
-        tell_result(job, number, done);
-#ifdef ON_HOST
-        continue;
-#endif
-        const Used plain = used(given);
-        refused += done != NETMESH_OK;
-        if (plain.bytes > deepest) deepest = plain.bytes, deepest_kind = kind_name[kind];
-        if (!plain.fits) fault(job_name[job], kind_name[kind], number, plain.bytes);
-        if (done == NETMESH_INTERNAL || done == NETMESH_OUT_OF_MEMORY)
-            fault(netmesh_status_text(done), kind_name[kind], number, plain.bytes);
-        if (i % 4 != 0) continue;
+// The deepest that the calls of a job went on a stack of `given` bytes, as a whole and in slices.
+struct Depths {
+    std::size_t given, whole, in_slices;
+    const char* kind;
+    std::uint32_t refused, pauses;
+};
 
-        // In slices the guard has to be whole, too; the job's own record stands at the stack's end.
-        paint_area();
-        const std::size_t bytes = given + NETMESH_STACK_BYTES_JOB;
-        sliced_job = job;
-        if (netmesh_job_init(reinterpret_cast<unsigned char*>(top) - bytes, bytes, task, nullptr, &slices) !=
-            NETMESH_OK)
-            continue;  // ARMv6-M
-        Random again = choices;
-        prepare(job, kind, again, {netmesh_poll_pause, slices});
-        netmesh_status sliced;
-        while ((sliced = netmesh_resume(slices)) == NETMESH_PAUSED) ++pauses;
-        const std::size_t taken = netmesh_stack_used(slices);
-        if (taken > deepest_in_slices) deepest_in_slices = taken;
-        bool whole = true;
-        for (const std::uint32_t* word = area; word < top - bytes / sizeof area[0]; ++word) whole &= *word == paint;
-        if (sliced != done || !whole) fault("in slices", kind_name[kind], number, taken);
+// What is drawn of one cloud: its kind, and where its choices begin.
+struct Cloud {
+    std::uint64_t number;
+    Kind kind;
+    Random choices;
+};
+
+netmesh_status run_on_stack(Job job) {
+    return run_job(job, [](const Call& call) { return call_on(top, call.function, call.first, call.second); });
+}
+
+// A mesh of points at many sizes may be too large for the board: fewer of them.
+netmesh_status run_until_it_fits(Job job) {
+    netmesh_status done = run_on_stack(job);
+    while (done == NETMESH_OUT_OF_MEMORY && count > DIM + 2) {
+        request.points.count = count -= count / 4 + 1;
+        done = run_on_stack(job);
     }
-    if (refused * 100 > CLOUDS * refused_percent_max) fault("too many refused of", job_name[job], refused, 0);
+    return done;
+}
+
+Cloud draw_cloud(Job job, std::uint32_t i) {
+    Cloud cloud = {SEED + i, static_cast<Kind>(i % kind_count), {}};
+    cloud.choices.state = cloud.number * 0x9E3779B97F4A7C15u + job;
+    draw(cloud.kind, cloud.choices);
+    Random choices = cloud.choices;
+    prepare(job, cloud.kind, choices, {});
+    return cloud;
+}
+
+#ifdef ON_HOST
+void run_clouds(Job job) {
+    for (std::uint32_t i = 0; i < CLOUDS; ++i) {
+        const Cloud cloud = draw_cloud(job, i);
+        tell_result(job, cloud.number, run_until_it_fits(job));
+    }
+}
+#else
+// In slices the guard has to be whole, too; the job's own record stands at the stack's end.
+void check_in_slices(Job job, const Cloud& cloud, netmesh_status due, Depths& depths) {
+    paint_area();
+    const std::size_t bytes = depths.given + NETMESH_STACK_BYTES_JOB;
+    sliced_job = job;
+    if (netmesh_job_init(reinterpret_cast<unsigned char*>(top) - bytes, bytes, task, nullptr, &slices) != NETMESH_OK)
+        return;  // ARMv6-M
+    Random choices = cloud.choices;
+    prepare(job, cloud.kind, choices, {netmesh_poll_pause, slices});
+    netmesh_status sliced;
+    while ((sliced = netmesh_resume(slices)) == NETMESH_PAUSED) ++depths.pauses;
+    const std::size_t taken = netmesh_stack_used(slices);
+    if (taken > depths.in_slices) depths.in_slices = taken;
+    bool whole = true;
+    for (const std::uint32_t* word = area; word < top - bytes / sizeof area[0]; ++word) whole &= *word == paint;
+    if (sliced != due || !whole) fault("in slices", kind_name[cloud.kind], cloud.number, taken);
+}
+
+void check_cloud(Job job, const Cloud& cloud, bool is_sliced, Depths& depths) {
+    paint_area();
+    const netmesh_status done = run_until_it_fits(job);
+    const Used plain = used(depths.given);
+    tell_result(job, cloud.number, done);
+    depths.refused += done != NETMESH_OK;
+    if (plain.bytes > depths.whole) depths.whole = plain.bytes, depths.kind = kind_name[cloud.kind];
+    if (!plain.fits) fault(job_name[job], kind_name[cloud.kind], cloud.number, plain.bytes);
+    if (done == NETMESH_INTERNAL || done == NETMESH_OUT_OF_MEMORY)
+        fault(netmesh_status_text(done), kind_name[cloud.kind], cloud.number, plain.bytes);
+    if (is_sliced) check_in_slices(job, cloud, done, depths);
+}
+
+void run_clouds(Job job) {
+    Depths depths = {documented[job] * PERCENT / 100 & ~std::size_t{7}, 0, 0, "", 0, 0};
+    for (std::uint32_t i = 0; i < CLOUDS; ++i) check_cloud(job, draw_cloud(job, i), i % 4 == 0, depths);
+    if (depths.refused * 100 > CLOUDS * refused_percent_max)
+        fault("too many refused of", job_name[job], depths.refused, 0);
     Text text;
-    text.words(job_name[job]).words(" ").number(DIM).words(": ").number(CLOUDS).words(" clouds, ").number(refused);
-    text.words(" refused, deepest ").number(deepest).words(" (").words(deepest_kind).words(") of ").number(given);
-    text.words(", in ").number(pauses).words(" slices ").number(deepest_in_slices).words("\n");
+    text.words(job_name[job]).words(" ").number(DIM).words(": ").number(CLOUDS).words(" clouds, ");
+    text.number(depths.refused).words(" refused, deepest ").number(depths.whole).words(" (").words(depths.kind);
+    text.words(") of ").number(depths.given).words(", in ").number(depths.pauses).words(" slices ");
+    text.number(depths.in_slices).words("\n");
     board::write(text.words());
 }
+#endif
 
 }  // namespace
 

@@ -18,7 +18,7 @@ ROOT = os.path.dirname(os.path.dirname(HERE))
 BOARD = os.path.join(ROOT, "platform", "cortexm")
 CHECK = os.path.join(ROOT, "tests", "archive", "check.py")
 PROGRAM_FLAGS = ["-std=c++17", "-Os", "-ffreestanding", "-fno-exceptions", "-fno-rtti", "-fno-threadsafe-statics",
-                 "-fno-tree-loop-distribute-patterns", "-Wall", "-Wextra"]
+                 "-fno-tree-loop-distribute-patterns", "-ffp-contract=off", "-Wall", "-Wextra"]
 JOBS = ["delaunay", "alpha", "certified", "rips"]
 PLANTED_PERCENT, PLANTED_CLOUDS = 50, 9
 
