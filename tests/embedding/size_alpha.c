@@ -3,6 +3,10 @@
 #include <netmesh.h>
 #include <stdio.h>
 
+#ifndef FILTER
+#define FILTER netmesh_filter_alpha
+#endif
+
 static const double points[][2] = {{0, 0}, {4, 0}, {5, 3}, {2, 5}, {-1, 3}, {2, 2}};
 static union {
     unsigned char bytes[65536];
@@ -18,7 +22,7 @@ int main(void) {
     request.points.coordinates = points[0];
     request.points.count = sizeof points / sizeof points[0];
     request.points.dim = 2;
-    request.filter = &netmesh_filter_alpha;
+    request.filter = &FILTER;
     if (netmesh_persist(context, &request) != NETMESH_OK) return 1;
     pair.struct_bytes = sizeof pair;
     while (netmesh_get_pair(context, count, &pair) == NETMESH_OK) ++count;

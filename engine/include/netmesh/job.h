@@ -51,35 +51,35 @@ extern "C" {
 /* clang-format off */
 #if UINTPTR_MAX > 0xFFFFFFFFu
 #define NETMESH_STACK_BYTES_DELAUNAY(dim) \
-    ((size_t)((dim) == 2 ? 7680 : (dim) == 3 ? 9600 : (dim) == 4 ? 9600 : \
-              (dim) == 5 ? 9728 : (dim) == 6 ? 9856 : NETMESH_STACK_BYTES(dim)))
+    ((size_t)((dim) == 2 ? 6976 : (dim) == 3 ? 9472 : (dim) == 4 ? 9472 : \
+              (dim) == 5 ? 9600 : (dim) == 6 ? 9728 : NETMESH_STACK_BYTES(dim)))
 #define NETMESH_STACK_BYTES_ALPHA(dim) \
-    ((size_t)((dim) == 2 ? 8000 : (dim) == 3 ? 9920 : (dim) == 4 ? 9920 : \
-              (dim) == 5 ? 9984 : (dim) == 6 ? 10112 : NETMESH_STACK_BYTES(dim)))
+    ((size_t)((dim) == 2 ? 7488 : (dim) == 3 ? 9856 : (dim) == 4 ? 9856 : \
+              (dim) == 5 ? 9984 : (dim) == 6 ? 10048 : NETMESH_STACK_BYTES(dim)))
 #define NETMESH_STACK_BYTES_CERTIFIED(dim) \
-    ((size_t)((dim) == 2 ? 13696 : (dim) == 3 ? 13696 : (dim) == 4 ? 13696 : \
-              (dim) == 5 ? 13696 : (dim) == 6 ? 13696 : NETMESH_STACK_BYTES(dim)))
+    ((size_t)((dim) == 2 ? 12224 : (dim) == 3 ? 12736 : (dim) == 4 ? 12800 : \
+              (dim) == 5 ? 12864 : (dim) == 6 ? 12928 : NETMESH_STACK_BYTES(dim)))
 #define NETMESH_STACK_BYTES_RIPS(dim) \
-    ((size_t)((dim) == 2 ? 9408 : (dim) == 3 ? 11264 : (dim) == 4 ? 6912 : \
-              (dim) == 5 ? 6912 : (dim) == 6 ? 6912 : NETMESH_STACK_BYTES(dim)))
+    ((size_t)((dim) == 2 ? 8896 : (dim) == 3 ? 11264 : (dim) == 4 ? 6272 : \
+              (dim) == 5 ? 6272 : (dim) == 6 ? 6272 : NETMESH_STACK_BYTES(dim)))
 #define NETMESH_STACK_BYTES_RIPS_SMALL(dim) \
-    ((size_t)((dim) == 2 ? 6912 : (dim) == 3 ? 6912 : (dim) == 4 ? 6912 : \
-              (dim) == 5 ? 6912 : (dim) == 6 ? 6912 : NETMESH_STACK_BYTES(dim)))
+    ((size_t)((dim) == 2 ? 6272 : (dim) == 3 ? 6272 : (dim) == 4 ? 6272 : \
+              (dim) == 5 ? 6272 : (dim) == 6 ? 6272 : NETMESH_STACK_BYTES(dim)))
 #else
 #define NETMESH_STACK_BYTES_DELAUNAY(dim) \
-    ((size_t)((dim) == 2 ? 3328 : (dim) == 3 ? 3840 : (dim) == 4 ? 4736 : \
+    ((size_t)((dim) == 2 ? 3200 : (dim) == 3 ? 3712 : (dim) == 4 ? 4608 : \
               NETMESH_STACK_BYTES(dim)))
 #define NETMESH_STACK_BYTES_ALPHA(dim) \
-    ((size_t)((dim) == 2 ? 3584 : (dim) == 3 ? 4096 : (dim) == 4 ? 4992 : \
+    ((size_t)((dim) == 2 ? 3584 : (dim) == 3 ? 4096 : (dim) == 4 ? 4928 : \
               NETMESH_STACK_BYTES(dim)))
 #define NETMESH_STACK_BYTES_CERTIFIED(dim) \
     ((size_t)((dim) == 2 ? 6208 : (dim) == 3 ? 7552 : (dim) == 4 ? 9088 : \
               NETMESH_STACK_BYTES(dim)))
 #define NETMESH_STACK_BYTES_RIPS(dim) \
-    ((size_t)((dim) == 2 ? 4416 : (dim) == 3 ? 4928 : (dim) == 4 ? 4224 : \
+    ((size_t)((dim) == 2 ? 4416 : (dim) == 3 ? 4928 : (dim) == 4 ? 3904 : \
               NETMESH_STACK_BYTES(dim)))
 #define NETMESH_STACK_BYTES_RIPS_SMALL(dim) \
-    ((size_t)((dim) == 2 ? 3904 : (dim) == 3 ? 3968 : (dim) == 4 ? 4224 : \
+    ((size_t)((dim) == 2 ? 3904 : (dim) == 3 ? 3904 : (dim) == 4 ? 3904 : \
               NETMESH_STACK_BYTES(dim)))
 #endif
 /* clang-format on */
