@@ -71,8 +71,8 @@ const std::vector<CommandEntry>& command_entries() {
          "unless options say it. Other code then gives a second opinion. With --points it makes exact diagrams again, "
          "in exact\n"
          "arithmetic: every bar, to the last bit; of too many points degree 0, or a sample of it. netmesh-verify or\n"
-         "netmesh-verify-rips verifies the proof of an alpha or Rips diagram that stands beside it or that --proof "
-         "names.\n"
+         "netmesh-verify-rips verifies the proof of an alpha, Rips or Cech diagram that stands beside it or that\n"
+         "--proof names.\n"
          "With --mesh: filter values\n"
          "and ratios from the Voronoi cells, the pairs by a plain reduction. With --representatives cycles' births and "
          "deaths.\n"
@@ -393,11 +393,13 @@ const std::vector<OptionEntry>& option_entries() {
         {"--mesh", persist, "MESH.node", apply_path<&Options::mesh_out>,
          "also write the mesh that is filtered, with the filter's values"},
         {"--proof", persist, "FILE", apply_path<&Options::proof>,
-         "of filters alpha and rips: also write what proves the diagram, for netmesh-verify and netmesh-verify-rips"},
+         "of filters alpha, rips and cech: also write what proves the diagram, for netmesh-verify or\n"
+         "netmesh-verify-rips"},
         {"--proof", homology, "FILE", apply_path<&Options::proof>,
          "also write what proves the diagram, for netmesh-verify-rips"},
         {"--proof", check, "FILE", apply_path<&Options::proof_path>,
-         "of filters alpha and rips, with --points: the proof that is to be verified (DIAGRAM.proof, if it is there)"},
+         "of filters alpha, rips and cech, with --points: the proof that is to be verified (DIAGRAM.proof, if it is\n"
+         "there)"},
         {"--tau", mesh | persist | vineyard | size | check, "T", "tau",
          "bound on the aspect ratio of Voronoi cells, above 2 (2.5 for D = 2, 3; 3.08; 4 for D = 5, 6)"},
         {"--eps", mesh | size | check, "E", "size_eps",

@@ -225,9 +225,9 @@ Outcome check_together(const Options& options) {
     }
     if (!options.proof.empty()) {
         const bool has_proofs = options.command == Command::homology || r.filter == &netmesh_filter_alpha ||
-                                r.filter == &netmesh_filter_rips;
+                                r.filter == &netmesh_filter_rips || r.filter == &netmesh_filter_cech;
         if (!has_proofs)
-            return usage_error("--proof is of filters alpha and rips, not of " +
+            return usage_error("--proof is of filters alpha, rips and cech, not of " +
                                std::string(filter_name(filter_of(options))) +
                                "; `netmesh check` looks at its diagrams");
         for (const char* const name : {"--all", "--least", "--min-persistence", "--top"})

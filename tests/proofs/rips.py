@@ -1,5 +1,5 @@
 #!/usr/bin/env python3
-"""Proofs of Rips diagrams and of listed complexes: rips.py NETMESH VERIFY WORK [--inputs N] [--forgeries N]
+"""Proofs of Rips and Cech diagrams and of listed complexes: rips.py NETMESH VERIFY WORK [--inputs N] [--forgeries N]
 
 - Honest proofs of N inputs: points at random, on lattices, flat, equal, units in the last place apart, of all sizes;
   matrices, triangles and lists of distances with ties and infinite ones; complexes with ties and negative values; with
@@ -91,9 +91,16 @@ def complex_rows(r, kind):
 
 # ---- the truth ----
 
+def square_of(a, b):
+    return sum((Fraction(x) - Fraction(y)) ** 2 for x, y in zip(a, b))
+
+
 def half_of(a, b):
-    """The nearest double to half of the distance, by the squares of what is half way between two."""
-    quarter = sum((Fraction(x) - Fraction(y)) ** 2 for x, y in zip(a, b)) / 4
+    return root_of(square_of(a, b) / 4)
+
+
+def root_of(number):
+    """The nearest double to its root, by the squares of what is half way between two."""
     low, high = 0, bits_of(INF)
 
     def middle(bits):  # of that double and the next one; beyond the largest one of what would be next
@@ -103,7 +110,7 @@ def half_of(a, b):
     while low < high:
         at = (low + high) // 2
         square = middle(at) ** 2
-        if square < quarter or (square == quarter and at % 2 == 1):
+        if square < number or (square == number and at % 2 == 1):
             low = at + 1
         else:
             high = at
@@ -118,6 +125,47 @@ def flag_complex(count, value, top):
             edges = [value(j, i) for i, j in itertools.combinations(s, 2)]
             if all(e is not None for e in edges):
                 simplices[s] = max(edges, default=0.0)
+    return simplices
+
+
+def determinant(rows):
+    rows, result = [list(row) for row in rows], Fraction(1)
+    for i in range(len(rows)):
+        at = next((r for r in range(i, len(rows)) if rows[r][i] != 0), None)
+        if at is None:
+            return Fraction(0)
+        result *= rows[at][i] if at == i else -rows[at][i]
+        rows[i], rows[at] = rows[at], rows[i]
+        for r in range(i + 1, len(rows)):
+            factor = rows[r][i] / rows[i][i]
+            rows[r] = [x - factor * y for x, y in zip(rows[r], rows[i])]
+    return result
+
+
+def centred_square(s, squares):
+    """Square of the radius of the smallest sphere through these points if its centre is strictly inside of them, else
+    0: by the determinants of Cayley and Menger, whose cofactors are the centre's coordinates."""
+    inner = [[squares[frozenset((a, b))] if a != b else Fraction(0) for b in s] for a in s]
+    bordered = [[Fraction(0)] + [Fraction(1)] * len(s)] + [[Fraction(1)] + row for row in inner]
+    whole = determinant(bordered)
+    if whole == 0:
+        return Fraction(0)
+    for i in range(1, len(s) + 1):
+        cofactor = determinant([row[:i] + row[i + 1:] for row in bordered[1:]]) * (-1) ** i
+        if cofactor * whole <= 0:
+            return Fraction(0)
+    return -determinant(inner) / whole / 2
+
+
+def cech_complex(rows, top):
+    """All sets of up to top + 1 points: a smallest enclosing ball is the largest of its subsets' that are centred."""
+    squares = {frozenset((i, j)): square_of(rows[i], rows[j]) for i, j in itertools.combinations(range(len(rows)), 2)}
+    balls, simplices = {}, {}
+    for size in range(1, top + 2):
+        for s in itertools.combinations(range(len(rows)), size):
+            own = centred_square(s, squares) if 2 <= size <= len(rows[0]) + 1 else Fraction(0)
+            balls[s] = max([own, *(balls[s[:i] + s[i + 1:]] for i in range(size) if size > 1)])
+            simplices[s] = root_of(balls[s])
     return simplices
 
 
@@ -201,7 +249,7 @@ class Case:
         return {(i, j): rows[i][j] for i in range(len(rows)) for j in range(i)}
 
     def input_words(self):
-        if self.kind == 3:
+        if self.kind in (3, 6):
             return [len(self.rows[0]), *(bits_of(x) for row in self.different() for x in row)]
         if self.kind == 5:
             return [w for row in self.rows for w in (len(row) - 1, *sorted(map(int, row[:-1])), bits_of(row[-1]))]
@@ -213,6 +261,8 @@ class Case:
     def truth(self):
         if self.kind == 5:
             return bars_of({tuple(sorted(map(int, row[:-1]))): row[-1] for row in self.rows}, self.degree)
+        if self.kind == 6:
+            return bars_of(cech_complex(self.different(), self.degree + 1), self.degree)
         threshold = self.threshold()
         if self.kind == 3:
             rows = self.different()
@@ -339,7 +389,7 @@ def shift_columns(case, r):
 
 def lower_limit(case, r):
     """Edges are left out."""
-    if case.kind == 5:
+    if case.kind >= 5:
         return None
     ends = [e for _, _, e in case.bars if 0 < e < INF]
     if not ends:
@@ -349,7 +399,7 @@ def lower_limit(case, r):
 
 
 def higher_limit(case, _):
-    if case.kind == 5 or case.limit >= 1e300:
+    if case.kind >= 5 or case.limit >= 1e300:
         return None
     case.limit = 2 * case.limit + 1
     return False
@@ -404,7 +454,8 @@ def other_head(case, r):
         return True
     choice = r.randrange(5)
     if choice == 0:
-        case.head = [line for line in case.head if line != "# filter rips"] + ["# filter alpha"]
+        case.head = [line for line in case.head if not line.startswith("# filter")] + [
+            r.choice(["# filter alpha", "# filter cech" if case.kind != 6 else "# filter rips"])]
     elif choice == 1:
         case.head = [line for line in case.head if line != "# distances"] if case.kind == 4 else [*case.head,
                                                                                                   "# distances"]
@@ -458,10 +509,11 @@ class Runner:
 
     def make(self, r, number):
         stem = os.path.join(self.a.work, f"input-{number}")
-        sort = number % 3
-        if sort == 0:
+        sort = number % 4
+        if sort in (0, 3):
             kind = r.choice(["random", "lattice", "last digits", "circle", "flat", "sizes", "tiny"])
-            rows, words = points(r, kind), ["persist", "--filter", "rips"]
+            rows, words = points(r, kind), ["persist", "--filter", "rips" if sort == 0 else "cech"]
+            rows = rows if sort == 0 else rows[:8]
         elif sort == 1:
             kind = r.choice(["random", "ties", "infinite", "tiny", "huge"])
             form, rows = distances(r, kind)
@@ -472,7 +524,9 @@ class Runner:
         with open(stem + ".txt", "w", encoding="ascii") as file:
             for row in rows:
                 write_row(file, row, len(row) - 1 if sort == 2 else 2 if "--sparse" in words else 0)
-        if sort < 2:
+        if sort == 3:
+            words += ["--max-degree", str(r.randrange(0, 4))]
+        elif sort < 2:
             words += ["--max-degree", str(r.randrange(0, 4))]
             if (sort == 0 and len(rows[0]) == 1) or r.random() < 0.4:
                 spread = max((abs(x) for row in rows for x in row if abs(x) < INF), default=1.0)
@@ -489,7 +543,7 @@ class Runner:
             if done.returncode not in (2, 3, 5):
                 self.fault(stem, f"{words}: persist ends with {done.returncode}: {done.stderr}")
             return None
-        return stem, f"{words[0]} {kind}"
+        return stem, f"{' '.join(words[:3]) if sort in (0, 3) else words[0]} {kind}"
 
     def cut(self, r, good):
         """The diagram up to a threshold and its proof, without the line that says so: edges are left out of both."""
@@ -497,7 +551,7 @@ class Runner:
             stem = r.choice(good)
             case = Case(stem)
             ends = [e for _, _, e in case.bars if 0 < e < INF]
-            if case.kind == 5 or not ends:
+            if case.kind >= 5 or not ends:
                 continue
             at = next_double(r.choice(ends), False)
             forms = ["--" + name for name in ("distances", "sparse") if case.word(name) is not None]

@@ -84,7 +84,7 @@ Outcome judge_alpha(const DiagramClaim& claim, const MeshFiles& files, const std
 Outcome second_opinion_on_mesh(const DiagramClaim& claim, const MeshFiles& files, RunReport* run);
 Outcome second_opinion_on_points(const DiagramClaim& claim, const PointCloud& points, RunReport* run);
 
-// The proof of an alpha or Rips diagram of this input, where there is one beside it or --proof names one: what its
+// The proof of an alpha, Rips or Cech diagram of this input, where there is one beside it or --proof names one: what its
 // verifier, netmesh-verify or netmesh-verify-rips, says of it goes to run->checked and claim->is_proven; what it
 // refuses is Exit::check. That there is none, or that the program cannot be run, is said, too; the latter on stderr as
 // well, and where --proof was given it is Exit::data.

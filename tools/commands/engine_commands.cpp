@@ -227,7 +227,7 @@ struct Result {
     std::vector<bool> chosen;  // bars of the engine's diagram that these are; empty: all
     Head head;
     CyclePlaces places;
-    std::string proof;  // of a Rips diagram
+    std::string proof;  // of a Rips or Cech diagram
 };
 
 // Cycles go by vertices of a mesh, or by points.
@@ -461,8 +461,11 @@ Outcome make_and_finish(Options& options, Input& input, double start, double rea
     result.bars = chosen_of(bars, result.chosen);
     keep_chosen(result.chosen, &result.bounds);
     if (needs_list(options)) result.list = bars_of(result.bars);
+    const std::uint32_t top = run.engine->diagram.max_degree;
+    if (!options.proof.empty() && filter_of(options) == NETMESH_FILTER_CECH)
+        result.proof = cech_proof(cloud, top, bars);
     if (!options.proof.empty() && filter_of(options) == NETMESH_FILTER_RIPS) {
-        result.proof = rips_proof(cloud, options.request.threshold, run.engine->diagram.max_degree, bars);
+        result.proof = rips_proof(cloud, options.request.threshold, top, bars);
         if (result.proof.empty()) return no_numbers_for_proof();
     }
     result.head = head_of(options, *run.engine);

@@ -172,17 +172,17 @@ constexpr const char* verifier_of_rips = "netmesh-verify-rips";
 Outcome verify_proof(const PointCloud& points, DiagramClaim* claim, RunReport* run) {
     const Options& made = claim->made;
     const netmesh_filter_id filter = filter_of(made);
-    const bool is_rips = filter == NETMESH_FILTER_RIPS;
-    if (!is_rips && filter != NETMESH_FILTER_ALPHA)
-        return made.proof_path.empty()
-                   ? Outcome{}
-                   : usage_error("--proof is of filters alpha and rips, not of " + std::string(filter_name(filter)));
+    const bool is_listed = filter == NETMESH_FILTER_RIPS || filter == NETMESH_FILTER_CECH;
+    if (!is_listed && filter != NETMESH_FILTER_ALPHA)
+        return made.proof_path.empty() ? Outcome{}
+                                       : usage_error("--proof is of filters alpha, rips and cech, not of " +
+                                                     std::string(filter_name(filter)));
     const bool is_plain = made.points_path != "-" && !chooses(made.table);
     const auto write = [&](TextWriter& out) {
-        is_rips ? write_rips_points(points, points.rows(), out) : write_points(points, made.table.weights, out);
+        is_listed ? write_rips_points(points, points.rows(), out) : write_points(points, made.table.weights, out);
     };
-    return verify({is_rips ? verifier_of_rips : "netmesh-verify", "points", points.name, is_plain,
-                   is_rips ? "points.txt" : "points.npy", write},
+    return verify({is_listed ? verifier_of_rips : "netmesh-verify", "points", points.name, is_plain,
+                   is_listed ? "points.txt" : "points.npy", write},
                   claim, run);
 }
 

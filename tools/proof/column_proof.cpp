@@ -17,7 +17,7 @@ namespace netmesh::tool {
 
 namespace {
 
-enum Kind : std::uint32_t { kind_rips_of_points = 3, kind_rips_of_distances = 4, kind_complex = 5 };
+enum Kind : std::uint32_t { kind_rips_of_points = 3, kind_rips_of_distances = 4, kind_complex = 5, kind_cech = 6 };
 
 // Which edges, one after the other, join two components. ends(e, 0), ends(e, 1): vertices.
 template <class Ends> std::vector<bool> joining_edges(std::uint32_t vertices, std::uint32_t edges, Ends ends) {
@@ -67,6 +67,13 @@ std::string finish(ProofBytes& out) {
     return out.all();
 }
 
+std::string proof_of(const ListedCofaces& complex, const Head& head, const BarSource& bars) {
+    ProofBytes out = begin(head, bars);
+    const auto ends = [&](std::uint32_t e, int which) { return complex.facets(e, 1)[which]; };
+    write_columns(complex, joining_edges(complex.count(0), complex.count(1), ends), head.max_degree, out);
+    return finish(out);
+}
+
 std::string proof_of(const RipsEdges& edges, Head head, const BarSource& bars) {
     const RipsCliques cliques(edges);
     const std::uint32_t most = std::max(edges.vertices, 2u) - 1;  // dimension of a set of all points
@@ -79,6 +86,14 @@ std::string proof_of(const RipsEdges& edges, Head head, const BarSource& bars) {
     };
     write_columns(cliques, joining_edges(edges.vertices, cliques.edge_count(), ends), head.max_degree, out);
     return finish(out);
+}
+
+// The dimension, and the coordinates of different points.
+std::uint64_t points_fingerprint(const PointCloud& different) {
+    Fingerprint f;
+    f.add(different.dim);
+    for (const double x : different.coordinates) f.add(bits_of(x));
+    return f.value();
 }
 
 // n and the halves of all distances; of entries, each edge once, with its vertices.
@@ -108,10 +123,22 @@ std::uint64_t distances_fingerprint(const DistanceFile& file) {
 
 std::string rips_proof(const PointCloud& points, double threshold, std::uint32_t max_degree, const BarSource& bars) {
     const PointCloud different = different_points(points);
-    Fingerprint f;
-    f.add(different.dim);
-    for (const double x : different.coordinates) f.add(bits_of(x));
-    return proof_of(rips_edges(different, threshold), {kind_rips_of_points, different.dim, 0, max_degree, 0, f.value()},
+    const std::uint64_t input = points_fingerprint(different);
+    return proof_of(rips_edges(different, threshold), {kind_rips_of_points, different.dim, 0, max_degree, 0, input},
+                    bars);
+}
+
+std::string cech_proof(const PointCloud& points, std::uint32_t max_degree, const BarSource& bars) {
+    const PointCloud different = different_points(points);
+    const SimplexList sets = complex_of_points(different, false, max_degree + 1, SIZE_MAX);
+    SimplexFile file;
+    for (const FilteredSimplex& s : *sets) {
+        file.vertices.insert(file.vertices.end(), s.vertices.begin(), s.vertices.end());
+        file.starts.push_back(file.vertices.size());
+        file.values.push_back(s.value);
+    }
+    const auto count = static_cast<std::uint32_t>(different.rows());
+    return proof_of(ListedCofaces(file), {kind_cech, different.dim, count, max_degree, 0, points_fingerprint(different)},
                     bars);
 }
 
@@ -133,10 +160,7 @@ std::string complex_proof(const SimplexFile& file, std::uint32_t max_degree, con
     }
     const ListedCofaces complex(file);
     const std::uint32_t degree = std::min(max_degree, complex.dimension());
-    ProofBytes out = begin({kind_complex, 0, complex.count(0), degree, 0, f.value()}, bars);
-    const auto ends = [&](std::uint32_t e, int which) { return complex.facets(e, 1)[which]; };
-    write_columns(complex, joining_edges(complex.count(0), complex.count(1), ends), degree, out);
-    return finish(out);
+    return proof_of(complex, {kind_complex, 0, complex.count(0), degree, 0, f.value()}, bars);
 }
 
 }  // namespace netmesh::tool

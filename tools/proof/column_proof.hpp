@@ -1,5 +1,5 @@
-// The proof of a Rips diagram, or of that of a complex that is listed: what a reduction adds to columns, in the format
-// of docs/proofs.md.
+// The proof of a Rips or Cech diagram, or of that of a complex that is listed: what a reduction adds to columns, in the
+// format of docs/proofs.md.
 #pragma once
 #include <cstdint>
 #include <string>
@@ -17,6 +17,8 @@ namespace netmesh::tool {
 std::string rips_proof(const PointCloud& points, double threshold, std::uint32_t max_degree, const BarSource& bars);
 std::string rips_proof(const DistanceFile& distances, double threshold, std::uint32_t max_degree,
                        const BarSource& bars);
+// Every set of up to max_degree + 2 points is listed, some 200 bytes each.
+std::string cech_proof(const PointCloud& points, std::uint32_t max_degree, const BarSource& bars);
 // Of a file that lists a complex.
 std::string complex_proof(const SimplexFile& file, std::uint32_t max_degree, const BarSource& bars);
 

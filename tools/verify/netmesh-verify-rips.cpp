@@ -1,9 +1,10 @@
 // netmesh-verify-rips INPUT DIAGRAM PROOF [--quiet]
 //
-// Verifies that a persistence diagram is the exact one of a Vietoris-Rips complex of points or distances, or of a
-// filtered complex that a file lists, by the proof beside it. What is claimed, what the files hold and why the checks
-// are enough is on the page tools/docs/proofs.md, "Rips diagrams and listed complexes"; steps 1 to 4 below are those of
-// that page. This file is all of the program, it shares no code with netmesh, and needs nothing but GMP:
+// Verifies that a persistence diagram is the exact one of a Vietoris-Rips complex of points or distances, of a Cech
+// complex of points, or of a filtered complex that a file lists, by the proof beside it. What is claimed, what the
+// files hold and why the checks are enough is on the page tools/docs/proofs.md, "Rips diagrams and listed complexes";
+// steps 1 to 4 below are those of that page. This file is all of the program, it shares no code with netmesh, and needs
+// nothing but GMP:
 //
 //     c++ -std=c++17 -O2 -ffp-contract=off netmesh-verify-rips.cpp -lgmpxx -lgmp
 //
@@ -189,6 +190,7 @@ struct Proof {
         }
         return v;
     }
+    bool ofPoints() const { return kind == 3 || kind == 6; }
     Proof(const string& file, const Diagram& diagram) : name(file), bytes(readFile(file)) {
         if (bytes.compare(0, 16, "netmesh proof 3\n") != 0) badFile(name + ": not a proof of version 3");
         if (bytes.size() < 72) bad("the file is too short");
@@ -203,18 +205,18 @@ struct Proof {
         kind = take(4), dim = take(4), n = take(8), degree = take(8);
         limit = bitsAs<double>(take(8));
         input = take(8);
-        if (kind < 3 || kind > 5) bad("not of a kind of its version");
+        if (kind < 3 || kind > 6) bad("not of a kind of its version");
         if (take(8) != diagram.sum.value()) bad("not of this diagram, by its fingerprint");
-        const bool fits = n > 0 && n < Id(-1) && degree <= 31 && (kind == 3 || dim == 0) && (kind < 5 || limit == 0);
+        const bool fits = n > 0 && n < Id(-1) && degree <= 31 && (ofPoints() || dim == 0) && (kind < 5 || limit == 0);
         if (!fits || !(limit >= 0)) bad("a number that cannot be");
     }
 };
 //---- STEP 2: THE COMPLEX ------------------------------------------------------------------------------------------
-// The nearest double of the root of `square`, times 2^exponent, ties to even.
-double nearestRoot(const mpz_class& square, long exponent) {
+// The nearest double of the root of `square`, times 2^exponent, ties to even. `more`: of a bit more than `square`.
+double nearestRoot(const mpz_class& square, long exponent, bool more = false) {
     const long up = 66 - long(mpz_sizeinbase(square.get_mpz_t(), 2)) / 2;  // so that the root has some 66 bits
     mpz_class scaled = up >= 0 ? mpz_class(square << (2 * up)) : mpz_class(square >> (-2 * up)), rest;
-    const bool lost = up < 0 && mpz_class(scaled << (-2 * up)) != square;
+    const bool lost = more || (up < 0 && mpz_class(scaled << (-2 * up)) != square);
     mpz_class root;
     mpz_sqrtrem(root.get_mpz_t(), rest.get_mpz_t(), scaled.get_mpz_t());
     root = 2 * root + (lost || rest != 0 ? 1 : 0);  // an odd last digit: there is more
@@ -224,6 +226,18 @@ double nearestRoot(const mpz_class& square, long exponent) {
     const int over = cmp(twice, mpz_class(mpz_class(1) << (last - exponent)));
     if (over > 0 || (over == 0 && mpz_odd_p(digits.get_mpz_t()))) digits += 1;
     return square == 0 ? 0 : std::ldexp(digits.get_d(), int(last));
+}
+// All numbers are whole multiples of 2^lowestDigit.
+int lowestDigit(const double* x, size_t count) {
+    int lowest = 1024;
+    for (size_t k = 0; k < count; ++k)
+        if (int exponent; x[k] != 0) std::frexp(x[k], &exponent), lowest = std::min(lowest, exponent - 53);
+    return lowest;
+}
+mpz_class integer(double x, int lowest) {
+    int exponent;
+    const mpz_class z(std::ldexp(std::frexp(x, &exponent), 53));
+    return x == 0 ? z : mpz_class(z << (exponent - 53 - lowest));
 }
 // Half of the distance, rounded to nearest. s + e is the sum of squares but for less than (8 dim + 16) 2^-106 of it:
 // the products and first differences are split exactly, what is left out are squares of their low parts and roundings
@@ -244,21 +258,50 @@ double halfDistance(const double* a, const double* b, size_t dim) {
         const double off = std::fma(-r, r, s) + e, unit = std::ldexp(1, exponent - 53);
         if (std::abs(off) < 0.999 * r * unit * (power && off < 0 ? 0.5 : 1)) return r / 2;
     }
-    int lowest = 1024;
-    for (const double* x : {a, b})
-        for (size_t k = 0; k < dim; ++k)
-            if (int exponent; x[k] != 0) std::frexp(x[k], &exponent), lowest = std::min(lowest, exponent - 53);
-    const auto integer = [&](double x) {
-        int exponent;
-        const mpz_class z(std::ldexp(std::frexp(x, &exponent), 53));
-        return x == 0 ? z : mpz_class(z << (exponent - 53 - lowest));
-    };
+    const int lowest = std::min(lowestDigit(a, dim), lowestDigit(b, dim));
     mpz_class sum = 0;
     for (size_t k = 0; k < dim; ++k) {
-        const mpz_class d = integer(a[k]) - integer(b[k]);
+        const mpz_class d = integer(a[k], lowest) - integer(b[k], lowest);
         sum += d * d;
     }
     return nearestRoot(sum, lowest - 1);
+}
+struct Points {
+    size_t dim = 0;
+    vector<double> x;  // of the different ones
+    Word sum = 0;
+};
+Points readPoints(const Diagram& diagram, const string& input, const Proof& proof) {
+    const Table table = readTable(input, true, false);
+    Points points;
+    points.dim = table.rows[0].size();
+    std::map<vector<double>, size_t> seen;
+    Fingerprint sum;
+    sum.add(Word(points.dim));
+    for (size_t i = 0; i < table.rows.size(); ++i) {
+        if (table.rows[i].size() != points.dim)
+            badFile(input + ", line " + str(table.lines[i]) + ": not as many numbers as before");
+        if (!seen.emplace(table.rows[i], i).second) continue;
+        for (const double c : table.rows[i]) points.x.push_back(c), sum.add(c);
+    }
+    const std::map<string, Word> due = {
+        {"dim", points.dim}, {"points", table.rows.size()}, {"duplicates", table.rows.size() - seen.size()}};
+    for (const auto& [key, number] : due) {
+        Word said = 0;
+        const bool there = diagram.has(key.c_str());
+        if (there ? !readNumber(diagram.head.at(key), said) || said != number : key != "duplicates" || number > 0)
+            refuse("1", diagram.name + ": its head must say " + key + " " + str(number));
+    }
+    if (seen.size() != proof.n || proof.dim != points.dim)
+        refuse("1", proof.name + ": not of so many points, or dimensions");
+    points.sum = sum.value();
+    return points;
+}
+void checkHead(const Diagram& diagram, const Proof& proof) {
+    Word degree = 0;
+    if (!diagram.has("max-degree") || !readNumber(diagram.head.at("max-degree"), degree) || degree != proof.degree)
+        refuse("1", diagram.name + ": its head must say max-degree " + str(proof.degree));
+    if (diagram.has("distances") != (proof.kind == 4)) refuse("1", diagram.name + ": # distances, or points?");
 }
 struct Edge {
     double value;
@@ -269,14 +312,11 @@ public:
     Rips(const Diagram& diagram, const string& input, Proof& proof) : n_(Id(proof.n)) {
         const auto fail = [&](const string& s) { refuse("2", input + ": " + s); };
         double threshold = kInf;
-        Word degree = 0;
         if (diagram.has("threshold") && (!readNumber(diagram.head.at("threshold"), threshold) || !(threshold >= 0)))
             badFile(diagram.name + ": # threshold is no number");
-        if (!diagram.has("max-degree") || !readNumber(diagram.head.at("max-degree"), degree) || degree != proof.degree)
-            refuse("1", diagram.name + ": its head must say max-degree " + str(proof.degree));
-        if (diagram.has("distances") != (proof.kind == 4)) refuse("1", diagram.name + ": # distances, or points?");
+        checkHead(diagram, proof);
         limit_ = std::min(threshold, proof.limit);
-        const Word sum = proof.kind == 3 ? readPoints(diagram, input, proof)
+        const Word sum = proof.kind == 3 ? joinPoints(readPoints(diagram, input, proof))
                                          : readDistances(input, diagram.has("sparse"), threshold, proof);
         if (sum != proof.input) refuse("1", proof.name + ": not of this input, by its fingerprint");
         if (edges.size() >= Id(-1)) fail("too many edges");
@@ -387,41 +427,21 @@ public:
 
 private:
     using Joined = std::pair<Id, Id>;  // a vertex, the rank of the edge to it
-    Word readPoints(const Diagram& diagram, const string& input, const Proof& proof) {
-        const Table table = readTable(input, true, false);
-        const size_t dim = table.rows[0].size();
-        vector<double> x;
-        std::map<vector<double>, size_t> seen;
-        Fingerprint sum;
-        sum.add(Word(dim));
-        for (size_t i = 0; i < table.rows.size(); ++i) {
-            if (table.rows[i].size() != dim)
-                badFile(input + ", line " + str(table.lines[i]) + ": not as many numbers as before");
-            if (!seen.emplace(table.rows[i], i).second) continue;
-            for (const double c : table.rows[i]) x.push_back(c), sum.add(c);
-        }
-        const std::map<string, Word> due = {
-            {"dim", dim}, {"points", table.rows.size()}, {"duplicates", table.rows.size() - seen.size()}};
-        for (const auto& [key, number] : due) {
-            Word said = 0;
-            const bool there = diagram.has(key.c_str());
-            if (there ? !readNumber(diagram.head.at(key), said) || said != number : key != "duplicates" || number > 0)
-                refuse("1", diagram.name + ": its head must say " + key + " " + str(number));
-        }
-        if (seen.size() != n_ || proof.dim != dim) refuse("1", proof.name + ": not of so many points, or dimensions");
+    Word joinPoints(const Points& points) {
+        const size_t dim = points.dim;
         // Beyond that no half of a distance rounds to the limit, the sum of squares being off by less than dim + 3
         // units in the last place.
         const double far = 2 * limit_ + limit_ * 0x1p-30, far2 = far * far * (1 + 0x1p-30);
         for (Id i = 0; i < n_; ++i)
             for (Id j = 0; j < i; ++j) {
-                const double *a = &x[i * dim], *b = &x[j * dim];
+                const double *a = &points.x[i * dim], *b = &points.x[j * dim];
                 double square = 0;
                 for (size_t k = 0; k < dim; ++k) square += (a[k] - b[k]) * (a[k] - b[k]);
                 if (far2 > 0x1p-900 && square > far2 && dim < 1000000) continue;
                 const double half = halfDistance(a, b, dim);
                 if (half <= limit_ && half < kInf) edges.push_back({half, i, j});
             }
-        return sum.value();
+        return points.sum;
     }
     Word readDistances(const string& input, bool sparse, double threshold, const Proof& proof) {
         Table table = readTable(input, false, true);
@@ -545,8 +565,9 @@ public:
             badFile(input + ", line " + str(table.lines[row]) + ": " + s);
         };
         Fingerprint sum;
-        vector<vector<std::pair<double, size_t>>> order;  // of each dimension: values and rows
         vector<Ids> rows;
+        vector<double> values;
+        size_t size = 0;
         for (size_t r = 0; r < table.rows.size(); ++r) {
             const vector<double>& words = table.rows[r];
             Ids& row = rows.emplace_back();
@@ -557,18 +578,49 @@ public:
             }
             std::sort(row.begin(), row.end());
             if (std::adjacent_find(row.begin(), row.end()) != row.end()) bad(r, "a vertex twice");
-            if (order.size() < row.size()) order.resize(row.size());
-            order[row.size() - 1].push_back({words.back(), r});
+            values.push_back(words.back());
+            size = std::max(size, row.size());
             sum.add(Word(row.size()));
             for (const Id v : row) sum.add(Word(v));
             sum.add(words.back());
         }
         if (sum.value() != proof.input) refuse("1", proof.name + ": not of this input, by its fingerprint");
-        if (order[0].size() != proof.n) refuse("1", proof.name + ": not of so many vertices");
-        if (proof.degree >= order.size()) refuse("1", proof.name + ": there are no simplices of such a degree");
+        place(rows, values, size, bad);
+        if (vertices() != proof.n) refuse("1", proof.name + ": not of so many vertices");
+        if (proof.degree >= size) refuse("1", proof.name + ": there are no simplices of such a degree");
+    }
+    size_t vertices() const { return levels_[0].value.size(); }
+    double vertexValue(Id v) const { return levels_[0].value[v]; }
+    double value(int p, Key key) const { return levels_[p].value[key]; }
+    template <class Fn> void each(int p, Fn f) const {
+        for (Key key = levels_[p].value.size(); key-- > 0;)
+            f(key, partner(p, key) != kNone, p > 1 && shortcut(p, key) != kNone);
+    }
+    template <class Fn> void eachCoface(int p, Key key, Fn f) const {
+        for (const Id coface : levels_[p].cofaces[key]) f(Key(coface));
+    }
+    // The two of a shortcut pair: the last facet of a simplex, and that one's first coface.
+    Key shortcut(int q, Key key) const {
+        const Id* const f = &levels_[q].facets[key * (q + 1)];
+        const Id last = *std::max_element(f, f + q + 1);
+        return levels_[q - 1].cofaces[last][0] == key ? last : kNone;
+    }
+    Key partner(int p, Key key) const {
+        const Ids& cofaces = levels_[p].cofaces[key];
+        return !cofaces.empty() && shortcut(p + 1, cofaces[0]) == key ? cofaces[0] : kNone;
+    }
+    bool pivotOfEdges(const vector<Key>&, Key&) const { return false; }
+    vector<Edge> edges;  // between vertices by their keys
+
+protected:
+    Listed() = default;
+    // Of simplices by their vertices, ascending, at most `size` of them each.
+    template <class Fn> void place(const vector<Ids>& rows, const vector<double>& values, size_t size, Fn bad) {
+        vector<vector<std::pair<double, size_t>>> order(size);  // of each dimension: values and rows
+        for (size_t r = 0; r < rows.size(); ++r) order[rows[r].size() - 1].push_back({values[r], r});
         vector<std::pair<Ids, Id>> below, keys;  // by vertices
-        levels_.resize(order.size() + 1);
-        for (size_t p = 0; p < order.size(); ++p) {
+        levels_.resize(size + 1);
+        for (size_t p = 0; p < size; ++p) {
             std::sort(order[p].begin(), order[p].end());
             keys.clear();
             Level& level = levels_[p];
@@ -595,28 +647,6 @@ public:
         for (size_t e = 0; e < levels_[1].value.size(); ++e)
             edges.push_back({levels_[1].value[e], levels_[1].facets[2 * e], levels_[1].facets[2 * e + 1]});
     }
-    size_t vertices() const { return levels_[0].value.size(); }
-    double vertexValue(Id v) const { return levels_[0].value[v]; }
-    double value(int p, Key key) const { return levels_[p].value[key]; }
-    template <class Fn> void each(int p, Fn f) const {
-        for (Key key = levels_[p].value.size(); key-- > 0;)
-            f(key, partner(p, key) != kNone, p > 1 && shortcut(p, key) != kNone);
-    }
-    template <class Fn> void eachCoface(int p, Key key, Fn f) const {
-        for (const Id coface : levels_[p].cofaces[key]) f(Key(coface));
-    }
-    // The two of a shortcut pair: the last facet of a simplex, and that one's first coface.
-    Key shortcut(int q, Key key) const {
-        const Id* const f = &levels_[q].facets[key * (q + 1)];
-        const Id last = *std::max_element(f, f + q + 1);
-        return levels_[q - 1].cofaces[last][0] == key ? last : kNone;
-    }
-    Key partner(int p, Key key) const {
-        const Ids& cofaces = levels_[p].cofaces[key];
-        return !cofaces.empty() && shortcut(p + 1, cofaces[0]) == key ? cofaces[0] : kNone;
-    }
-    bool pivotOfEdges(const vector<Key>&, Key&) const { return false; }
-    vector<Edge> edges;  // between vertices by their keys
 
 private:
     struct Level {
@@ -625,6 +655,102 @@ private:
         vector<Ids> cofaces;  // ascending
     };
     vector<Level> levels_;
+};
+// All sets of up to degree + 2 points, each at the radius of its smallest enclosing ball: that of its smallest sphere
+// if the centre is strictly inside, else the largest of its facets.
+class Cech : public Listed {
+public:
+    Cech(const Diagram& diagram, const string& input, const Proof& proof) {
+        checkHead(diagram, proof);
+        if (diagram.has("threshold")) refuse("1", diagram.name + ": up to a threshold, not the whole complex");
+        points_ = readPoints(diagram, input, proof);
+        if (points_.sum != proof.input) refuse("1", proof.name + ": not of this input, by its fingerprint");
+        const Id n = Id(proof.n);
+        double count = 0, some = 1;
+        for (Word p = 0; p <= proof.degree + 1 && p < n; ++p) count += some *= double(n - p) / double(p + 1);
+        if (count > 0x1p31) refuse("2", input + ": more simplices than this program can number");
+        lowest_ = lowestDigit(points_.x.data(), points_.x.size());
+        for (const double c : points_.x) place_.push_back(integer(c, lowest_));
+        vector<Ids> sets;  // of all sizes, of each by vertices
+        vector<double> radii;
+        for (Id v = 0; v < n; ++v) sets.push_back({v}), radii.push_back(0);
+        size_t facets = 0;
+        for (Word p = 1; p <= proof.degree + 1; ++p) {
+            const size_t begin = facets;
+            facets = sets.size();
+            for (size_t s = begin; s < facets; ++s)
+                for (Id v = sets[s].back() + 1; v < n; ++v) {
+                    Ids set = sets[s];
+                    set.push_back(v);
+                    double radius = 0;
+                    if (!isCentred(set, radius)) radius = ofFacets(set, sets, radii, begin, facets);
+                    if (radius == kInf) refuse("2", input + ": a radius beyond the largest double");
+                    sets.push_back(std::move(set)), radii.push_back(radius);
+                }
+        }
+        place(sets, radii, proof.degree + 2, [](size_t, const char* what) { refuse("2", what); });
+    }
+
+private:
+    double ofFacets(const Ids& set, const vector<Ids>& sets, const vector<double>& radii, size_t begin, size_t end) {
+        double most = 0;
+        for (size_t i = 0; i < set.size(); ++i) {
+            Ids facet = set;
+            facet.erase(facet.begin() + long(i));
+            const auto at = std::lower_bound(sets.begin() + long(begin), sets.begin() + long(end), facet);
+            most = std::max(most, radii[size_t(at - sets.begin())]);
+        }
+        return most;
+    }
+    // Is the centre strictly inside? With v_i from the first point to the others it is the first and the sum of x_i v_i
+    // where 2 v_i v_j x_j = v_i v_i, and the square of the radius is half of the sum of x_i v_i v_i. By elimination
+    // without fractions, which leaves the determinant in the diagonal and as many times x_i behind it.
+    bool isCentred(const Ids& set, double& radius) const {
+        const size_t k = set.size() - 1, dim = points_.dim;
+        if (k == 1) return radius = halfDistance(&points_.x[set[0] * dim], &points_.x[set[1] * dim], dim), true;
+        if (k > dim) return false;
+        vector<mpz_class> v(k * dim), a(k * (k + 1)), square(k);
+        for (size_t i = 0; i < k; ++i)
+            for (size_t c = 0; c < dim; ++c) v[i * dim + c] = place_[set[i + 1] * dim + c] - place_[set[0] * dim + c];
+        for (size_t i = 0; i < k; ++i)
+            for (size_t j = 0; j <= i; ++j) {
+                mpz_class product = 0;
+                for (size_t c = 0; c < dim; ++c) product += v[i * dim + c] * v[j * dim + c];
+                if (i == j) square[i] = a[i * (k + 1) + k] = product;
+                a[i * (k + 1) + j] = a[j * (k + 1) + i] = 2 * product;
+            }
+        mpz_class before = 1, term;
+        for (size_t s = 0; s < k; ++s) {
+            const mpz_class pivot = a[s * (k + 1) + s];
+            if (pivot == 0) return false;  // they are in a flat of less dimensions
+            for (size_t i = 0; i < k; ++i) {
+                if (i == s) continue;
+                const mpz_class factor = a[i * (k + 1) + s];
+                for (size_t j = 0; j <= k; ++j) {
+                    mpz_class& entry = a[i * (k + 1) + j];
+                    term = pivot * entry - factor * a[s * (k + 1) + j];
+                    mpz_divexact(entry.get_mpz_t(), term.get_mpz_t(), before.get_mpz_t());
+                }
+            }
+            before = pivot;
+        }
+        mpz_class first = before, sum = 0;
+        for (size_t i = 0; i < k; ++i) {
+            const mpz_class& x = a[i * (k + 1) + k];
+            if (x <= 0) return false;
+            first -= x, sum += x * square[i];
+        }
+        if (first <= 0) return false;
+        const mpz_class below = 2 * before;
+        const long digits = 136 + long(mpz_sizeinbase(below.get_mpz_t(), 2)) - long(mpz_sizeinbase(sum.get_mpz_t(), 2)),
+                   shift = digits > 0 ? digits + digits % 2 : 0;
+        sum <<= shift;
+        const mpz_class whole = sum / below;
+        return radius = nearestRoot(whole, lowest_ - shift / 2, whole * below != sum), true;
+    }
+    Points points_;
+    int lowest_ = 0;
+    vector<mpz_class> place_;  // times 2^-lowest_
 };
 //---- STEP 3: COLUMNS ----------------------------------------------------------------------------------------------
 template <class Complex> class Columns {
@@ -747,10 +873,11 @@ int main(int argc, char** argv) {
         for (const char* claim : {"box", "cell", "radii", "weights", "a"})  // a: a choice of bars
             if (diagram.has(claim)) badFile(diagram.name + ": by its head it claims something else: # " + claim);
         Proof proof(argv[3], diagram);
-        const bool listed = proof.kind == 5;
-        if (!listed && (!diagram.has("filter") || diagram.head.at("filter") != "rips"))
-            refuse("1", diagram.name + ": not one line # filter rips");
-        const string report = (listed ? verify<Listed> : verify<Rips>)(diagram, argv[1], proof);
+        const bool listed = proof.kind == 5, cech = proof.kind == 6;
+        const char* const filter = cech ? "cech" : "rips";
+        if (!listed && (!diagram.has("filter") || diagram.head.at("filter") != filter))
+            refuse("1", diagram.name + ": not one line # filter " + filter);
+        const string report = (listed ? verify<Listed> : cech ? verify<Cech> : verify<Rips>)(diagram, argv[1], proof);
         if (!quiet) std::fputs(report.c_str(), stdout);
         return 0;
     } catch (const Failure& failure) {

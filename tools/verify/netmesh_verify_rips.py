@@ -1,5 +1,6 @@
 #!/usr/bin/env python3
-"""Verifies an exact Rips diagram, or that of a listed complex: netmesh_verify_rips.py INPUT DIAGRAM PROOF [--quiet]
+"""Verifies an exact Rips or Cech diagram, or that of a listed complex:
+netmesh_verify_rips.py INPUT DIAGRAM PROOF [--quiet]
 The reading of tools/docs/proofs.md, "Rips diagrams and listed complexes", in plain Python, the standard library alone,
 no code shared with netmesh. Every simplex is listed with its facets and cofaces, columns are sets, and distances of
 points are roots of integers. Meant for small inputs: up to some ten thousand simplices.
@@ -11,6 +12,7 @@ import struct
 import sys
 from collections import Counter
 from fractions import Fraction
+from itertools import combinations
 from pathlib import Path
 
 INF = math.inf
@@ -116,8 +118,8 @@ class Proof:
         need(struct.unpack("<Q", data[-8:])[0] == fingerprint([len(data) - 8, *words]), 1, "the proof is damaged")
         self.kind, self.dim, self.n, self.degree, self.limit, self.input, diagram = struct.unpack("<IIQQdQQ",
                                                                                                   data[16:64])
-        need(3 <= self.kind <= 5 and self.limit >= 0 and 0 < self.n < 2**32 - 1 and self.degree <= 31 and
-             (self.kind == 3 or self.dim == 0) and (self.kind < 5 or self.limit == 0), 1, "a number that cannot be")
+        need(3 <= self.kind <= 6 and self.limit >= 0 and 0 < self.n < 2**32 - 1 and self.degree <= 31 and
+             (self.kind in (3, 6) or self.dim == 0) and (self.kind < 5 or self.limit == 0), 1, "a number that cannot be")
         need(diagram == fingerprint(w for d, b, e in bars for w in (d, bits(b), bits(e))), 1, "not of this diagram")
         self.data, self.at = data[:-8], 64
 
@@ -136,18 +138,21 @@ class Proof:
 
 # ---- Step 2: the complex. Of each dimension a list of (vertices, value) in order ----
 
-def half_distance(a, b):
-    square = sum((Fraction(x) - Fraction(y)) ** 2 for x, y in zip(a, b))
+def nearest_root(square):
     digits = 1100  # all doubles and what lies in the middle of two are whole numbers in these units
     whole = square.numerator * square.denominator << 2 * digits
     root = math.isqrt(whole)
     try:
-        return float(Fraction(2 * root + (root * root < whole), square.denominator << (digits + 2)))
+        return float(Fraction(2 * root + (root * root < whole), square.denominator << (digits + 1)))
     except OverflowError:
         return INF
 
 
-def points_edges(name, head, proof):
+def half_distance(a, b):
+    return nearest_root(sum((Fraction(x) - Fraction(y)) ** 2 for x, y in zip(a, b)) / 4)
+
+
+def read_points(name, head, proof):
     rows = read_rows(name, header=True)
     points = list(dict.fromkeys(map(tuple, rows)))
     if any(len(row) != len(rows[0]) for row in rows):
@@ -156,6 +161,11 @@ def points_edges(name, head, proof):
         need(head.get(key, "0" if key == "duplicates" else "") == str(due), 1, f"the head must say {key} {due}")
     need(proof.dim == len(rows[0]) and proof.n == len(points), 1, "not of so many points, or dimensions")
     need(proof.input == fingerprint([proof.dim, *(bits(x) for point in points for x in point)]), 1, "other points")
+    return points
+
+
+def points_edges(name, head, proof):
+    points = read_points(name, head, proof)
     return {(i, j): (Fraction(0), half_distance(points[i], points[j])) for i in range(proof.n) for j in range(i)}
 
 
@@ -208,6 +218,41 @@ def rips(edges, head, proof):
             last = max(rank[frozenset((u, v))] for u in c for v in c if u < v)
             level.append((last, [v for v in reversed(c) if v not in order[last]], c))
         levels.append([(c, edges[order[last]]) for last, _, c in sorted(level)])
+    return levels
+
+
+def centred_radius(points):
+    """Of the smallest sphere through the points if its centre is strictly inside of them, else None."""
+    origin, *others = ([Fraction(x) for x in point] for point in points)
+    edges = [[x - y for x, y in zip(point, origin)] for point in others]
+    squares = [sum(x * x for x in edge) for edge in edges]
+    rows = [[2 * sum(x * y for x, y in zip(a, b)) for b in edges] + [square] for a, square in zip(edges, squares)]
+    for i, row in enumerate(rows):  # 2 v_i v_j x_j = v_i v_i; the matrix has no negative pivots
+        if row[i] == 0:
+            return None
+        row[:] = [x / row[i] for x in row]
+        for other in rows:
+            if other is not row:
+                other[:] = [x - other[i] * y for x, y in zip(other, row)]
+    centre = [row[-1] for row in rows]
+    if min(centre) <= 0 or sum(centre) >= 1:
+        return None
+    return nearest_root(sum(x * square for x, square in zip(centre, squares)) / 2)
+
+
+def cech(name, head, proof):
+    need(head.get("max-degree") == str(proof.degree), 1, f"the head must say max-degree {proof.degree}")
+    need("threshold" not in head, 1, "up to a threshold, not the whole complex")
+    points = read_points(name, head, proof)
+    levels = [[((v,), 0.0) for v in range(proof.n)]]
+    for size in range(2, proof.degree + 3):
+        below = dict(levels[-1])
+        level = []
+        for s in combinations(range(proof.n), size):
+            own = centred_radius([points[v] for v in s]) if size <= proof.dim + 1 else None
+            level.append((s, own if own is not None else max(below[s[:i] + s[i + 1:]] for i in range(size))))
+        need(all(value < INF for _, value in level), 2, "a radius beyond the largest double")
+        levels.append(sorted(level, key=lambda row: row[1]))
     return levels
 
 
@@ -291,9 +336,13 @@ def verify(name, diagram, proof_name):
     if proof.kind == 5:
         levels = listed(name, head, proof)
     else:
-        need(head.get("filter") == "rips", 1, "not one line # filter rips")
+        which = "cech" if proof.kind == 6 else "rips"
+        need(head.get("filter") == which, 1, f"not one line # filter {which}")
         need(("distances" in head) == (proof.kind == 4), 1, "# distances, or points?")
-        levels = rips((points_edges if proof.kind == 3 else distances_edges)(name, head, proof), head, proof)
+        if proof.kind == 6:
+            levels = cech(name, head, proof)
+        else:
+            levels = rips((points_edges if proof.kind == 3 else distances_edges)(name, head, proof), head, proof)
     found, claimed = columns(levels, proof), Counter(bars)
     for bar in sorted((found - claimed) + (claimed - found)):
         need(False, 4, f"the bar {bar} is {'missing' if found[bar] > claimed[bar] else 'not there, or not so often'}")
