@@ -150,11 +150,11 @@ def without():
            "no proof beside it: there is no bare.proof; persist --proof writes one", "second opinion")
     expect("no such proof", run("check", "bare.pers", "--points", "bare.txt", "--proof", "none.proof"), 3,
            "none.proof: no such file, which --proof names")
-    expect("cech", run("persist", "p.txt", "--filter", "cech", "--max-degree", "0", "-o", "cech.pers"), 0)
-    copy("p.proof", "cech.proof")
-    expect("cech beside", run("check", "cech.pers", "--points", "p.txt"), 0, never=["proof"])
-    expect("cech named", run("check", "cech.pers", "--points", "p.txt", "--proof", "cech.proof"), 2,
-           "--proof is of filters alpha and rips, not of cech")
+    expect("complete", run("persist", "p.txt", "--filter", "complete", "-o", "complete.pers"), 0)
+    copy("p.proof", "complete.proof")
+    expect("complete beside", run("check", "complete.pers", "--points", "p.txt"), 0, never=["proof"])
+    expect("complete named", run("check", "complete.pers", "--points", "p.txt", "--proof", "complete.proof"), 2,
+           "--proof is of filters alpha, rips and cech, not of complete")
     for words, said in ((["p.pers"], "--proof goes with a diagram (.pers) and --points, without --mesh"),
                         (["p.pers", "--points", "p.txt", "--mesh", "p.node"], "and --points, without --mesh"),
                         (["p.node"], "--proof does nothing here: it says nothing about a mesh (.node)")):
@@ -162,11 +162,12 @@ def without():
 
 
 def rips():
-    """Rips diagrams of points, with a threshold and without, and of distances of each form."""
+    """Rips diagrams of points, with a threshold and without, and of distances of each form; a Cech diagram."""
     proven = "verified by " + VERIFY_RIPS
     table = "name,x,y\n" + "".join(f"\"n {i}\",{line.replace(' ', ',')}\n"
                                   for i, line in enumerate(read("p.txt").split("\n")[:-1] + ["1 2", "1 2"]))
     write("named.csv", table)
+    write("few.csv", "".join(line + "\n" for line in table.split("\n")[:16]))
     write("full.txt", "0 1 2\n1 0 1.5\n2 1.5 0\n")
     write("noise.txt", "0 1 2\n1.00000000000001 0 1.5\n2 1.5 0\n")
     write("lower.txt", "1\n2 1.5\n2 2 inf\n")
@@ -187,6 +188,12 @@ def rips():
                "proof: by r.proof every bar is true", how, proven)
     expect("rips, stdin", run("check", "r.pers", "--points", "-", stdin=read("condensed.txt")), 0,
            "for the distances that netmesh reads in", proven)
+    expect("made cech", run("persist", "few.csv", "--columns", "x,y", "--filter", "cech", "-q", "-o", "c.pers", "--proof",
+                            "c.proof"), 0)
+    expect("cech", run("check", "c.pers", "--points", "few.csv", "--columns", "x,y"), 0, "reproduced",
+           "proof: by c.proof every bar is true", "for the points that netmesh reads in few.csv", proven)
+    write("c.pers", read("c.pers").replace("# filter cech", "# filter rips"))
+    expect("cech for rips", run("check", "c.pers", "--points", "few.csv", "--columns", "x,y", "--proof", "c.proof"), 7)
     # Refused: another's proof, one of the other kind, one that is cut.
     expect("a proof of alpha", run("check", "r.pers", "--points", "condensed.txt", "--proof", "p.proof"), 7,
            "p.proof: check failed: p.proof: not a proof of version 3")

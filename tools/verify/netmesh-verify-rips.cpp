@@ -2,7 +2,7 @@
 //
 // Verifies that a persistence diagram is the exact one of a Vietoris-Rips complex of points or distances, of a Cech
 // complex of points, or of a filtered complex that a file lists, by the proof beside it. What is claimed, what the
-// files hold and why the checks are enough is on the page tools/docs/proofs.md, "Rips diagrams and listed complexes";
+// files hold and why the checks are enough is on the page tools/docs/proofs.md, "Rips, Cech and listed complexes";
 // steps 1 to 4 below are those of that page. This file is all of the program, it shares no code with netmesh, and needs
 // nothing but GMP:
 //

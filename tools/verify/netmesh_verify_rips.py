@@ -1,7 +1,7 @@
 #!/usr/bin/env python3
 """Verifies an exact Rips or Cech diagram, or that of a listed complex:
 netmesh_verify_rips.py INPUT DIAGRAM PROOF [--quiet]
-The reading of tools/docs/proofs.md, "Rips diagrams and listed complexes", in plain Python, the standard library alone,
+The reading of tools/docs/proofs.md, "Rips, Cech and listed complexes", in plain Python, the standard library alone,
 no code shared with netmesh. Every simplex is listed with its facets and cofaces, columns are sets, and distances of
 points are roots of integers. Meant for small inputs: up to some ten thousand simplices.
 Exit: 0 verified; 7 not proven (step and place on stderr); 2 usage; 3 a file cannot be read or is malformed.

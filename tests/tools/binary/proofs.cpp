@@ -30,8 +30,7 @@ TEST_CASE("what a proof does not go with is refused by name, and leaves no file"
         CHECK(result.says(words));
         CHECK(!folder.has("p.proof"));
     };
-    refused("--filter cech", "--proof is of filters alpha and rips, not of cech");
-    refused("--filter complete", "--proof is of filters alpha and rips, not of complete");
+    refused("--filter complete", "--proof is of filters alpha, rips and cech, not of complete");
     refused("--filter rips --threshold 1 --top 2", "--proof does not go with --top");
     refused("--filter rips -o d.csv", "a diagram with a proof is written to .pers");
     refused("--filter rips --threshold 1 -o d.csv", "a diagram with a proof is written to .pers");
