@@ -116,5 +116,5 @@ const netmesh_filter netmesh_filter_alpha = {NETMESH_FILTER_ALPHA,
                                              nullptr};
 extern const netmesh_filter netmesh_filter_alpha_small;
 const netmesh_filter netmesh_filter_alpha_small = {
-    NETMESH_FILTER_ALPHA, given::seed, run_small_alpha, settle_small_alpha, nullptr, nullptr, nullptr};
+    NETMESH_FILTER_ALPHA, given::seed, run_small_alpha, settle_small_alpha, nullptr, nullptr, nullptr, true};
 }

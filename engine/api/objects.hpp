@@ -79,6 +79,7 @@ struct netmesh_filter {
     netmesh::Complaint (*settle)(const netmesh::Settling& settling);
     const netmesh::MeshFilter* on_mesh;       // null: not one on meshes
     const netmesh_method *by_tau, *by_ratio;  // what its meshes are made by; by_ratio null: not by a ratio
+    bool is_small = false;                    // of the two filters with its id the one that links less
 };
 
 // mesh: that of the context's request, in place of what the context held; null: left out of this build.

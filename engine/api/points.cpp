@@ -174,7 +174,7 @@ netmesh_status run_on_points(netmesh_context* context) { return run_by<diagram_o
 double plan_of_points(const netmesh_request& r) {
     const PointsFilter filter = points_filter_of(r);
     const std::uint64_t n = r.points.count;
-    const bool is_bounded = r.filter->run != run_small_rips && r.cycles == nullptr && r.keep_zero_pairs == 0;
+    const bool is_bounded = !r.filter->is_small && r.cycles == nullptr && r.keep_zero_pairs == 0;
     const double bytes = r.vines != nullptr ? points_vineyard_bytes(filter, r.k_last, n, r.points.dim)
                          : is_bounded       ? bounded_points_bytes(filter, n, r.points.dim)
                                             : points_bytes(filter, n, r.points.dim);
@@ -191,17 +191,17 @@ double plan_of_distances(const netmesh_request& r) {
 
 using namespace netmesh;
 
-#define NETMESH_ON_POINTS(name, id, reads, run)                                                                        \
+#define NETMESH_ON_POINTS(name, id, reads, run, is_small)                                                              \
     extern const netmesh_filter netmesh_filter_##name;                                                                 \
     const netmesh_filter netmesh_filter_##name = {                                                                     \
-        NETMESH_FILTER_##id, reads, run, settle_on_points, nullptr, nullptr, nullptr};
+        NETMESH_FILTER_##id, reads, run, settle_on_points, nullptr, nullptr, nullptr, is_small};
 
 extern "C" {
-NETMESH_ON_POINTS(rips, RIPS, given::threshold | given::cycles, run_rips)
-NETMESH_ON_POINTS(rips_small, RIPS, given::threshold | given::cycles, run_small_rips)
-NETMESH_ON_POINTS(cech, CECH, given::cycles, run_on_points)
-NETMESH_ON_POINTS(barycentric_cech, BARYCENTRIC_CECH, given::k | given::k_last | given::vines, run_on_points)
-NETMESH_ON_POINTS(barycentric_rips, BARYCENTRIC_RIPS, given::k | given::k_last | given::vines, run_on_points)
+NETMESH_ON_POINTS(rips, RIPS, given::threshold | given::cycles, run_rips, false)
+NETMESH_ON_POINTS(rips_small, RIPS, given::threshold | given::cycles, run_small_rips, true)
+NETMESH_ON_POINTS(cech, CECH, given::cycles, run_on_points, false)
+NETMESH_ON_POINTS(barycentric_cech, BARYCENTRIC_CECH, given::k | given::k_last | given::vines, run_on_points, false)
+NETMESH_ON_POINTS(barycentric_rips, BARYCENTRIC_RIPS, given::k | given::k_last | given::vines, run_on_points, false)
 }
 
 #undef NETMESH_ON_POINTS

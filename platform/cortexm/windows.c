@@ -20,7 +20,7 @@ enum { POINTS = 64, LAG = 5, SAMPLES = POINTS + (DIM - 1) * LAG };
 
 /* The engine's memory: what netmesh_plan says of uniform points and a quarter more, as curves have more cells. A window
  * that needs more all the same is no accident: it answers NETMESH_OUT_OF_MEMORY, and the next one is made. */
-static unsigned char block[(DIM == 2 ? 30 : 64) * 1024] __attribute__((aligned(16)));
+static unsigned char block[(DIM == 2 ? 10 : 50) * 1024] __attribute__((aligned(16)));
 static size_t planned;
 
 /* The last samples, which an interrupt writes. The engine reads points as it works, when further samples arrive, and

@@ -14,7 +14,7 @@ from netmesh.errors import Flat, OutOfMemory
 POINTS, LAG, HOP, WINDOWS, STRETCH, PERIODIC = 64, 5, 16, 1000, 1600, 67
 LEAST = 8  # the radius at which a loop that counts is filled
 MOVED = {2: 0.7072, 3: 0.8661}  # a point, where each sample was rounded
-MEMORY = {2: 30060, 3: 64960}  # netmesh_plan on a machine of 64 bits, and a quarter
+MEMORY = {2: 9940, 3: 49640}  # netmesh_plan, and a quarter
 KINDS = ["silence", "a tone", "last digit", "clipped tone", "chirp", "noise", "two tones", "square wave",
          "steps and noise", "fading tone"]
 

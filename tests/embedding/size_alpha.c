@@ -23,6 +23,9 @@ int main(void) {
     request.points.count = sizeof points / sizeof points[0];
     request.points.dim = 2;
     request.filter = &FILTER;
+#ifdef PLANS
+    if (netmesh_plan(&request) > sizeof block) return 1;
+#endif
     if (netmesh_persist(context, &request) != NETMESH_OK) return 1;
     pair.struct_bytes = sizeof pair;
     while (netmesh_get_pair(context, count, &pair) == NETMESH_OK) ++count;
