@@ -117,6 +117,7 @@ Outcome Session::explain_argument(const netmesh_detail& detail, const PointCloud
     case NETMESH_FIELD_TAU:
     case NETMESH_FIELD_K:
     case NETMESH_FIELD_K_LAST: return file_error(cloud.name, option + ": " + said);
+    case NETMESH_FIELD_WEIGHTS: return cloud.fault(detail.index_a, said);
     case NETMESH_FIELD_ERROR:
     case NETMESH_FIELD_SIZES:
     case NETMESH_FIELD_SIZE_AT_INPUTS: return cloud.fault(detail.index_a, option + ": near this point " + said);

@@ -29,9 +29,28 @@ Complaint settle_weighting(const Settling& s) {
     return fine();
 }
 
+// The first point that would be born at minus infinity, or the number of points.
+std::uint64_t find_infinite_square(const netmesh_request& r) {
+    if (r.squares == 0 || !r.weighting->are_radii) return r.points.count;
+    const WeightRows weights = weights_of(r);
+    std::uint64_t row = 0;
+    for (double radius; row < r.points.count; ++row)
+        if (weights.rows.read(row, 1, &radius) && radius * radius == infinity) break;
+    return row;
+}
+
 // Why there is neither a triangulation nor a diagram.
 netmesh_status fail(netmesh_context* context, Status status, const InputReport& input, const HiddenPoints& hidden) {
     const std::uint64_t row = input.row_a;
+    const std::uint64_t large =
+        status == Status::out_of_range ? find_infinite_square(context->request) : context->request.points.count;
+    if (large < context->request.points.count) {
+        clear(context);
+        return refuse(
+            context,
+            {NETMESH_FIELD_WEIGHTS, "the square of this radius is beyond the largest double; leave out squares"},
+            large);
+    }
     if (!hidden.has_negative)
         return fail_and_clear(context, status, hidden.has_weight ? "a weight is not a finite number" : nullptr, row);
     clear(context);
@@ -88,6 +107,7 @@ netmesh_status filter_with_weights(netmesh_context* context) {
             powers_of(r), wanted, {context->arena, monitor}, &made);
     });
     const Status status = watch.heed(found);
+    if (status == Status::out_of_range) return fail(context, status, {}, {});
     status == Status::ok ? keep_alpha(context, wanted, made) : clear_diagram(context);
     return finish(context, status);
 }

@@ -131,8 +131,10 @@ public:
                 }
         const Status status = find_down();
         work_.arena.release_high(high);
-        if (status == Status::ok) W::has ? find_vertices() : Base::finish();
-        return status;
+        if (status != Status::ok) return status;
+        if constexpr (W::has) return find_vertices();
+        Base::finish();
+        return Status::ok;
     }
 
 private:
@@ -158,11 +160,15 @@ private:
             return status;
         }
     }
-    // Of vertices that are not marked.
-    void find_vertices() {
+    // Of vertices that are not marked. No value is below that of a vertex: out_of_range, where that is no double.
+    Status find_vertices() {
+        bool in_range = true;
         if constexpr (W::has)
-            work_.arena.each(table_.count[0], 6, [this](std::uint64_t f) {
-                if (Base::is_marked(value_[0][f])) return;
+            work_.arena.each(table_.count[0], 6, [this, &in_range](std::uint64_t f) {
+                if (Base::is_marked(value_[0][f])) {
+                    in_range = in_range && value_[0][f] != -infinity;
+                    return;
+                }
                 const double* point;
                 table_.points(points_, 0, static_cast<std::uint32_t>(f), &point);
                 const double number = point[table_.dim], root = square_root(__builtin_fabs(number));
@@ -171,7 +177,9 @@ private:
                                     : number < 0       ? -root
                                                        : root;
                 value_[0][f] = 0.0 - size;
+                in_range = in_range && size != infinity;
             });
+        return in_range ? Status::ok : Status::out_of_range;
     }
     template <int K> Status find_radii(DimensionOf<K> k);
     // Asks for what points_of reads of faces that come soon.

@@ -210,6 +210,27 @@ TEST_CASE("numbers that are no weights") {
     }
 }
 
+TEST_CASE("no bar is born at minus infinity") {
+    const Points points = {0, 0, 1e200, 0, 0, 1e200, 3e200, 3e200};
+    for (const bool keep : {false, true}) {
+        Context c(block);
+        Points radii = {0, 1e200, 0, 0};
+        netmesh::Request request = request_of(2, points, radii);
+        request.keep_mesh = keep;
+        CHECK(c.engine.persist(request) == NETMESH_OK);
+        request.squares = 1;
+        CHECK(c.engine.persist(request) == NETMESH_INVALID_ARGUMENT);
+        CHECK(c.engine.detail().field == NETMESH_FIELD_WEIGHTS);
+        CHECK(c.engine.detail().index_a == 1);
+        CHECK(bars_of(c.engine).empty());
+        radii[1] = 0x1.fffffffffffffp511;  // its square is a double
+        CHECK(c.engine.persist(request) == NETMESH_OK);
+        CHECK(bars_of(c.engine)[0].birth == -0x1.ffffffffffffep1023);
+        radii[1] = 0x1p512;
+        CHECK(c.engine.persist(request) == NETMESH_INVALID_ARGUMENT);
+    }
+}
+
 TEST_CASE("every block: a diagram, or out of memory and a triangulation of what was inserted") {
     for (int dim = 2; dim <= 3; ++dim) {
         const Points points = inputs::uniform(dim, 60), radii = radii_of(60, 0.3);

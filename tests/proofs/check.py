@@ -188,12 +188,12 @@ def rips():
                "proof: by r.proof every bar is true", how, proven)
     expect("rips, stdin", run("check", "r.pers", "--points", "-", stdin=read("condensed.txt")), 0,
            "for the distances that netmesh reads in", proven)
-    expect("made cech", run("persist", "few.csv", "--columns", "x,y", "--filter", "cech", "-q", "-o", "c.pers", "--proof",
-                            "c.proof"), 0)
-    expect("cech", run("check", "c.pers", "--points", "few.csv", "--columns", "x,y"), 0, "reproduced",
-           "proof: by c.proof every bar is true", "for the points that netmesh reads in few.csv", proven)
+    few = ["few.csv", "--columns", "x,y"]
+    expect("made cech", run("persist", *few, "--filter", "cech", "-q", "-o", "c.pers", "--proof", "c.proof"), 0)
+    expect("cech", run("check", "c.pers", "--points", *few), 0, "reproduced", "proof: by c.proof every bar is true",
+           "for the points that netmesh reads in few.csv", proven)
     write("c.pers", read("c.pers").replace("# filter cech", "# filter rips"))
-    expect("cech for rips", run("check", "c.pers", "--points", "few.csv", "--columns", "x,y", "--proof", "c.proof"), 7)
+    expect("cech for rips", run("check", "c.pers", "--points", *few, "--proof", "c.proof"), 7)
     # Refused: another's proof, one of the other kind, one that is cut.
     expect("a proof of alpha", run("check", "r.pers", "--points", "condensed.txt", "--proof", "p.proof"), 7,
            "p.proof: check failed: p.proof: not a proof of version 3")

@@ -60,7 +60,7 @@ struct DiagramClaim {
     const DiagramFile& file;
     const Options& made;             // settled
     const std::string& cycles_path;  // empty: no cycles
-    bool is_proven;                  // by the proof beside it
+    bool is_proven = false;                  // by the proof beside it
 };
 
 // The cycles that a claim comes with, which there are: one for each of its bars, or what is wrong.
@@ -84,8 +84,8 @@ Outcome judge_alpha(const DiagramClaim& claim, const MeshFiles& files, const std
 Outcome second_opinion_on_mesh(const DiagramClaim& claim, const MeshFiles& files, RunReport* run);
 Outcome second_opinion_on_points(const DiagramClaim& claim, const PointCloud& points, RunReport* run);
 
-// The proof of an alpha, Rips or Cech diagram of this input, where there is one beside it or --proof names one: what its
-// verifier, netmesh-verify or netmesh-verify-rips, says of it goes to run->checked and claim->is_proven; what it
+// The proof of an alpha, Rips or Cech diagram of this input, where there is one beside it or --proof names one: what
+// its verifier, netmesh-verify or netmesh-verify-rips, says of it goes to run->checked and claim->is_proven; what it
 // refuses is Exit::check. That there is none, or that the program cannot be run, is said, too; the latter on stderr as
 // well, and where --proof was given it is Exit::data.
 Outcome verify_proof(const PointCloud& points, DiagramClaim* claim, RunReport* run);

@@ -138,8 +138,8 @@ std::string cech_proof(const PointCloud& points, std::uint32_t max_degree, const
         file.values.push_back(s.value);
     }
     const auto count = static_cast<std::uint32_t>(different.rows());
-    return proof_of(ListedCofaces(file), {kind_cech, different.dim, count, max_degree, 0, points_fingerprint(different)},
-                    bars);
+    return proof_of(ListedCofaces(file),
+                    {kind_cech, different.dim, count, max_degree, 0, points_fingerprint(different)}, bars);
 }
 
 std::string rips_proof(const DistanceFile& distances, double threshold, std::uint32_t max_degree,

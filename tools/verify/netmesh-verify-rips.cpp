@@ -312,8 +312,9 @@ public:
     Rips(const Diagram& diagram, const string& input, Proof& proof) : n_(Id(proof.n)) {
         const auto fail = [&](const string& s) { refuse("2", input + ": " + s); };
         double threshold = kInf;
-        if (diagram.has("threshold") && (!readNumber(diagram.head.at("threshold"), threshold) || !(threshold >= 0)))
-            badFile(diagram.name + ": # threshold is no number");
+        if (diagram.has("threshold") &&
+            (!readNumber(diagram.head.at("threshold"), threshold) || !(threshold >= 0) || threshold == kInf))
+            badFile(diagram.name + ": # threshold is no number, or not one that can be");
         checkHead(diagram, proof);
         limit_ = std::min(threshold, proof.limit);
         const Word sum = proof.kind == 3 ? joinPoints(readPoints(diagram, input, proof))
@@ -684,7 +685,6 @@ public:
                     set.push_back(v);
                     double radius = 0;
                     if (!isCentred(set, radius)) radius = ofFacets(set, sets, radii, begin, facets);
-                    if (radius == kInf) refuse("2", input + ": a radius beyond the largest double");
                     sets.push_back(std::move(set)), radii.push_back(radius);
                 }
         }

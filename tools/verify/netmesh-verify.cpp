@@ -181,7 +181,7 @@ Diagram readDiagram(const string& name) {
         if (!words.empty() && words[0][0] == '#') {
             if (words[0] != "#" || words.size() < 2) return;
             string& value = head[string(words[1])];
-            value = value.empty() && words.size() == 3 ? words[2] : "?";
+            value = !value.empty() ? "? ?" : words.size() == 3 ? string(words[2]) : "?";
             return;
         }
         Bar bar{0, 0, 0, line};
@@ -200,15 +200,15 @@ Diagram readDiagram(const string& name) {
         if (head.count(claim)) badFile(name + ": by its head it claims something else: # " + claim);
     diagram.kind = int(head.count("radii") + 2 * head.count("weights"));
     diagram.squares = head.count("squares") > 0;
-    if (diagram.kind == 3 || (diagram.squares && diagram.kind == 0)) badFile(name + ": not one of # radii, # weights");
+    if (diagram.kind == 3 || (diagram.squares && diagram.kind == 0) || head["radii"] + head["weights"] == "? ?")
+        badFile(name + ": not one line # radii or # weights");
     if (diagram.kind == 0 && negative > 0) badFile(name + ", line " + str(negative) + ": a negative number");
     readNumber(head[diagram.kind == 1 ? "radii" : "weights"], diagram.column);
     head.emplace("duplicates", "0");
     if (head["filter"] != "alpha") badFile(name + ": not one line # filter alpha; netmesh-verify-rips is for others");
     for (const char* key : {"dim", "max-degree", "points", "duplicates"})
         if (!readNumber(head[key], diagram.head[key])) badFile(name + ": not one line # " + key + " and a number");
-    diagram.fingerprint = sum.value();
-    diagram.input = head["input"];
+    diagram.fingerprint = sum.value(), diagram.input = head["input"];
     return diagram;
 }
 struct Proof {

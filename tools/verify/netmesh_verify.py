@@ -89,18 +89,17 @@ def read_npy(path, data, dim):
 class Diagram:
     def __init__(self, path):
         self.bars, self.lines, head = [], [], {}  # (degree, birth, death), and the place of each in the file
-        minus_at = self.radii = self.weights = self.squares = ""  # what the head says behind them, or "?"
+        minus_at = ""
         for where, line in text_lines(path, Path(path).read_bytes()):
             words = re.findall("[^ \t]+", line)
             if line.startswith("#"):
-                if words[0] == "#" and len(words) > 1 and words[1] in OTHER:
+                name = words[1] if words[0] == "#" and len(words) > 1 else ""
+                if name in OTHER:
                     raise Malformed(f"{where}: by its head it claims something else")
-                if words[0] == "#" and len(words) > 1 and words[1] in ("radii", "weights", "squares"):
-                    setattr(self, words[1], words[2] if len(words) == 3 and not getattr(self, words[1]) else "?")
-                if words[0] == "#" and len(words) > 2 and words[1] in HEAD:
-                    if len(words) > 3 or words[1] in head:
-                        raise Malformed(f"{where}: '# {words[1]}' has more than one value, or is there twice")
-                    head[words[1]] = (words[2], where)
+                if name in head or (name in HEAD and len(words) > 3):
+                    raise Malformed(f"{where}: '# {name}' has more than one value, or is there twice")
+                if name in ("radii", "weights", "squares") or (name in HEAD and len(words) > 2):
+                    head[name] = (words[2] if len(words) == 3 else "?", where)
                 continue
             if len(words) != 3:
                 raise Malformed(f"{where}: not a degree, a birth and a death")
@@ -111,6 +110,8 @@ class Diagram:
             minus_at = where if "-" in (words[1][0], words[2][0]) else minus_at
             self.bars.append(bar)
             self.lines.append(where)
+        # What the head says behind them, or "?".
+        self.radii, self.weights, self.squares = (head.get(name, ("",))[0] for name in ("radii", "weights", "squares"))
         self.weighted = bool(self.radii or self.weights)
         if (self.radii and self.weights) or (self.squares and not self.weighted) or (minus_at and not self.weighted):
             raise Malformed(f"{minus_at or path}: a birth or death with a minus, or not one of # radii and # weights")

@@ -119,7 +119,8 @@ class Proof:
         self.kind, self.dim, self.n, self.degree, self.limit, self.input, diagram = struct.unpack("<IIQQdQQ",
                                                                                                   data[16:64])
         need(3 <= self.kind <= 6 and self.limit >= 0 and 0 < self.n < 2**32 - 1 and self.degree <= 31 and
-             (self.kind in (3, 6) or self.dim == 0) and (self.kind < 5 or self.limit == 0), 1, "a number that cannot be")
+             (self.kind in (3, 6) or self.dim == 0) and (self.kind < 5 or self.limit == 0), 1,
+             "a number that cannot be")
         need(diagram == fingerprint(w for d, b, e in bars for w in (d, bits(b), bits(e))), 1, "not of this diagram")
         self.data, self.at = data[:-8], 64
 
@@ -251,7 +252,6 @@ def cech(name, head, proof):
         for s in combinations(range(proof.n), size):
             own = centred_radius([points[v] for v in s]) if size <= proof.dim + 1 else None
             level.append((s, own if own is not None else max(below[s[:i] + s[i + 1:]] for i in range(size))))
-        need(all(value < INF for _, value in level), 2, "a radius beyond the largest double")
         levels.append(sorted(level, key=lambda row: row[1]))
     return levels
 

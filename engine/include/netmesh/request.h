@@ -67,7 +67,8 @@ extern const netmesh_filter netmesh_filter_alpha_small;
  *             one after the other. All weights 0: the diagram without weights, to the bit
  *   memory    at most 16 bytes a point above the same without weights. netmesh_plan counts them. Stack:
  *             NETMESH_STACK_BYTES(dim) of job.h
- *   errors    INVALID_ARGUMENT (WEIGHTS): the radius of point index_a is negative. NOT_FINITE: point or weight
+ *   errors    INVALID_ARGUMENT (WEIGHTS): the radius of point index_a is negative; with squares, its square is beyond
+ *             the largest double. NOT_FINITE: point or weight
  *             index_a. OUT_OF_RANGE: as of alpha, and as far for radii and for roots of weights as for coordinates */
 typedef struct netmesh_weighting netmesh_weighting;
 
