@@ -165,21 +165,21 @@ private:
         bool in_range = true;
         if constexpr (W::has)
             work_.arena.each(table_.count[0], 6, [this, &in_range](std::uint64_t f) {
-                if (Base::is_marked(value_[0][f])) {
-                    in_range = in_range && value_[0][f] != -infinity;
-                    return;
-                }
-                const double* point;
-                table_.points(points_, 0, static_cast<std::uint32_t>(f), &point);
-                const double number = point[table_.dim], root = square_root(__builtin_fabs(number));
-                const double size = weights_.are_radii ? weights_.squares ? number * number : number
-                                    : weights_.squares ? number
-                                    : number < 0       ? -root
-                                                       : root;
-                value_[0][f] = 0.0 - size;
-                in_range = in_range && size != infinity;
+                double& value = value_[0][f];
+                if (!Base::is_marked(value)) value = own_value(static_cast<std::uint32_t>(f));
+                in_range = in_range && value != -infinity;
             });
         return in_range ? Status::ok : Status::out_of_range;
+    }
+    double own_value(std::uint32_t vertex) const {
+        const double* point;
+        table_.points(points_, 0, vertex, &point);
+        const double number = point[table_.dim], root = square_root(__builtin_fabs(number));
+        const double size = weights_.are_radii ? weights_.squares ? number * number : number
+                            : weights_.squares ? number
+                            : number < 0       ? -root
+                                               : root;
+        return 0.0 - size;
     }
     template <int K> Status find_radii(DimensionOf<K> k);
     // Asks for what points_of reads of faces that come soon.

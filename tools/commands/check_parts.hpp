@@ -60,7 +60,7 @@ struct DiagramClaim {
     const DiagramFile& file;
     const Options& made;             // settled
     const std::string& cycles_path;  // empty: no cycles
-    bool is_proven = false;                  // by the proof beside it
+    bool is_proven = false;          // by the proof beside it
 };
 
 // The cycles that a claim comes with, which there are: one for each of its bars, or what is wrong.
