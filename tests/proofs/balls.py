@@ -191,6 +191,13 @@ def both_kinds(case, _):
     return True
 
 
+def kind_twice(case, r):
+    """The weights are in one column and in another one."""
+    line = next(line for line in case.head if line.split()[1] in case.kinds)
+    case.head.append(r.choice([line, "# %s %d" % (case.kinds[0], 1)]))
+    return True
+
+
 SHARED = [run.drop_bar, run.double_bar, run.swap_deaths, run.other_degree, run.end_essential, run.drop_cell,
           run.add_cell, run.other_corner, run.flip, run.swap_places, run.lower_degree]
 
@@ -249,7 +256,7 @@ def unhide_with_its_bars(case, r):
 class BallRunner(Runner):
     forgeries = SHARED + [move_bar, other_sign, drop_hidden, unhide, unhide_in_cell, hide_vertex, other_cell, other_row,
                           lighter_equal, change_weight, nudge_weight, raise_hidden, negative_radius, other_kind,
-                          other_squares, no_weights, both_kinds, flip_with_its_bars, unhide_with_its_bars,
+                          other_squares, no_weights, both_kinds, kind_twice, flip_with_its_bars, unhide_with_its_bars,
                           "hide with bars"]
 
     def __init__(self, arguments):
