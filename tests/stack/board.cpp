@@ -286,10 +286,10 @@ netmesh_status run_on_stack(Job job) {
     return run_job(job, [](const Call& call) { return call_on(top, call.function, call.first, call.second); });
 }
 
-// A mesh of points at many sizes may be too large for the board: fewer of them. Even of four it may be.
+// A mesh of points at many sizes may be too large for the board: fewer of them, down to two.
 netmesh_status run_until_it_fits(Job job) {
     netmesh_status done = run_on_stack(job);
-    while (done == NETMESH_OUT_OF_MEMORY && count > DIM + 2) {
+    while (done == NETMESH_OUT_OF_MEMORY && count > 2) {
         request.points.count = count -= count / 4 + 1;
         done = run_on_stack(job);
     }
@@ -339,7 +339,7 @@ void check_cloud(Job job, const Cloud& cloud, bool is_sliced, Depths& depths) {
     depths.refused += done != NETMESH_OK;
     if (plain.bytes > depths.whole) depths.whole = plain.bytes, depths.kind = kind_name[cloud.kind];
     if (!plain.fits) fault(job_name[job], kind_name[cloud.kind], cloud.number, plain.bytes);
-    if (done == NETMESH_INTERNAL || (done == NETMESH_OUT_OF_MEMORY && cloud.kind != wide))
+    if (done == NETMESH_INTERNAL || done == NETMESH_OUT_OF_MEMORY)
         fault(netmesh_status_text(done), kind_name[cloud.kind], cloud.number, plain.bytes);
     if (is_sliced) check_in_slices(job, cloud, done, depths);
 }

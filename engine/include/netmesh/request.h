@@ -68,8 +68,8 @@ extern const netmesh_filter netmesh_filter_alpha_small;
  *   memory    at most 16 bytes a point above the same without weights. netmesh_plan counts them. Stack:
  *             NETMESH_STACK_BYTES(dim) of job.h
  *   errors    INVALID_ARGUMENT (WEIGHTS): the radius of point index_a is negative; with squares, its square is beyond
- *             the largest double. NOT_FINITE: point or weight
- *             index_a. OUT_OF_RANGE: as of alpha, and as far for radii and for roots of weights as for coordinates */
+ *             the largest double. NOT_FINITE: point or weight index_a. OUT_OF_RANGE: as of alpha, and as far for radii
+ *             and for roots of weights as for coordinates */
 typedef struct netmesh_weighting netmesh_weighting;
 
 /* Radii r >= 0: weights r^2, which are not rounded. */
