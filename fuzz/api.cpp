@@ -720,6 +720,9 @@ private:
         if (tape_.rarely()) request.vines = &netmesh_vines, request.k_last = 2 * request.k;
         netmesh_plan(maybe<netmesh_request>(request, c));
         netmesh_plan_mesh(maybe<netmesh_request>(request, c));
+        std::uint64_t most = 0;
+        netmesh_plan_polls(maybe<netmesh_request>(request, c), tape_.rarely() ? nullptr : &most);
+        netmesh_plan_mesh_polls(maybe<netmesh_request>(request, c), &most);
         auto simplices = netmesh::sized<netmesh_simplices>();
         simplices.simplex_count = n;
         simplices.vertex_count = UINT64_MAX / (tape_.byte() + 1u);

@@ -39,6 +39,10 @@ netmesh_status fail_with_periods(netmesh_context* context, Status status, const 
     const std::uint64_t row = report.input.row_a;
     if (made.is_far)
         return fail_and_clear(context, status, "a point is 2^30 periods away or more, which cycles cannot say", row);
+    if (report.copies > 0 && refuses_square(context, status)) {  // values come after copies
+        clear(context);
+        return NETMESH_INVALID_ARGUMENT;
+    }
     if (report.has_bad_lattice && status == Status::invalid_argument) {
         clear(context);
         return refuse(context, {NETMESH_FIELD_LATTICE, "a vector is not finite, or depends on those before it"},
@@ -71,8 +75,7 @@ netmesh_status diagram_with_periods(netmesh_context* context) {
     Monitor monitor = monitor_of(r.monitor);
     const Watch watch(context->arena, monitor);
     WeightRows weights = {};
-    if (r.weighting != nullptr)
-        weights = {{p.weights, p.weight_stride_bytes, p.format == NETMESH_POINTS_FLOAT32}, r.weighting->are_radii};
+    if (r.weighting != nullptr) weights = weights_of(r);
     const AlphaOfPeriodicPoints wanted = {{rows_of(p), p.count, r.weighting != nullptr ? &weights : nullptr, p.lattice,
                                            static_cast<int>(p.lattice_count)},
                                           r.seed,

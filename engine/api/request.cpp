@@ -68,4 +68,22 @@ const char* missing_mesh(const netmesh_context* context) {
     return context->mesh.cages.count > 0 ? "this filter needs a mesh without cages" : nullptr;
 }
 
+WeightRows weights_of(const netmesh_request& r) {
+    const netmesh_points& p = r.points;
+    return {{p.weights, p.weight_stride_bytes, p.format == NETMESH_POINTS_FLOAT32}, r.weighting->are_radii};
+}
+
+bool refuses_square(netmesh_context* context, Status status) {
+    const netmesh_request& r = context->request;
+    if (status != Status::out_of_range || r.squares == 0 || !r.weighting->are_radii) return false;
+    const WeightRows weights = weights_of(r);
+    std::uint64_t row = 0;
+    for (double radius; row < r.points.count; ++row)
+        if (weights.rows.read(row, 1, &radius) && radius * radius == infinity) break;
+    if (row == r.points.count) return false;
+    refuse(context,
+           {NETMESH_FIELD_WEIGHTS, "the square of this radius is beyond the largest double; leave out squares"}, row);
+    return true;
+}
+
 }  // namespace netmesh

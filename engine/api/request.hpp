@@ -46,6 +46,12 @@ bool has_diagram_of(const netmesh_context* context);
 const char* missing_cells(const netmesh_context* context);
 const char* missing_mesh(const netmesh_context* context);
 
+// Of a request with weights.
+WeightRows weights_of(const netmesh_request& request);
+// Whether values are out of range because the context's request wants squares and that of a radius is beyond the
+// largest double. The radius is named then, and the call refused; what the context holds stays. O(points).
+bool refuses_square(netmesh_context* context, Status status);
+
 // A triangulation of the request's points in place of what the context held. `allowance` may be null; when it is spent
 // the status is NETMESH_CANCELLED, and what the context holds has to be cleared.
 netmesh_status triangulate_points(netmesh_context* context, Allowance* allowance);

@@ -7,11 +7,6 @@
 namespace netmesh {
 namespace {
 
-WeightRows weights_of(const netmesh_request& r) {
-    const netmesh_points& p = r.points;
-    return {{p.weights, p.weight_stride_bytes, p.format == NETMESH_POINTS_FLOAT32}, r.weighting->are_radii};
-}
-
 // Whether what is said of weights goes together; the numbers themselves are read by the job alone.
 Complaint settle_weighting(const Settling& s) {
     if (s.is_promise()) return {NETMESH_FIELD_WEIGHTING, "nothing is promised with weights; leave them out"};
@@ -29,27 +24,12 @@ Complaint settle_weighting(const Settling& s) {
     return fine();
 }
 
-// The first point that would be born at minus infinity, or the number of points.
-std::uint64_t find_infinite_square(const netmesh_request& r) {
-    if (r.squares == 0 || !r.weighting->are_radii) return r.points.count;
-    const WeightRows weights = weights_of(r);
-    std::uint64_t row = 0;
-    for (double radius; row < r.points.count; ++row)
-        if (weights.rows.read(row, 1, &radius) && radius * radius == infinity) break;
-    return row;
-}
-
 // Why there is neither a triangulation nor a diagram.
 netmesh_status fail(netmesh_context* context, Status status, const InputReport& input, const HiddenPoints& hidden) {
     const std::uint64_t row = input.row_a;
-    const std::uint64_t large =
-        status == Status::out_of_range ? find_infinite_square(context->request) : context->request.points.count;
-    if (large < context->request.points.count) {
+    if (refuses_square(context, status)) {
         clear(context);
-        return refuse(
-            context,
-            {NETMESH_FIELD_WEIGHTS, "the square of this radius is beyond the largest double; leave out squares"},
-            large);
+        return NETMESH_INVALID_ARGUMENT;
     }
     if (!hidden.has_negative)
         return fail_and_clear(context, status, hidden.has_weight ? "a weight is not a finite number" : nullptr, row);
@@ -107,9 +87,8 @@ netmesh_status filter_with_weights(netmesh_context* context) {
             powers_of(r), wanted, {context->arena, monitor}, &made);
     });
     const Status status = watch.heed(found);
-    if (status == Status::out_of_range) return fail(context, status, {}, {});
     status == Status::ok ? keep_alpha(context, wanted, made) : clear_diagram(context);
-    return finish(context, status);
+    return refuses_square(context, status) ? NETMESH_INVALID_ARGUMENT : finish(context, status);
 }
 
 netmesh_status diagram_with_weights(netmesh_context* context) {

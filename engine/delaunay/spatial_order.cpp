@@ -163,14 +163,14 @@ template <int D> struct Sorter {
     void key_range(std::size_t begin, std::size_t end) {
         double low[DimensionOf<D>::most], high[DimensionOf<D>::most], scale[DimensionOf<D>::most];
         for (std::uint32_t k = 0; k < dim; ++k) low[k] = high[k] = point(order[begin])[k];
-        for (std::size_t i = begin; i < end;)
-            for (const std::uint64_t piece = arena.piece(i, end, 9 * dim); i < piece; ++i) {
-                const double* const x = point(order[i]);
-                for (std::uint32_t k = 0; k < dim; ++k) {
-                    low[k] = x[k] < low[k] ? x[k] : low[k];
-                    high[k] = x[k] > high[k] ? x[k] : high[k];
-                }
+        for (std::size_t i = begin; i < end; ++i) {
+            arena.step(i, 9 * dim);  // not in pieces, as ranges are short but for the first one
+            const double* const x = point(order[i]);
+            for (std::uint32_t k = 0; k < dim; ++k) {
+                low[k] = x[k] < low[k] ? x[k] : low[k];
+                high[k] = x[k] > high[k] ? x[k] : high[k];
             }
+        }
         for (std::uint32_t k = 0; k < dim; ++k) {
             low[k] *= 0.5;
             scale[k] = high[k] * 0.5 - low[k];
@@ -181,14 +181,14 @@ template <int D> struct Sorter {
         const Curve<D> curve = {dim};
         const int bits = curve.bits_for(end - begin);
         const double cells = static_cast<double>((std::uint32_t{1} << bits) - 1);
-        for (std::size_t i = begin; i < end;)
-            for (const std::uint64_t piece = arena.piece(i, end, 120 * dim); i < piece; ++i) {
-                const double* x = point(order[i]);
-                std::uint32_t g[DimensionOf<D>::most];
-                for (std::uint32_t k = 0; k < dim; ++k)
-                    g[k] = widest > 0 ? static_cast<std::uint32_t>((x[k] * 0.5 - low[k]) / widest * cells) : 0;
-                keys[i] = curve.position(g, bits);
-            }
+        for (std::size_t i = begin; i < end; ++i) {
+            arena.step(i, 120 * dim);
+            const double* x = point(order[i]);
+            std::uint32_t g[DimensionOf<D>::most];
+            for (std::uint32_t k = 0; k < dim; ++k)
+                g[k] = widest > 0 ? static_cast<std::uint32_t>((x[k] * 0.5 - low[k]) / widest * cells) : 0;
+            keys[i] = curve.position(g, bits);
+        }
     }
     void sort_range(std::size_t begin, std::size_t end) {
 #ifdef __OPTIMIZE_SIZE__
@@ -221,10 +221,10 @@ template <int D> bool Sorter<D>::split_equal_keys(std::size_t count) {
         }
         key_range(begin, end);
         bool split = false;
-        for (std::size_t i = begin + 1; i < end;)
-            for (const std::uint64_t piece = arena.piece(i, end, 5); i < piece; ++i) {
-                split |= keys[i] != keys[begin];
-            }
+        for (std::size_t i = begin + 1; i < end; ++i) {
+            arena.step(i, 5);
+            split |= keys[i] != keys[begin];
+        }
         if (split) {
             sort_range(begin, end);
             continue;

@@ -216,6 +216,12 @@ inline netmesh_status settle(const netmesh_request& request, netmesh_request* se
 // Bytes of block to plan for: of the diagram, of the mesh alone.
 inline std::size_t plan(const netmesh_request& request) { return netmesh_plan(&request); }
 inline std::size_t plan_mesh(const netmesh_request& request) { return netmesh_plan_mesh(&request); }
+inline std::uint64_t plan_polls(const netmesh_request& request, std::uint64_t* most = nullptr) {
+    return netmesh_plan_polls(&request, most);
+}
+inline std::uint64_t plan_mesh_polls(const netmesh_request& request, std::uint64_t* most = nullptr) {
+    return netmesh_plan_mesh_polls(&request, most);
+}
 inline std::size_t plan_leaf(std::uint32_t dim, std::uint64_t points, std::uint32_t pieces) {
     return netmesh_plan_leaf(dim, points, pieces);
 }

@@ -8,6 +8,17 @@ namespace netmesh {
 
 class Monitor {
 public:
+    // A poll comes when so many units of work are done.
+#ifdef NETMESH_SWEEP
+    static constexpr std::uint32_t interval = 1;  // tests/sweep cancels wherever it is possible
+#elif defined(__ARM_ARCH_PROFILE) && __ARM_ARCH_PROFILE == 'M'
+    static constexpr std::uint32_t interval = 20;  // a Cortex-M takes fifty times as long, so that slices are short
+#elif defined(__OPTIMIZE_SIZE__)
+    static constexpr std::uint32_t interval = 800;  // small code is slower
+#else
+    static constexpr std::uint32_t interval = 1000;  // about every tenth of a millisecond
+#endif
+
     Monitor() = default;
     Monitor(netmesh_poll poll, void* user) : poll_(poll), user_(user) {}
 
@@ -50,15 +61,6 @@ private:
     }
     bool report();  // one piece of code for all sources
 
-#ifdef NETMESH_SWEEP
-    static constexpr std::uint32_t interval = 1;  // tests/sweep cancels wherever it is possible
-#elif defined(__ARM_ARCH_PROFILE) && __ARM_ARCH_PROFILE == 'M'
-    static constexpr std::uint32_t interval = 20;  // a Cortex-M takes fifty times as long, so that slices are short
-#elif defined(__OPTIMIZE_SIZE__)
-    static constexpr std::uint32_t interval = 800;  // small code is slower
-#else
-    static constexpr std::uint32_t interval = 1000;  // about every tenth of a millisecond
-#endif
     netmesh_poll poll_ = nullptr;
     void* user_ = nullptr;
     netmesh_progress progress_ = {};

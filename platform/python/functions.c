@@ -21,6 +21,8 @@ const netmesh_python_entry netmesh_python_functions[] = {
     {"netmesh_settle", (void (*)(void))netmesh_settle},
     {"netmesh_plan", (void (*)(void))netmesh_plan},
     {"netmesh_plan_mesh", (void (*)(void))netmesh_plan_mesh},
+    {"netmesh_plan_polls", (void (*)(void))netmesh_plan_polls},
+    {"netmesh_plan_mesh_polls", (void (*)(void))netmesh_plan_mesh_polls},
     {"netmesh_persist", (void (*)(void))netmesh_persist},
     {"netmesh_mesh", (void (*)(void))netmesh_mesh},
     {"netmesh_get_option", (void (*)(void))netmesh_get_option},

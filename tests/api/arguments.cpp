@@ -171,6 +171,12 @@ TEST_CASE("a context that holds nothing") {
 TEST_CASE("plans of what cannot be") {
     CHECK(netmesh_plan(nullptr) == 0);
     CHECK(netmesh_plan_mesh(nullptr) == 0);
+    for (const auto plan : {netmesh_plan_polls, netmesh_plan_mesh_polls}) {
+        std::uint64_t most = 1;
+        CHECK(plan(nullptr, &most) == 0);
+        CHECK(most == 0);
+        CHECK(plan(nullptr, nullptr) == 0);
+    }
     for (const int served : dimensions()) {
         const std::uint32_t dim = static_cast<std::uint32_t>(served);
         const auto of = [&](const netmesh_filter* filter) {

@@ -191,6 +191,22 @@ TEST_CASE("cycles: the same bars, closed modulo translations; loops that last go
         }
 }
 
+TEST_CASE("no bar of points that repeat is born at minus infinity") {
+    Context c(block);
+    const Points points = {0, 0, 0.5, 0.25}, lattice = cube(2), radii = {0, 1e155};
+    netmesh::Request request = request_of(2, points, lattice);
+    request.set_weights(&netmesh_radii, radii);
+    CHECK(c.engine.persist(request) == NETMESH_OK);
+    request.squares = 1;
+    CHECK(c.engine.persist(request) == NETMESH_INVALID_ARGUMENT);
+    CHECK(c.engine.detail().field == NETMESH_FIELD_WEIGHTS);
+    CHECK(c.engine.detail().index_a == 1);
+    const Points far = {1e100, 0, 0, 1e100};  // refused for itself
+    netmesh::Request wide = request_of(2, points, far);
+    wide.set_weights(&netmesh_radii, radii).squares = 1;
+    CHECK(c.engine.persist(wide) == NETMESH_OUT_OF_RANGE);
+}
+
 TEST_CASE("a cycle cannot say translations of 2^30 and more") {
     const Points points = {0.25, 0.5, 0.25 + 0x1p31, 0.75}, lattice = cube(2);
     Context c(block);

@@ -1,14 +1,17 @@
 // Planned bytes, job by job and dimension by dimension: a block of that size suffices for uniform points, and not much
-// of it is left over.
+// of it is left over. And polls: no points whatever lead to more than the bound.
 #include <doctest/doctest.h>
 
+#include <algorithm>
 #include <array>
+#include <cmath>
 #include <cstdio>
 #include <cstdlib>
 #include <functional>
 #include <memory>
 #include <string>
 #include <utility>
+#include <vector>
 
 #include "common/calls.hpp"
 #include "common/dimensions.hpp"
@@ -220,4 +223,66 @@ TEST_CASE("the plan of a complex of simplices suffices") {
     simplices.step_count = 2;
     request.vines = &netmesh_vines;
     expect_diagram(2, "values", 0.35, request);
+}
+
+namespace {
+
+// n points of kinds that cost most: order, cells, values that doubles do not decide, reduction.
+std::vector<std::pair<const char*, inputs::Points>> dear_points(int dim, std::size_t n) {
+    std::vector<std::pair<const char*, inputs::Points>> all;
+    const auto make = [&](const char* name, const std::function<double(double, int)>& coordinate) {
+        inputs::Points points;
+        for (std::size_t i = 0; i < n; ++i)
+            for (int c = 0; c < dim; ++c) points.push_back(coordinate(static_cast<double>(i), c));
+        all.emplace_back(name, points);
+    };
+    make("moment curve", [](double i, int c) { return std::pow(i, c + 1); });
+    make("powers of two", [](double i, int c) { return std::ldexp(1 + c * i / 64, -static_cast<int>(i)); });
+    make("least numbers", [](double i, int c) { return std::ldexp(std::fmod(i * i, 7 + 2 * c), -1074); });
+    make("one key", [](double i, int c) { return 1 + std::ldexp(std::fmod(i * (c + 3), 17 + c), -52); });
+    make("skew lines", [](double i, int c) {
+        const double half = std::floor(i / 2), side = std::fmod(i, 2);
+        return c == 2 ? side : (c == 0) == (side == 0) ? half : 0;
+    });
+    all.emplace_back("grid", inputs::grid(dim, std::max(2, static_cast<int>(std::pow(double(n), 1.0 / dim)))));
+    all.emplace_back("nested", inputs::nested(dim, 30, n / 30 + 1, 1e8));
+    all.emplace_back("pairs", inputs::close_pairs(dim, n / 2, 1e-15));
+    all.emplace_back("uniform", inputs::uniform(dim, n));
+    return all;
+}
+
+std::uint64_t polls_so_far;
+int count_poll(void*, const netmesh_progress*) {
+    ++polls_so_far;
+    return 0;
+}
+
+}  // namespace
+
+TEST_CASE("no points lead to more polls than the bound") {
+    for (const int dim : dimensions())
+        for (const auto& [name, points] : dear_points(dim, count(dim, {600, 150, 60, 30, 24}))) {
+            INFO("D = " << dim << ", " << name);
+            const std::unique_ptr<void, void (*)(void*)> block(std::aligned_alloc(16, 1 << 28), std::free);
+            for (const bool is_diagram : {false, true}) {
+                Calls calls(dim);
+                REQUIRE(netmesh_init(block.get(), 1 << 28, &calls.context) == NETMESH_OK);
+                netmesh::Request request = is_diagram ? calls.alpha_request(points) : calls.delaunay_request(points);
+                request.monitor.poll = count_poll;
+                std::uint64_t most = 0;
+                const std::uint64_t typical =
+                    is_diagram ? netmesh_plan_polls(&request, &most) : netmesh_plan_mesh_polls(&request, &most);
+                CHECK(typical < most);
+                CHECK(most < UINT64_MAX);
+                polls_so_far = 0;
+                const auto job = is_diagram ? netmesh_persist : netmesh_mesh;
+                const netmesh_status done = job(calls.context, &request);
+                CHECK((done == NETMESH_OK || done == NETMESH_OUT_OF_RANGE || done == NETMESH_FLAT));
+                CHECK(polls_so_far <= most);
+                if (std::getenv("NETMESH_PLANS") != nullptr)
+                    std::printf("%d %-14s %d status %d polls %llu typical %llu most %llu\n", dim, name, is_diagram,
+                                done, static_cast<unsigned long long>(polls_so_far),
+                                static_cast<unsigned long long>(typical), static_cast<unsigned long long>(most));
+            }
+        }
 }

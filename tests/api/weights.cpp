@@ -223,7 +223,8 @@ TEST_CASE("no bar is born at minus infinity") {
         CHECK(c.engine.detail().field == NETMESH_FIELD_WEIGHTS);
         CHECK(c.engine.detail().index_a == 1);
         CHECK(bars_of(c.engine).empty());
-        radii[1] = 0x1.fffffffffffffp511;  // its square is a double
+        CHECK(report_of(c.engine).mesh.present == (keep ? 1 : 0));  // the triangulation is whole, and stays
+        radii[1] = 0x1.fffffffffffffp511;                           // its square is a double
         CHECK(c.engine.persist(request) == NETMESH_OK);
         CHECK(bars_of(c.engine)[0].birth == -0x1.ffffffffffffep1023);
         radii[1] = 0x1p512;

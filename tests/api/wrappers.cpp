@@ -45,6 +45,12 @@ TEST_CASE("the C++ layer") {
     CHECK(settled.points.coordinates == points.data());
     CHECK(netmesh::plan(mesh) == netmesh_plan(&mesh));
     CHECK(netmesh::plan_mesh(mesh) == netmesh_plan_mesh(&mesh));
+    std::uint64_t most = 0;
+    CHECK(netmesh::plan_polls(mesh, &most) == netmesh_plan_polls(&mesh, nullptr));
+    CHECK(most == UINT64_MAX);
+    most = 0;
+    CHECK(netmesh::plan_mesh_polls(mesh, &most) == netmesh_plan_mesh_polls(&mesh, nullptr));
+    CHECK(most == UINT64_MAX);
     mesh.mesh.tau = 1;
     CHECK(netmesh::settle(mesh, &settled) == NETMESH_INVALID_ARGUMENT);
     CHECK(netmesh::settle(mesh, &settled, &detail) == NETMESH_INVALID_ARGUMENT);

@@ -2,6 +2,7 @@
 // instructions of x86-64 as g++ makes them. Fails when one is above the limit.
 //
 //   gaps [short] [where] [D]... [GROUP]...
+//   gaps growth                                of jobs on ten times as many points, see growth.cpp
 //
 // short: few points, a few seconds. where: what was at work in the middle of stretches above the limit, from samples.
 // Groups: see `groups` below; without one all run, without a dimension all that are served, up to 4.
@@ -21,17 +22,11 @@
 #include "common/inputs.hpp"
 #include "common/session.hpp"
 #include "common/wasserstein.hpp"
+#include "gaps/counted.hpp"
 
 namespace {
 
 constexpr std::uint64_t limit = 5000000;
-
-// Instructions so far of all that `counting` compiled: the engine, this program and memory.c.
-std::uint64_t counted() {
-    std::uint64_t count;
-    asm volatile("movq %%r15, %0" : "=r"(count));
-    return count;
-}
 
 // ---- samples of what is at work
 
@@ -537,6 +532,7 @@ const Group groups[] = {{"delaunay", delaunay},  {"grids", grids},       {"mesh"
 }  // namespace
 
 int main(int argc, char** argv) {
+    if (argc == 2 && std::strcmp(argv[1], "growth") == 0) return check_growth();
     std::vector<int> wanted;
     std::vector<std::string> names;
     for (int i = 1; i < argc; ++i) {

@@ -1,6 +1,7 @@
-// Planned bytes against the peaks of jobs on uniform points. A block of that size does for every set, and is at most
-// 1.1 times the largest peak where there are enough points: how many vertices a mesh of a hundred points has differs
-// from set to set by more than that, and plans do not read points. Fails when one is wrong.
+// Planned bytes against the peaks of jobs on uniform points, and planned polls against those that come. A block of that
+// size does for every set, and is at most 1.1 times the largest peak where there are enough points: how many vertices a
+// mesh of a hundred points has differs from set to set by more than that, and plans do not read points. Polls are at
+// most twice as many or as few, but for three, and never above their bound. Fails when one is wrong.
 //
 //   plans [long] [every] [D]... [JOB]...
 //
@@ -22,8 +23,36 @@ namespace {
 
 constexpr double settled_limit = 1.1;
 
+struct Plan {
+    std::size_t bytes = 0;
+    std::uint64_t polls = 0, polls_most = 0;
+};
+
 // Plans, then runs; without a context it plans alone.
-using Run = std::function<netmesh_status(Calls&, const inputs::Points&, std::size_t* planned)>;
+using Run = std::function<netmesh_status(Calls&, const inputs::Points&, Plan* plan)>;
+
+std::uint64_t polls = 0;
+int count_poll(void*, const netmesh_progress*) {
+    ++polls;
+    return 0;
+}
+
+Plan plan_of(const netmesh::Request& request) {
+    Plan plan;
+    plan.bytes = netmesh_plan(&request);
+    plan.polls = netmesh_plan_polls(&request, &plan.polls_most);
+    return plan;
+}
+Plan plan_of_mesh(const netmesh::Request& request) {
+    Plan plan;
+    plan.bytes = netmesh_plan_mesh(&request);
+    plan.polls = netmesh_plan_mesh_polls(&request, &plan.polls_most);
+    return plan;
+}
+template <class Call> netmesh_status count_polls(netmesh::Request request, netmesh_context* context, const Call& call) {
+    request.monitor.poll = count_poll;
+    return call(context, &request);
+}
 
 struct Job {
     const char* name;
@@ -33,41 +62,42 @@ struct Job {
     double few;
     std::vector<std::size_t> most;  // points of the long form
     Run run;
+    bool estimates_polls = false;  // and no more
 };
 
 using Change = std::function<void(netmesh::Request&)>;
 
 Run mesh(const Change& change) {
-    return [change](Calls& calls, const inputs::Points& points, std::size_t* planned) {
+    return [change](Calls& calls, const inputs::Points& points, Plan* plan) {
         netmesh::Request request = calls.mesh_request(points);
         change(request);
-        *planned = netmesh_plan_mesh(&request);
-        return netmesh_mesh(calls.context, &request);
+        *plan = plan_of_mesh(request);
+        return count_polls(request, calls.context, netmesh_mesh);
     };
 }
 // The mesh for a filter, and its diagram.
 Run persist(const Change& change, const netmesh_filter* filter = &netmesh_filter_complete) {
-    return [change, filter](Calls& calls, const inputs::Points& points, std::size_t* planned) {
+    return [change, filter](Calls& calls, const inputs::Points& points, Plan* plan) {
         netmesh::Request request = calls.mesh_request(points, filter);
         change(request);
         if (request.goal.ratio > 0) request.mesh.method = nullptr;
-        *planned = netmesh_plan(&request);
-        return netmesh_persist(calls.context, &request);
+        *plan = plan_of(request);
+        return count_polls(request, calls.context, netmesh_persist);
     };
 }
 Run triangulation() {
-    return [](Calls& calls, const inputs::Points& points, std::size_t* planned) {
+    return [](Calls& calls, const inputs::Points& points, Plan* plan) {
         const netmesh::Request request = calls.delaunay_request(points);
-        *planned = netmesh_plan_mesh(&request);
-        return netmesh_mesh(calls.context, &request);
+        *plan = plan_of_mesh(request);
+        return count_polls(request, calls.context, netmesh_mesh);
     };
 }
 // Of points alone.
 Run diagram(const std::function<netmesh::Request(const Calls&, const inputs::Points&)>& request_of) {
-    return [request_of](Calls& calls, const inputs::Points& points, std::size_t* planned) {
+    return [request_of](Calls& calls, const inputs::Points& points, Plan* plan) {
         const netmesh::Request request = request_of(calls, points);
-        *planned = netmesh_plan(&request);
-        return netmesh_persist(calls.context, &request);
+        *plan = plan_of(request);
+        return count_polls(request, calls.context, netmesh_persist);
     };
 }
 Run alpha(bool keep_mesh) {
@@ -126,20 +156,40 @@ const std::vector<Job> jobs = {
          r.mesh.method = &netmesh_method_netmesh;
          r.mesh.finish = 1;
      })},
-    {"hierarchy-thesis", {1000, 3000}, 1.5, {10000, 1000}, mesh([](auto& r) {
+    {"hierarchy-thesis",
+     {1000, 3000},
+     1.5,
+     {10000, 1000},
+     mesh([](auto& r) {
          r.mesh.method = &netmesh_method_thesis;
          r.mesh.tau = 6;
-     })},
-    {"refine", {1730, 3000}, 1.6, {100000, 10000, 300}, mesh([](auto& r) { r.mesh.method = &netmesh_method_refine; })},
+     }),
+     true},
+    {"refine",
+     {1730, 3000},
+     1.6,
+     {100000, 10000, 300},
+     mesh([](auto& r) { r.mesh.method = &netmesh_method_refine; }),
+     true},
     {"quality-audit", meshes, 2, {10000, 3000}, mesh([](auto& r) { r.mesh.audit = NETMESH_AUDIT_QUALITY; })},
-    {"location-audit", {never, never}, 4, {3000, 1000}, mesh([](auto& r) { r.mesh.audit = NETMESH_AUDIT_LOCATION; })},
-    {"sizes-eps0.4", {1000, 1730}, 1.4, {30000, 3000}, mesh([](auto& r) { r.mesh.sizes.eps = 0.4; })},
+    {"location-audit",
+     {never, never},
+     4,
+     {3000, 1000},
+     mesh([](auto& r) { r.mesh.audit = NETMESH_AUDIT_LOCATION; }),
+     true},
+    {"sizes-eps0.4", {1000, 1730}, 1.4, {30000, 3000}, mesh([](auto& r) { r.mesh.sizes.eps = 0.4; }), true},
     {"tight", {300, never}, 1.4, {3000, 100}, persist([](auto&) {}, &netmesh_filter_tight)},
     {"scales-ratio3", {3000, never}, 2.6, {10000, 3000}, scales([](auto& r) { ask_ratio(r, 3); })},
-    {"scales-ratio3-bounds", {3000, never}, 2.6, {3000, 1000}, scales([](auto& r) {
+    {"scales-ratio3-bounds",
+     {3000, never},
+     2.6,
+     {3000, 1000},
+     scales([](auto& r) {
          ask_ratio(r, 3);
          r.bounds = &netmesh_bounds;
-     })},
+     }),
+     true},
     {"scales", {1000, never}, 1.4, {1000, 100}, scales([](auto&) {})},
 };
 
@@ -163,35 +213,43 @@ std::uint64_t sets_of(std::size_t n, bool is_long) {
 }
 
 // The peak in a block of the planned bytes; 0: it did not do.
-std::uint64_t peak_of(const Job& job, int dim, std::size_t n, std::uint64_t seed, std::size_t* planned) {
+std::uint64_t peak_of(const Job& job, int dim, std::size_t n, std::uint64_t seed, Plan* plan) {
     const inputs::Points points = inputs::uniform(dim, n, seed);
     Calls calls(dim);
-    job.run(calls, points, planned);
-    const std::unique_ptr<void, void (*)(void*)> block(std::aligned_alloc(16, *planned), std::free);
-    if (block == nullptr || netmesh_init(block.get(), *planned, &calls.context) != NETMESH_OK) return 0;
-    const netmesh_status status = job.run(calls, points, planned);
+    job.run(calls, points, plan);
+    const std::unique_ptr<void, void (*)(void*)> block(std::aligned_alloc(16, plan->bytes), std::free);
+    if (block == nullptr || netmesh_init(block.get(), plan->bytes, &calls.context) != NETMESH_OK) return 0;
+    polls = 0;
+    const netmesh_status status = job.run(calls, points, plan);
     return status == NETMESH_OK ? calls.report().memory.peak_bytes : 0;
 }
 
 // Whether the plan for n points does, and is not too much.
 bool check(const Job& job, int dim, std::size_t n, const Options& options) {
-    std::size_t planned = 0;
-    std::uint64_t least = UINT64_MAX, largest = 0, failed = 0;
+    Plan plan;
+    std::uint64_t least = UINT64_MAX, largest = 0, failed = 0, all_polls = 0;
+    bool polls_fit = true;
     const std::uint64_t sets = sets_of(n, options.is_long);
     for (std::uint64_t seed = first_seed; seed < first_seed + sets; ++seed) {
-        const std::uint64_t peak = peak_of(job, dim, n, seed, &planned);
+        const std::uint64_t peak = peak_of(job, dim, n, seed, &plan);
         if (peak == 0) ++failed;
+        all_polls += polls;
+        polls_fit = polls_fit && polls <= plan.polls_most;
         if (peak > 0 && peak < least) least = peak;
         if (peak > largest) largest = peak;
     }
-    const double share = largest > 0 ? static_cast<double>(planned) / static_cast<double>(largest) : 0;
+    const double share = largest > 0 ? static_cast<double>(plan.bytes) / static_cast<double>(largest) : 0;
     const bool is_settled = options.is_long && n >= job.settled[static_cast<std::size_t>(dim - 2)];
     const double limit = is_settled || job.few == 0 ? settled_limit : options.is_long ? job.few : 2 * job.few;
-    const bool good = failed == 0 && (n < 100 || share <= limit);
+    const double mean = static_cast<double>(all_polls) / static_cast<double>(sets),
+                 typical = static_cast<double>(plan.polls);
+    polls_fit = polls_fit && (n < 100 || job.estimates_polls || (typical <= 2 * mean + 3 && mean <= 2 * typical + 3));
+    const bool good = failed == 0 && polls_fit && (n < 100 || share <= limit);
     if (good && !options.every) return true;
     std::printf("%s%-22s D %d %6zu points, %2llu sets: %11zu planned, %.3f to %.3f times the peaks, at most %.1f",
-                good ? "" : "WRONG ", job.name, dim, n, static_cast<unsigned long long>(sets), planned, share,
-                static_cast<double>(planned) / static_cast<double>(least), limit);
+                good ? "" : "WRONG ", job.name, dim, n, static_cast<unsigned long long>(sets), plan.bytes, share,
+                static_cast<double>(plan.bytes) / static_cast<double>(least), limit);
+    std::printf("; %.1f polls, %.0f planned, at most %.3g", mean, typical, static_cast<double>(plan.polls_most));
     std::printf(failed > 0 ? "; too small for %llu\n" : "\n", static_cast<unsigned long long>(failed));
     return good;
 }

@@ -323,7 +323,12 @@ void check_in_slices(Job job, const Cloud& cloud, netmesh_status due, Depths& de
     Random choices = cloud.choices;
     prepare(job, cloud.kind, choices, {netmesh_poll_pause, slices});
     netmesh_status sliced;
-    while ((sliced = netmesh_resume(slices)) == NETMESH_PAUSED) ++depths.pauses;
+    std::uint64_t pauses = 0, most = UINT64_MAX;
+    while ((sliced = netmesh_resume(slices)) == NETMESH_PAUSED) ++pauses;
+    depths.pauses += static_cast<std::uint32_t>(pauses);
+    if (job == delaunay) netmesh_plan_mesh_polls(&request, &most);
+    if (job == alpha) netmesh_plan_polls(&request, &most);
+    if (pauses > most) fault("more slices than planned", kind_name[cloud.kind], cloud.number, most);
     const std::size_t taken = netmesh_stack_used(slices);
     if (taken > depths.in_slices) depths.in_slices = taken;
     bool whole = true;

@@ -483,6 +483,13 @@ netmesh_status netmesh_settle(const netmesh_request* request, netmesh_request* s
 size_t netmesh_plan(const netmesh_request* request);
 size_t netmesh_plan_mesh(const netmesh_request* request);
 
+/* Polls to plan for, slices of a job, of the same requests: for uniform points, at most 2 times as many or as few from a
+ * hundred on, an estimate for others. *most, if most is not null: no points in this number take more, derived for
+ * triangulations and exact alpha diagrams without periods, bounds and cycles (decisions/polls.md); UINT64_MAX: for the
+ * rest no bound by the number is known. How long a slice is: tools/docs/small-parts.md. Both 0 where the plan is. O(1). */
+uint64_t netmesh_plan_polls(const netmesh_request* request, uint64_t* most);
+uint64_t netmesh_plan_mesh_polls(const netmesh_request* request, uint64_t* most);
+
 /* The diagram, and what is wanted besides. Persistent homology over Z/2. Values of distances are radii, not squared.
  *   source       it replaces what the context held, also on failure
  *   no source    the mesh or triangulation that the context holds is filtered; it stays whole, also on failure. The

@@ -632,6 +632,8 @@ FUNCTIONS = {
     "netmesh_settle": (c_int, [c_void_p, c_void_p, c_void_p]),
     "netmesh_plan": (c_size_t, [c_void_p]),
     "netmesh_plan_mesh": (c_size_t, [c_void_p]),
+    "netmesh_plan_polls": (c_uint64, [c_void_p, c_void_p]),
+    "netmesh_plan_mesh_polls": (c_uint64, [c_void_p, c_void_p]),
     "netmesh_persist": (c_int, [c_void_p, c_void_p]),
     "netmesh_mesh": (c_int, [c_void_p, c_void_p]),
     "netmesh_get_option": (c_int, [c_uint32, c_void_p]),
