@@ -37,7 +37,7 @@ constexpr double thesis_share = 4, refine_share = 1.3;
 constexpr double late_units = 10;
 
 // Facets of a cyclic d-polytope of m vertices, m > d.
-double facets_most(double m, int d) {
+[[gnu::cold]] double facets_most(double m, int d) {
     const int p = d / 2;
     double choose = d % 2 == 0 ? m / (m - p) : 2;  // times binomial(q, p), q = m - p or m - p - 1
     const double q = d % 2 == 0 ? m - p : m - p - 1;
@@ -52,7 +52,7 @@ constexpr double sorted = 80;
 // Of what pieces report that are not full: four times the instructions of one step in each loop.
 constexpr double begun = 3000, begun_each = 2000;  // and by the dimension
 
-double triangulation_units(double n, int D) {
+[[gnu::cold]] double triangulation_units(double n, int D) {
     const double cells = facets_most(n + 1, D + 1), squares = n * n;
     // The sum of facets_most(m, D) over m up to n: its leading term, of n + 1.
     const double share = ByDimension<double>{{1.0 / 2, 1, 1.0 / 6, 1.0 / 3, 1.0 / 24}}.at(D);
@@ -68,7 +68,7 @@ double triangulation_units(double n, int D) {
 }
 
 // Listing the complex, values and reduction.
-double filtered_units(double n, int D) {
+[[gnu::cold]] double filtered_units(double n, int D) {
     const double cells = facets_most(n + 1, D + 1);
     double faces[NETMESH_DIM_MAX + 1], all = 0;
     for (int k = 0; k <= D; ++k) {
@@ -91,7 +91,7 @@ struct PlannedWork {
 
 std::uint64_t whole_polls(double polls) { return polls < 0x1p63 ? static_cast<std::uint64_t>(polls) + 1 : UINT64_MAX; }
 
-std::uint64_t polls_of(const PlannedWork& work, std::uint64_t* most) {
+[[gnu::cold]] std::uint64_t polls_of(const PlannedWork& work, std::uint64_t* most) {
     const bool is_refused = work.bytes == 0;
     if (most != nullptr)
         *most = is_refused ? 0 : work.units_most > 0 ? whole_polls(work.units_most / Monitor::interval) : UINT64_MAX;
@@ -111,7 +111,7 @@ netmesh_request without_mesh(netmesh_request r) {
     return r;
 }
 
-double most_of(const netmesh_request& r, bool with_diagram) {
+[[gnu::cold]] double most_of(const netmesh_request& r, bool with_diagram) {
     if (!is_bounded(r)) return 0;
     const double least = r.points.dim + 2, n = static_cast<double>(r.points.count);
     const int D = static_cast<int>(r.points.dim);
@@ -119,7 +119,7 @@ double most_of(const netmesh_request& r, bool with_diagram) {
     return triangulation_units(points, D) + (with_diagram ? filtered_units(points, D) : 0);
 }
 
-double mesh_units(const netmesh_request& r, double each) {
+[[gnu::cold]] double mesh_units(const netmesh_request& r, double each) {
     const netmesh_method* const method = r.mesh.method;
     if (method == nullptr) return each;
     return each * (method->id == NETMESH_METHOD_THESIS   ? thesis_share
@@ -128,7 +128,7 @@ double mesh_units(const netmesh_request& r, double each) {
 }
 
 // Of a request that is settled.
-PlannedWork work_of_diagram(const netmesh_request& r, std::size_t bytes) {
+[[gnu::cold]] PlannedWork work_of_diagram(const netmesh_request& r, std::size_t bytes) {
     const WorkFigures figures = work_figures(r.points.dim);
     if (source_of(r) != Source::points) return {bytes, rips_units};
     if (r.filter->id == NETMESH_FILTER_AUTO) return {whole_bytes(plan_of_alpha(without_mesh(r))), alpha_units};
@@ -151,7 +151,7 @@ PlannedWork work_of_diagram(const netmesh_request& r, std::size_t bytes) {
 
 using namespace netmesh;
 
-extern "C" uint64_t netmesh_plan_polls(const netmesh_request* from, uint64_t* most) {
+extern "C" [[gnu::cold]] uint64_t netmesh_plan_polls(const netmesh_request* from, uint64_t* most) {
     netmesh_request request;
     const std::size_t bytes = netmesh_plan(from);
     if (bytes == 0 || read_struct(from, &request, sizeof request) != NETMESH_FIELD_NONE ||
@@ -160,7 +160,7 @@ extern "C" uint64_t netmesh_plan_polls(const netmesh_request* from, uint64_t* mo
     return polls_of(work_of_diagram(request, bytes), most);
 }
 
-extern "C" uint64_t netmesh_plan_mesh_polls(const netmesh_request* from, uint64_t* most) {
+extern "C" [[gnu::cold]] uint64_t netmesh_plan_mesh_polls(const netmesh_request* from, uint64_t* most) {
     netmesh_request request;
     const std::size_t bytes = netmesh_plan_mesh(from);
     if (bytes == 0 || read_struct(from, &request, sizeof request) != NETMESH_FIELD_NONE ||
