@@ -3,14 +3,14 @@
 
   check.py script  --work DIR               same bytes from everywhere; errors said, nothing left half-written
   check.py planted --work DIR --cxx C       what cannot stand in one file is refused, wrong arithmetic does not compile
-  check.py compile --work DIR --cxx C [--flags F] [--tools PREFIX] [--helpers] [--wasm]
+  check.py compile --work DIR --cxx C [--flags F] [--wasm]
                                             the plane alone compiles without a warning; its symbols and instructions
-  check.py readme  --work DIR --cxx C --cc C
+  check.py readme  --work DIR --cxx C --cc C [--flags F]
                                             the commands of tools/docs/embedding.md, with two files
-                                            of a user's in C++ and in C99; then all golden
-                                            fingerprints from what they made
+                                            of a user's in C++ and in C99; then symbols, instructions and
+                                            all golden fingerprints of what they made, F behind their own flags
   check.py golden  --work DIR --cxx C --flags F
-                                            golden fingerprints of the plane and space from another compiler or flags
+                                            the same of the plane and space together, and their golden fingerprints
 """
 import argparse
 import os
@@ -150,7 +150,7 @@ def check_planted(options):
         if re.search("x86[-_]64", must([options.cxx, "-dumpmachine"])):
             flags.append(["-mfpmath=387"])
     for flag in flags:
-        status, said = run(base + flag + [source])
+        status, said = run(base + flag + ["-Wfatal-errors", source])
         check(status != 0 and "#error" in said and "netmesh: " in said, "%s is an #error" % " ".join(flag))
     # The compiler by itself sees what two sources would declare, should the script ever miss it.
     with open(source, "a", encoding="utf-8") as f:
@@ -163,14 +163,9 @@ def symbols(nm, objects, *options):
     return {line.split()[0] for line in must([nm, "-P", *options, objects]).splitlines() if line and line[-1] != ":"}
 
 
-def check_compile(options):
-    must([sys.executable, AMALGAMATE, options.work])
-    flags = shlex.split(options.flags)
-    command = [options.cxx, "-std=c++17", *flags, PLANE, "-c", "netmesh.cpp", "-o", "netmesh.o"]
-    said = must(command, cwd=options.work)
-    check(said == "", "compiles without a warning %s" % said[:500])
+def check_object(options):
+    """netmesh.o in the work folder."""
     objects = os.path.join(options.work, "netmesh.o")
-    tool = lambda name: options.tools + name
     if options.wasm:
         # The linker's own names are no library's.
         wanted = symbols("llvm-nm", objects, "-u") - {"__stack_pointer", "__linear_memory", "__indirect_function_table"}
@@ -179,12 +174,19 @@ def check_compile(options):
         check(all(s.startswith("netmesh_") for s in shown) and len(shown) > 40, "%d symbols are visible" % len(shown))
         return
     archive = os.path.join(options.work, "libnetmesh.a")
-    must([tool("ar"), "rcs", archive, objects])
+    must(["ar", "rcs", archive, objects])
     status, said = run([sys.executable, os.path.join(ROOT, "tests/archive/check.py"), "archive", "--archive", archive,
-                        "--tables", *(["--helpers"] if options.helpers else []),
-                        *("--%s=%s" % (name, tool(name)) for name in ("nm", "objdump", "readelf", "ld"))])
+                        "--tables", *("--%s=%s" % (name, name) for name in ("nm", "objdump", "readelf", "ld"))])
     print(said)
     check(status == 0, "the object keeps what the archive promises")
+
+
+def check_compile(options, dimensions=PLANE):
+    must([sys.executable, AMALGAMATE, options.work])
+    command = [options.cxx, "-std=c++17", *shlex.split(options.flags), dimensions, "-c", "netmesh.cpp"]
+    said = must(command, cwd=options.work)
+    check(said == "", "compiles without a warning %s" % said[:500])
+    check_object(options)
 
 
 def readme_commands():
@@ -225,12 +227,14 @@ def check_readme(options):
     os.symlink(ROOT, os.path.join(work, "netmesh"))
     tools = os.path.join(work, "bin")
     os.makedirs(tools)
-    # The line that makes all at once is tried for the plane alone, for time; the two steps for all dimensions.
-    for name, command, more in [("g++", options.cxx, ""), ("gcc", options.cc, ""), ("plane/g++", options.cxx, PLANE)]:
+    # The line that makes all at once is tried for the plane alone and at -O0, for time; the two steps as they are.
+    more = shlex.split(options.flags)
+    for name, command, more in [("g++", options.cxx, more), ("gcc", options.cc, more),
+                                ("plane/g++", options.cxx, [PLANE, "-O0"])]:
         path = os.path.join(tools, name)
         os.makedirs(os.path.dirname(path), exist_ok=True)
         with open(path, "w", encoding="utf-8") as f:
-            f.write("#!/bin/sh\nexec %s %s \"$@\"\n" % (shlex.quote(command), shlex.quote(more) if more else ""))
+            f.write("#!/bin/sh\nexec %s \"$@\" %s\n" % (shlex.quote(command), " ".join(map(shlex.quote, more))))
         os.chmod(path, 0o755)
     write, at_once, engine, application = readme_commands()
     paths = {kind: {**os.environ, "PATH": os.pathsep.join([os.path.join(tools, kind), tools, os.environ["PATH"]])}
@@ -250,15 +254,13 @@ def check_readme(options):
     if shutil.which("readelf"):
         needed = re.findall(r"\(NEEDED\).*\[(.*)\]", must(["readelf", "-d", program]))
         check(needed and not any("stdc++" in n or "gcc_s" in n for n in needed), "needs " + " ".join(needed))
+    check_object(options)
     compare(fingerprints(options, ["-O2"]))
 
 
 def check_golden(options):
-    must([sys.executable, AMALGAMATE, options.work])
-    flags = shlex.split(options.flags)
-    said = must([options.cxx, "-std=c++17", *flags, BOTH, "-c", "netmesh.cpp", "-o", "netmesh.o"], cwd=options.work)
-    check(said == "", "compiles without a warning " + said[:500])
-    compare(fingerprints(options, flags), ("2", "3"))
+    check_compile(options, BOTH)
+    compare(fingerprints(options, shlex.split(options.flags)), ("2", "3"))
 
 
 def main():
@@ -267,9 +269,7 @@ def main():
     parser.add_argument("--work", required=True)
     parser.add_argument("--cxx", default="g++")
     parser.add_argument("--cc", default="gcc")
-    parser.add_argument("--flags", default="-O2")
-    parser.add_argument("--tools", default="", help="what stands before the names of nm, objdump, readelf, ld and ar")
-    parser.add_argument("--helpers", action="store_true")
+    parser.add_argument("--flags", default="")
     parser.add_argument("--wasm", action="store_true")
     options = parser.parse_args()
     options.work = os.path.abspath(options.work)

@@ -1,5 +1,7 @@
 // Bars of two programs that round differently.
 #pragma once
+#include <iostream>  // which GUDHI's headers use without it
+
 #include <gudhi/Persistent_cohomology.h>
 #include <gudhi/Simplex_tree.h>
 

@@ -9,9 +9,6 @@
 //
 // Where points are on one empty sphere the peer breaks ties as it likes. Then a simplex is not there from each of its
 // vertices, or not with one value; such cells are left to tests/periods and counted here.
-#include <gudhi/Alpha_complex.h>
-#include <gudhi/Simplex_tree.h>
-
 #include <doctest/doctest.h>
 
 #include <algorithm>
@@ -26,6 +23,7 @@
 #include "common/read.hpp"
 #include "netmesh.hpp"
 #include "oracle/bars.hpp"
+#include "oracle/peers/gudhi_tree.hpp"
 
 namespace {
 
@@ -140,20 +138,6 @@ Cover make_cover(const Cell& cell) {
     return cover;
 }
 
-template <bool weighted> void make_tree(const Cell& cell, const Cover& cover, Gudhi::Simplex_tree<>* tree) {
-    using Kernel = CGAL::Epeck_d<CGAL::Dynamic_dimension_tag>;
-    std::vector<Kernel::Point_d> rows;
-    for (auto at = cover.points.begin(); at != cover.points.end(); at += cell.dim) rows.emplace_back(at, at + cell.dim);
-    if constexpr (weighted) {
-        const std::vector<Kernel::FT> numbers(cover.weights.begin(), cover.weights.end());
-        Gudhi::alpha_complex::Alpha_complex<Kernel, true> complex(rows, numbers);
-        REQUIRE(complex.create_complex(*tree, infinity, true));
-    } else {
-        Gudhi::alpha_complex::Alpha_complex<Kernel> complex(rows);
-        REQUIRE(complex.create_complex(*tree, infinity, true));
-    }
-}
-
 struct Entry {
     double value;
     std::size_t times;
@@ -164,7 +148,7 @@ using Entries = std::map<Simplex, Entry>;
 bool take_simplices(const Cell& cell, double slack, Entries* entries) {
     const Cover cover = make_cover(cell);
     Gudhi::Simplex_tree<> tree;
-    cell.weights.empty() ? make_tree<false>(cell, cover, &tree) : make_tree<true>(cell, cover, &tree);
+    make_gudhi_tree(cell.dim, cover.points, cover.weights, &tree);
     bool is_whole = true;
     for (auto handle : tree.complex_simplex_range()) {
         Simplex simplex;

@@ -1,30 +1,23 @@
 // Alpha diagrams of points with weights against the exact ones of GUDHI, which are powers. NETMESH_WEIGHT_CLOUDS=200:
 // 200 clouds of up to 5,000 points; without it a few of up to 600.
-#include <gudhi/Alpha_complex.h>
-
 #include <doctest/doctest.h>
 
 #include <cmath>
 #include <cstdlib>
-#include <limits>
 #include <vector>
 
 #include "common/inputs.hpp"
 #include "netmesh.hpp"
 #include "oracle/bars.hpp"
+#include "oracle/peers/gudhi_tree.hpp"
 
 namespace {
 
 using oracle::Bars;
 
 Bars bars_of_peer(int dim, const inputs::Points& points, const inputs::Points& weights) {
-    using Kernel = CGAL::Epeck_d<CGAL::Dynamic_dimension_tag>;
-    std::vector<Kernel::Point_d> rows;
-    std::vector<Kernel::FT> numbers(weights.begin(), weights.end());
-    for (auto at = points.begin(); at != points.end(); at += dim) rows.emplace_back(at, at + dim);
-    Gudhi::alpha_complex::Alpha_complex<Kernel, true> complex(rows, numbers);
     Gudhi::Simplex_tree<> tree;
-    REQUIRE(complex.create_complex(tree, std::numeric_limits<double>::infinity(), true));
+    make_gudhi_tree(dim, points, weights, &tree);
     return oracle::bars_of_tree(tree, false);
 }
 

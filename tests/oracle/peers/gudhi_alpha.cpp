@@ -8,15 +8,28 @@
 #include <tuple>
 
 #include "oracle/peers/gudhi.hpp"
+#include "oracle/peers/gudhi_tree.hpp"
 
-GudhiAlpha::GudhiAlpha(int dim, const inputs::Points& points) {
+void make_gudhi_tree(int dim, const inputs::Points& points, const inputs::Points& weights,
+                     Gudhi::Simplex_tree<>* tree) {
     using Kernel = CGAL::Epeck_d<CGAL::Dynamic_dimension_tag>;
-    using Tree = Gudhi::Simplex_tree<>;
+    constexpr double infinity = std::numeric_limits<double>::infinity();
     std::vector<Kernel::Point_d> rows;
     for (auto at = points.begin(); at != points.end(); at += dim) rows.emplace_back(at, at + dim);
-    Gudhi::alpha_complex::Alpha_complex<Kernel> complex(rows);
+    if (weights.empty()) {
+        Gudhi::alpha_complex::Alpha_complex<Kernel> complex(rows);
+        REQUIRE(complex.create_complex(*tree, infinity, true));
+    } else {
+        const std::vector<Kernel::FT> numbers(weights.begin(), weights.end());
+        Gudhi::alpha_complex::Alpha_complex<Kernel, true> complex(rows, numbers);
+        REQUIRE(complex.create_complex(*tree, infinity, true));
+    }
+}
+
+GudhiAlpha::GudhiAlpha(int dim, const inputs::Points& points) {
+    using Tree = Gudhi::Simplex_tree<>;
     Tree tree;
-    REQUIRE(complex.create_complex(tree, std::numeric_limits<double>::infinity(), true));
+    make_gudhi_tree(dim, points, {}, &tree);
     for (auto handle : tree.complex_simplex_range()) {
         Simplex simplex = {{}, std::sqrt(tree.filtration(handle))};
         for (auto v : tree.simplex_vertex_range(handle)) simplex.vertices.push_back(static_cast<std::uint32_t>(v));
