@@ -23,6 +23,16 @@ std::string parse_columns(const std::string& text, std::vector<std::string>* col
 
 namespace {
 
+// "; the header names x [mm], y [mm]"
+std::string names_text(const std::vector<std::string>& names) {
+    constexpr std::size_t most = 8;
+    if (names.empty()) return ", nor a header";
+    std::string text;
+    for (std::size_t i = 0; i < names.size() && i < most; i++)
+        if (!names[i].empty()) text += (text.empty() ? "" : ", ") + quoted(names[i]);
+    return "; the header names " + text + (names.size() > most ? ", ..." : "");
+}
+
 // Columns counted from 0 out of numbers from 1, ranges and names.
 std::string resolve_columns(const std::string& option, const std::vector<std::string>& wanted, std::size_t width,
                             const std::vector<std::string>& names, std::vector<std::size_t>* columns) {
@@ -45,7 +55,7 @@ std::string resolve_columns(const std::string& option, const std::vector<std::st
         std::uint64_t from = 0, to = 0;
         const bool good = parse_unsigned(item.substr(0, dash), &from) &&
                           (dash == std::string::npos ? (to = from, true) : parse_unsigned(item.substr(dash + 1), &to));
-        if (!good) return option + ": there is no column " + quoted(item) + (names.empty() ? ", nor a header" : "");
+        if (!good) return option + ": there is no column " + quoted(item) + names_text(names);
         if (from == 0 || to < from || to > width)
             return option + " " + item + ": there are columns 1 to " + std::to_string(width);
         for (std::uint64_t k = from; k <= to; k++) columns->push_back(static_cast<std::size_t>(k - 1));
@@ -132,6 +142,14 @@ std::string remedy_for_comments(std::string_view content) {
     for (LineReader reader(content, false); reader.next(&line);) count += starts(line, "#");
     if (count < 2) return {};
     return "; " + counted(count, "line", "lines") + " of it begin with #, as comments do: take that sign out";
+}
+
+// (mm), [m/s], % below names.
+bool is_header_of_units(const std::vector<Field>& fields) {
+    double ignored;
+    return std::all_of(fields.begin(), fields.end(), [&](const Field& field) {
+        return read_field(field, true, &ignored) == FieldKind::word || field.text.empty();
+    });
 }
 
 // A table on its way from lines to numbers.
@@ -308,8 +326,8 @@ Outcome TableParser::find_index() {
     if (!unnamed && !one_short && !called) return {};
     const bool good = counts(true) || (!one_short && counts(false)) || is_word_column(0);
     if (!good) {
-        const std::string others = "--columns 2-" + std::to_string(width_) + " leaves it out, --columns 1-" +
-                                   std::to_string(width_) +
+        const std::string rest = width_ == 2 ? "" : "--columns 2-" + std::to_string(width_) + " leaves it out, ";
+        const std::string others = rest + "--columns 1-" + std::to_string(width_) +
                                    " takes it for coordinates; if this line is part of a title, --skip " +
                                    std::to_string(lines_[0].number) + " leaves it out";
         return fault(lines_[0].number, "the header gives the first column " +
@@ -558,7 +576,12 @@ Outcome TableParser::explain_field(const TableLine& line, std::size_t column) co
         std::vector<std::size_t> others;
         for (const std::size_t k : columns_)
             if (!is_word_column(k)) others.push_back(k + 1);
-        if (!others.empty()) remedy = "; --columns " + ranges_text(others) + " leaves such columns out";
+        if (others.size() > 1) remedy = "; --columns " + ranges_text(others) + " leaves such columns out";
+        if (others.size() < 2) remedy = remedy_for(field.text);
+        if (others.size() < 2 && remedy.empty())
+            remedy = others.empty()
+                         ? "; no column that is taken holds numbers"
+                         : "; of the columns that are taken " + std::to_string(others[0]) + " alone holds numbers";
         if (others.size() > 6 && others.size() == lines_.size())
             remedy = "; distances, with names or without, are read by persist --distances";
     }
@@ -567,6 +590,9 @@ Outcome TableParser::explain_field(const TableLine& line, std::size_t column) co
     if (kind == FieldKind::word && options_.delimiter == 0 && by_blanks && remedy.find("--") == std::string::npos &&
         line.text.find_first_of(",;|\t") != std::string_view::npos)
         remedy += "; blanks part columns here: --delimiter says what does, as in --delimiter ','";
+    const bool of_units = line.number == lines_[0].number && !names_.empty() && kind == FieldKind::word &&
+                          lines_.size() > 1 && is_header_of_units(fields);
+    if (of_units) remedy = "; --skip " + std::to_string(line.number) + " leaves the lines down to this one out";
     const bool above = &line == &lines_[0] || line.number == lines_[0].number;
     if (kind == FieldKind::not_finite && remedy.empty()) remedy = "; such a row has to be left out";
     if (remedy.empty() && above && lines_.size() > 1)
@@ -579,6 +605,7 @@ Outcome TableParser::explain_field(const TableLine& line, std::size_t column) co
 Outcome TableParser::parse_rows() {
     std::vector<Field> fields;
     table_->width = columns_.size();
+    table_->columns = width_;
     table_->has_weights = !options_.weights.empty();
     table_->values.reserve(lines_.size() * columns_.size());
     table_->lines.reserve(lines_.size());

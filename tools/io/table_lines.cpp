@@ -27,7 +27,8 @@ bool begins_comment(std::string_view line, std::size_t at) {
     return !is_glued || line.find_first_of(",;|\t", at) == std::string_view::npos;
 }
 
-// The line without a comment: # outside of quotes, % and // at its start.
+}  // namespace
+
 std::string_view without_comment(std::string_view line) {
     const std::string_view content = without_blanks(line);
     if (content.substr(0, 1) == "%" || content.substr(0, 2) == "//") return {};
@@ -39,6 +40,8 @@ std::string_view without_comment(std::string_view line) {
     }
     return quoted ? line.substr(0, line.find('#')) : line;
 }
+
+namespace {
 
 // UTF-16 as spreadsheets save it, to UTF-8.
 std::string from_utf16(std::string_view content, bool big) {
@@ -116,8 +119,7 @@ std::size_t with_breaks(std::string_view content, std::size_t length) {
 
 }  // namespace
 
-std::string collect_lines(std::string_view content, std::uint64_t skip, std::string* remade,
-                          std::vector<TableLine>* lines, std::string_view* above, std::uint64_t* line) {
+std::string_view with_plain_ends(std::string_view content, std::string* remade) {
     const std::string_view mark = content.substr(0, 2);
     if (mark == "\xFF\xFE" || mark == "\xFE\xFF") {
         *remade = from_utf16(content, mark[0] == '\xFE');
@@ -130,6 +132,12 @@ std::string collect_lines(std::string_view content, std::uint64_t skip, std::str
         *remade = std::move(text);
         content = *remade;
     }
+    return content;
+}
+
+std::string collect_lines(std::string_view content, std::uint64_t skip, std::string* remade,
+                          std::vector<TableLine>* lines, std::string_view* above, std::uint64_t* line) {
+    content = with_plain_ends(content, remade);
     if (!content.empty() && content.back() == '\x1A') content.remove_suffix(1);  // DOS's end of file
     for (std::uint64_t number = 1; !content.empty(); number++) {
         const std::size_t first = std::min(content.find('\n'), content.size());

@@ -34,6 +34,12 @@ struct Dialect {
 std::string collect_lines(std::string_view content, std::uint64_t skip, std::string* remade,
                           std::vector<TableLine>* lines, std::string_view* above, std::uint64_t* line);
 
+// The text from its byte-order mark on, in UTF-8, with \n at the ends of its lines; *remade holds it where it had to be
+// written anew, and must outlive it.
+std::string_view with_plain_ends(std::string_view content, std::string* remade);
+// The line without a comment: # outside of quotes and of cells, % and // at its start.
+std::string_view without_comment(std::string_view line);
+
 // False where a quotation does not end.
 bool cut_line(std::string_view line, char delimiter, std::vector<Field>* fields);
 

@@ -3,7 +3,7 @@
 const OTHER = new Set(['id', 'ids', 'uid', 'fid', 'objectid', 'pointid', 'idx', 'index', 'label', 'labels', 'class',
     'classification', 'cluster', 'category', 'target', 'flag', 'time', 'timestamp', 'datetime', 'date', 'year', 'frame',
     'intensity']);
-const MISSING = new Set([-99, -999, -9999, -99999, -999999, -999.25, -32768, -2147483648, 9999, 99999, 999999, 32767,
+const MARKS = new Set([-99, -999, -9999, -99999, -999999, -999.25, -32768, -2147483648, 9999, 99999, 999999, 32767,
     1e20, -1e20, 1e30, -1e30, 1e36, 9.969209968386869e36, -3.4028234663852886e38, 3.4028234663852886e38]);
 const SINCE = [['seconds', 1], ['milliseconds', 1e3], ['microseconds', 1e6], ['nanoseconds', 1e9]];
 
@@ -55,7 +55,7 @@ export function slipsOf(points, columns, names, isChosen) {
         let mark, low = Infinity, high = -Infinity, count = 0;
         for (let i = 0; i < rows; ++i) {
             const x = points[i * dim + k];
-            if (MISSING.has(x)) {
+            if (MARKS.has(x)) {
                 mark = x;
                 continue;
             }

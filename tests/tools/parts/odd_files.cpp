@@ -304,6 +304,16 @@ std::vector<OddFile> tables() {
         with(good("names_in_comment.csv", "# id,x,y\n7,1.5,-2.25\n4,3.125,4\n8,-0.5,6.75\n"), "x,y"),
         with(good("names_in_percent.txt", "% t x y\n7 1.5 -2.25\n4 3.125 4\n8 -0.5 6.75\n"), "x,y"),
         with(bad("names_of_comment.txt", "# x y z\n1.5 -2.25\n3.125 4\n", 2, "no column \"x\""), "x,z"),
+        // hints that work
+        bad("units_below.csv", "x,y\n(m),(m)\n1.5,-2.25\n3.125,4\n", 2, "\"(m)\" is not a number; --skip 2 leaves"),
+        bad("units_in_brackets.csv", "x;y\n[mm];[mm]\n1,5;-2,25\n3,125;4\n", 2, "--skip 2 leaves the lines"),
+        bad("one_of_numbers.csv", "name,x\na,1.5\nb,3.125\n", 2, "of the columns that are taken 2 alone holds"),
+        bad("none_of_numbers.csv", "id,name\n1,a\n2,b\n", 2, "no column that is taken holds numbers"),
+        with(bad("word_chosen.csv", "a,1.5,-2.25\nb,3.125,4\n", 1, "no column that is taken holds numbers"), "1"),
+        with(bad("one_chosen.csv", "x,y\n1.5,-2.25\n3.125,4\n", 2, "1 column; points have 2 to 6 coordinates; --col"),
+             "x"),
+        with(bad("other_case.csv", "x [mm],y [mm]\n1.5,-2.25\n3.125,4\n", 2, "the header names \"x [mm]\", \"y [mm]\""),
+             "X,Y"),
         // # in cells
         with(good("sign_behind_word.csv", "site,x,y\nSite #3,1.5,-2.25\nSite #4,3.125,4\nSite #5,-0.5,6.75\n"), "x,y"),
         with(good("sign_behind_word.tsv", "site\tx\ty\nSite #3\t1.5\t-2.25\nSite #4\t3.125\t4\nSite #5\t-0.5\t6.75\n"),
