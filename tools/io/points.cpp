@@ -28,7 +28,7 @@ std::string PointCloud::constant_coordinate() const {
         while (i < coordinates.size() && coordinates[i] == coordinates[k]) i += dim;
         if (i >= coordinates.size())
             return "coordinate " + std::to_string(k + 1) + " is " + number_text(coordinates[k]) +
-                   " in all points; --columns can leave it out";
+                   " in all points; without it, by --columns, the same points have an exact diagram";
     }
     return {};
 }

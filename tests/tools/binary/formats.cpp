@@ -270,6 +270,12 @@ TEST_CASE("what is said of k, of points on a line, and of the whole process") {
     const Folder folder;
     folder.write("line.csv", "0,0\n1,1\n3,3\n");
     CHECK(folder.run("persist line.csv").says("on a line --filter rips is exact"));
+    folder.write("flat.csv", "0,0,5\n1,0,5\n1,1,5\n0,1,5\n");
+    CHECK(folder.run("persist flat.csv").says("coordinate 3 is 5 in all points; without it, by --columns, the same"));
+    CHECK(folder.run("persist flat.csv --columns 1,2 -q").out.find("1 0.5 0.7071067811865476") != std::string::npos);
+    folder.write("slope.csv", "0,0,0\n1,0,1\n1,1,2\n0,1,1\n");
+    CHECK(folder.run("persist slope.csv").says("in a hyperplane and have no Delaunay triangulation; --filter cech is"));
+    CHECK(folder.run("persist slope.csv --filter cech").exit == 0);
     REQUIRE(folder.run("sample circle -n 30 -o p.csv").exit == 0);
     const Result result = folder.run("persist p.csv --k 3");
     CHECK(result.exit == 2);
