@@ -6,6 +6,7 @@ import pathlib
 import random
 import re
 import subprocess
+import warnings
 
 import numpy as np
 import pytest
@@ -132,6 +133,23 @@ def test_a_file(tmp_path):
     assert netmesh.read_table(path).points.tolist() == [[1, 2]]
     path.write_text("x,y\n1.5,-0.0\n2.5,1e-400\n")
     assert not np.signbit(netmesh.read_table(path).points).any()
+
+
+def test_what_may_be_no_coordinate_is_warned_of(tmp_path):
+    path = tmp_path / "p.csv"
+    for content, words in (("lat,lon\n48.1,11.5\n48.2,11.6\n48.15,11.4\n", "look like degrees"),
+                           ("x,y\n1,2\n3,5\n-999,4\n", '"x" holds -999, far'),
+                           ("x,y,label\n1,2,0\n3,5,1\n", "'x', 'y'"),
+                           ("1 2 #7\n3 5 #8\n", "behind # in every row"),
+                           ("1700000000,1,2\n1700000060,3,4\n", "[2, 3]")):
+        path.write_text(content)
+        with pytest.warns(UserWarning, match=re.escape(words)) as caught:
+            netmesh.read_table(path)
+        assert caught[0].filename == __file__
+    path.write_text("x,y,label\n1,2,0\n3,5,1\n")
+    with warnings.catch_warnings():
+        warnings.simplefilter("error")
+        netmesh.read_table(path, ["x", "y"])
 
 
 def test_files_that_are_no_tables_are_named(tmp_path):

@@ -3,6 +3,7 @@ here is what it takes there. What that one decides by other options is refused h
 import gzip
 import os
 import re
+import warnings
 import zlib
 from typing import NamedTuple, Optional, Sequence, Union
 
@@ -52,7 +53,8 @@ def read_table(path: Union[str, os.PathLike], columns: Optional[Sequence[Union[s
     skip: lines left out at the top.
     drop_missing: rows that lack a value in a column that is taken are left out; else they are refused.
 
-    What can be read in two ways is refused: InvalidArgument with the line, from 0, as ``row``.
+    What can be read in two ways is refused: InvalidArgument with the line, from 0, as ``row``. What may be no
+    coordinate (degrees, times, counts, marks of missing values, names of labels) is taken, and warned of.
     """
     with open(path, "rb") as file:
         content = file.read()
@@ -69,7 +71,8 @@ def read_table(path: Union[str, os.PathLike], columns: Optional[Sequence[Union[s
         text = content.decode("utf-16")
     else:
         text = content.decode("utf-8", "surrogateescape")
-    return parse_table(text, columns, delimiter, skip, drop_missing)
+    return parse_table(text, columns, delimiter, skip, drop_missing,
+                       lambda slip: warnings.warn("%s: %s" % (path, slip), stacklevel=4))
 
 
 def _refuse(line, words):
@@ -389,8 +392,8 @@ class _Rows:
         return len(fields) == self.width + self.dropped and any(fields[k].text.lower() in MISSING for k in chosen)
 
 
-def parse_table(text, columns=None, delimiter=None, skip=0, drop_missing=False):
-    """As read_table, of a string."""
+def parse_table(text, columns=None, delimiter=None, skip=0, drop_missing=False, tell=lambda slip: None):
+    """As read_table, of a string. `tell` gets what may be a coordinate by mistake."""
     (lines, above), notes = _lines_of(text, skip), []
     if not lines:
         signs = sum(line.lstrip(BLANKS)[:1] == "#" for line in re.split("[\r\n]+", text))
@@ -446,11 +449,14 @@ def parse_table(text, columns=None, delimiter=None, skip=0, drop_missing=False):
     else:
         chosen = _all_columns(table, dialect, delimiter, header_names, top, notes)
     found = _numbers(table, chosen, names, top, notes, drop_missing)
+    slips = slips_of(found.points, chosen, [names[k] for k in chosen] if len(names) == width else [],
+                     columns is not None)
     if len(rows) > 1 and all(re.match(r"#[^ \t\r\v\f]", line.comment) for _, line in rows):
-        notes.append('left out what stands behind # in every row, "%s" first; if it is a column, take that sign out' %
-                     rows[0][1].comment)
-    notes.extend(slips_of(found.points, chosen, [names[k] for k in chosen] if len(names) == width else [],
-                          columns is not None))
+        slips.insert(0, 'left out what stands behind # in every row, "%s" first; if it is a column, take that sign '
+                     "out" % rows[0][1].comment)
+    for slip in slips:
+        notes.append(slip)
+        tell(slip)
     return found
 
 
