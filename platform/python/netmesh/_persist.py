@@ -258,7 +258,8 @@ def _refuse_matrix(array, noise, off):
         return
     i, j = next((i, j) for i, j in np.argwhere(~(off <= noise)) if j < i)
     raise InvalidArgument("distances, row %d: the distance to %d is %r, and %r the other way round; (D + D.T) / 2 "
-                          "makes a matrix symmetric" % (i, j, float(array[i, j]), float(array[j, i])), "distances", int(i))
+                          "makes a matrix symmetric" % (i, j, float(array[i, j]), float(array[j, i])),
+                          "distances", int(i))
 
 
 def _evened(array):
