@@ -108,3 +108,26 @@ def test_load_refuses(tmp_path, line):
     (0.07313247725035307, "0.07313247725035307")])
 def test_numbers(value, text):
     assert number_text(value) == text
+
+
+@pytest.mark.parametrize("ending", [".pers", ".csv", ".npy"])
+def test_what_is_saved_is_loaded(tmp_path, ending):
+    diagram = netmesh.persist(np.random.default_rng(1).random((40, 2)))
+    path = tmp_path / ("d" + ending)
+    diagram.save(path)
+    assert netmesh.load(path) == diagram
+
+
+def test_bars_of_the_tool_and_of_others_are_loaded(tmp_path):
+    def loaded(name, content):
+        (tmp_path / name).write_text(content)
+        return [(k, b, d) for k, b, d in netmesh.load(tmp_path / name)]
+    due = [(0, 0.0, 0.5), (0, 0.0, np.inf), (1, 0.75, 1.5)]
+    assert loaded("a.json", '{"schema": 1, "bars": [[0, 0, 0.5], [0, 0, null], [1, 0.75, 1.5]]}') == due
+    assert loaded("a.csv", "birth,death,degree\r\n0,0.5,0\r\n0,,0\r\n0.75,1.5,1\r\n") == due
+    assert loaded("b.csv", "\ufeffdegree,birth,death\n1,0.75,1.5\n0,0,inf\n0,0,0.5\n") == due
+    for name, content in (("c.csv", "a,b,c\n1,2,3\n"), ("d.csv", "degree,birth,death\n0,1,0.5\n"), ("e.json", "[]"),
+                          ("f.json", '{"bars": [[0, 1]]}'), ("g.csv", "")):
+        with pytest.raises(errors.InvalidArgument) as raised:
+            loaded(name, content)
+        assert raised.value.argument == "path"

@@ -74,3 +74,23 @@ def test_results_own_their_memory():
     assert neighbours.min() == -1 and neighbours.shape == cells.shape
     with pytest.raises(errors.InvalidArgument):
         made.persist()
+
+
+def test_flat_points_are_told_what_is_exact():
+    flat = np.c_[np.random.default_rng(1).random((20, 2)), np.full(20, 5.0)]
+    with pytest.warns(UserWarning, match=r"points\[:, \[0, 1\]\] have an exact diagram"):
+        netmesh.persist(flat)
+    assert netmesh.persist(flat[:, [0, 1]]).certified_ratio == 1
+    with pytest.warns(UserWarning, match='filter="cech" is exact'):
+        netmesh.persist(np.c_[flat[:, :2], flat[:, 0]][:6])
+    with pytest.warns(UserWarning, match='filter="rips" is exact'):
+        netmesh.persist([[0, 0], [1, 1], [3, 3]])
+
+
+def test_matrices_that_are_no_distances_are_told_both_values():
+    square = np.abs(np.subtract.outer(np.arange(4.0), np.arange(4.0)))
+    square[0, 2] = 2.5
+    with pytest.raises(errors.InvalidArgument, match=r"row 2: the distance to 0 is 2.0, and 2.5 the other way"):
+        netmesh.rips(distances=square)
+    with pytest.raises(errors.InvalidArgument, match="of similarities S give 1 - S"):
+        netmesh.rips(distances=np.eye(3))

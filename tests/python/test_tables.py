@@ -1,10 +1,12 @@
 """Tables in text are read as the tool reads them: those of its own test, and random ones; and what only files have."""
+import gzip
 import json
 import os
 import pathlib
 import random
 import re
 import subprocess
+import warnings
 
 import numpy as np
 import pytest
@@ -19,6 +21,9 @@ SOURCE = pathlib.Path(__file__).parent.parent / "tools/parts/odd_files.cpp"
 LITERAL = r'"((?:[^"\\]|\\[nrt"\\])*)"'
 CASES = re.compile(r'(with\()?(?:good|bad)\("([^"]+)",\s*%s(?=[,)])[^\n]*?(?:\), %s(?:, %s)?(?:, (\d+))?\))?,\n'
                    % (LITERAL, LITERAL, LITERAL))
+# Of notes about columns that may be no coordinates, what all readers say in the same words.
+SLIPS = re.compile(r'took [^;\n]*, too|took [^;\n]*looks like[^;\n]*, for|[^;:\n]* look like degrees'
+                   r'|[^;:\n]*, far from its|what stands behind # in every row|took [^;\n]*counts rows')
 
 
 def by_tool(content, options, folder):
@@ -33,25 +38,28 @@ def by_tool(content, options, folder):
     if options.get("skip"):
         words += ["--skip", str(options["skip"])]
     words += ["--drop-missing"] * options.get("drop_missing", False)
-    done = subprocess.run([TOOL, "delaunay", str(path), "-o", str(out), "-q"] + words, stderr=subprocess.PIPE)
+    done = subprocess.run([TOOL, "delaunay", str(path), "-o", str(out)] + words, stderr=subprocess.PIPE)
     if done.returncode:
-        return "flat" if done.returncode == 5 else None
+        return "flat" if done.returncode == 5 else None, set()
     rows = [line.split() for line in out.read_text().splitlines() if not line.startswith("#")]
     count, dim = int(rows[0][0]), int(rows[0][1])
-    return [[float(x) for x in row[1:1 + dim]] for row in rows[1:1 + count]]
+    points = [[float(x) for x in row[1:1 + dim]] for row in rows[1:1 + count]]
+    return points, {slip.strip() for slip in SLIPS.findall(done.stderr.decode(errors="replace"))}
 
 
 def by_reader(content, options):
     try:
-        points = parse_table(content, **options).points
+        table = parse_table(content, **options)
     except errors.InvalidArgument as error:
         assert error.argument in ("path", "columns")
-        return None
-    return points.tolist() if 2 <= points.shape[1] <= 6 else None
+        return None, set()
+    slips = {slip.strip() for slip in SLIPS.findall("; ".join(table.notes))}
+    return (table.points.tolist(), slips) if 2 <= table.points.shape[1] <= 6 else (None, set())
 
 
 def same(content, options, folder):
-    due, found = by_tool(content, options, folder), by_reader(content, options)
+    (due, said), (found, noted) = by_tool(content, options, folder), by_reader(content, options)
+    assert noted == said or due in (None, "flat"), (content, options, said, noted)
     assert (found is None) == (due is None), (content, options, due, found)
     assert due in (None, "flat") or found == due, (content, options)
     return due is not None
@@ -125,3 +133,47 @@ def test_a_file(tmp_path):
     assert netmesh.read_table(path).points.tolist() == [[1, 2]]
     path.write_text("x,y\n1.5,-0.0\n2.5,1e-400\n")
     assert not np.signbit(netmesh.read_table(path).points).any()
+
+
+def test_what_may_be_no_coordinate_is_warned_of(tmp_path):
+    path = tmp_path / "p.csv"
+    for content, words in (("lat,lon\n48.1,11.5\n48.2,11.6\n48.15,11.4\n", "look like degrees"),
+                           ("x,y\n1,2\n3,5\n-999,4\n", '"x" holds -999, far'),
+                           ("x,y,label\n1,2,0\n3,5,1\n", "'x', 'y'"),
+                           ("1 2 #7\n3 5 #8\n", "behind # in every row"),
+                           ("1700000000,1,2\n1700000060,3,4\n", "[2, 3]")):
+        path.write_text(content)
+        with pytest.warns(UserWarning, match=re.escape(words)) as caught:
+            netmesh.read_table(path)
+        assert caught[0].filename == __file__
+    path.write_text("x,y,label\n1,2,0\n3,5,1\n")
+    with warnings.catch_warnings():
+        warnings.simplefilter("error")
+        netmesh.read_table(path, ["x", "y"])
+
+
+def test_files_that_are_no_tables_are_named(tmp_path):
+    def fault(content, skip=0):
+        path = tmp_path / "p.csv"
+        path.write_bytes(content if isinstance(content, bytes) else content.encode())
+        with pytest.raises(errors.InvalidArgument) as raised:
+            netmesh.read_table(path, skip=skip)
+        assert raised.value.argument == "path"
+        return str(raised.value)
+    packed = gzip.compress(b"x,y\n0,0\n1,2.5\n")
+    (tmp_path / "p.csv.gz").write_bytes(packed)
+    assert netmesh.read_table(tmp_path / "p.csv.gz").points.tolist() == [[0, 0], [1, 2.5]]
+    assert "cut off or damaged" in fault(packed[:-6])
+    np.save(tmp_path / "p.npy", np.zeros((3, 2)))
+    assert "numpy.load reads it" in fault((tmp_path / "p.npy").read_bytes())
+    read = "give the file to the program netmesh"
+    for content, what in (("OFF\n3 0 0\n1 2 3\n4 5 6\n7 8 8\n", "an OFF file"),
+                          ("ply\nformat ascii 1.0\n", "a PLY file"), ("solid a\nfacet normal 0 0 1\n", "an STL file"),
+                          ("v 1 2 3\nv 1 2 4\n", "an OBJ file"), ("# Blender\no a\nv 1 2 3\n", "an OBJ file"),
+                          ("ATOM      1  N   ALA A   1       1.500  -2.250   7.000\n", "a PDB file"),
+                          ("3\nwater\nO 0 0 1\nH 0 1 0\nH 1 0 0\n", "atoms in .xyz")):
+        assert what in fault(content) and read in fault(content)
+    assert "JSON" in fault('{"points": []}') and "without brackets" in fault("[[1, 2], [3, 4]]")
+    assert "HTML" in fault("<!DOCTYPE html>\n<html>\n") and "LAMMPS" in fault("ITEM: TIMESTEP\n0\n")
+    assert "save the table as CSV" in fault(b"PAR1\x15\x04") and "byte 1 is 0" in fault("1\t2\n".encode("utf-16-le"))
+    assert "a VTK or XML file" not in fault("# vtk DataFile\n1,a\n2,b\n", skip=1)

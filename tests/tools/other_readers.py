@@ -180,6 +180,40 @@ def points_read(name):
     return node_file("read.node")[0]
 
 
+def check_diagrams_in_arrays():
+    with open("ref.pers", "w") as file:
+        file.write("0 0 0.5\n0 0 inf\n1 0.75 1.5\n")
+    loops, rows = numpy.array([[0.75, 1.5]]), numpy.array([[0, 0, 0.5], [0, 0, numpy.inf], [1, 0.75, 1.5]])
+    pieces = numpy.array([[0, 0.5], [0, numpy.inf]])
+    numpy.savez("dgms.npz", pieces, loops, numpy.empty((0, 2)))
+    numpy.savez_compressed("named.npz", dgm1=loops, dgm0=pieces)
+    numpy.savez("one.npz", rows)
+    numpy.save("rows.npy", rows.astype(numpy.float32))
+    numpy.save("empty.npy", numpy.empty((0, 3)))
+    for name in ("dgms.npz", "named.npz", "one.npz", "rows.npy"):
+        same(name, run("distance", name, "ref.pers", "-q").split(), ["0", "0", "1", "0"])
+    same("empty.npy", run("distance", "empty.npy", "empty.npy", "-q"), "")
+    numpy.savez("x.npz", a=pieces, b=loops)
+    numpy.save("pairs.npy", pieces)
+    for name, due in (("x.npz", "does not end in its degree"), ("pairs.npy", "numpy.savez(FILE, *diagrams)")):
+        same(name, due in subprocess.run([BINARY, "distance", name, "ref.pers"], capture_output=True, text=True).stderr,
+             True)
+
+
+def check_hints_for_types(array):
+    """What the tool says of elements that it does not read is a call that makes floats of them."""
+    import numpy.lib.recfunctions
+    records = numpy.array([tuple(row) for row in array], dtype=[("x", "f8"), ("y", "f8")])
+    for a in (records, array[:, 0] + 1j * array[:, 1], array.astype(object), array.astype(str), array.astype("S30"),
+              array.astype(numpy.longdouble)):
+        numpy.save("typed.npy", a, allow_pickle=True)
+        done = subprocess.run([BINARY, "delaunay", "typed.npy"], capture_output=True, text=True)
+        same(str(a.dtype), done.returncode, 3)
+        call = done.stderr.strip().split("numpy.save(FILE, ...) of ")[1].split(", where ")[0]
+        numpy.save("mended.npy", eval(call, {"numpy": numpy, "a": a}))
+        same(call, points_read("mended.npy"), array.tolist())
+
+
 def check_inputs():
     """The other way: what numpy, csv and meshio write is read by the tool."""
     points = [[1.5, -2.25], [3.125, 4.0], [-0.5, 6.75], [0.0, 0.1]]
@@ -209,6 +243,8 @@ def check_inputs():
         same("zz.npz", points_read("zz.npz:a"), points)
         numpy.savetxt("t.txt", array, header="x y")
         same("t.txt", points_read("t.txt"), points)
+        check_diagrams_in_arrays()
+        check_hints_for_types(array)
     if meshio:
         corners = [[0.5, 0, 0], [1, 0, 0], [0, 1, 0], [0, 0, 1]]
         mesh = meshio.Mesh(corners, [("triangle", [[0, 1, 2], [0, 1, 3], [0, 2, 3]])])

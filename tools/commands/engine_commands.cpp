@@ -326,10 +326,13 @@ void take_filter(const netmesh_diagram_report& diagram, std::uint32_t dim, Optio
     if (!persists(*options) || !(is_auto || !options->implies_mesh.empty())) return;
     if (!options->quiet) {
         const std::string reason = is_auto ? netmesh_why_text(diagram.why) : options->implies_mesh + " asks for a mesh";
-        // Of points on a line pairs of balls say all, and exactly.
-        const bool on_line = is_auto && diagram.why == NETMESH_WHY_FLAT && dim == 2;
+        // Of points on a line pairs of balls say all, and exactly; of few points all balls do.
+        const bool is_flat = is_auto && diagram.why == NETMESH_WHY_FLAT;
         const std::string text = std::string("filter ") + filter_name(diagram.filter) + ": " + reason +
-                                 (on_line ? "; on a line --filter rips is exact" : "") + "\n";
+                                 (!is_flat   ? ""
+                                  : dim == 2 ? "; on a line --filter rips is exact"
+                                             : "; --filter cech is exact, for few points") +
+                                 "\n";
         std::fputs(text.c_str(), stderr);
     }
     options->request.filter = about(diagram.filter).filter;

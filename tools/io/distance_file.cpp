@@ -7,6 +7,7 @@
 #include "platform/memory.hpp"
 #include "tools/io/lines.hpp"
 #include "tools/io/numbers.hpp"
+#include "tools/io/plain_rows.hpp"
 #include "tools/io/table_lines.hpp"
 
 namespace netmesh::tool {
@@ -111,10 +112,30 @@ private:
     std::size_t released_ = 0;
 };
 
+// What could make numbers of a line that has words or empty cells, too.
+std::string remedy_for_line(const Header& header, const Rows& rows, std::string_view line) {
+    if (line.find(",,") != std::string_view::npos || line.find(";;") != std::string_view::npos ||
+        line.find_first_of(",;") == 0 || line.find_last_of(",;") + 1 == line.size())
+        return "; cells that a triangle does not have are left out, or 0";
+    std::string name;
+    std::vector<double> row;
+    const bool may_be_name = header.line == 0 && is_letter(line[0]) && !behind_name(line, &name).empty() &&
+                             parse_numbers(behind_name(line, &name), &row, true).empty();
+    if (may_be_name && rows.size() < 2)
+        return "; names that rows begin with are read below a header of names, as in ,a,b,c";
+    return {};
+}
+
 // *released: the content itself, where it is not needed afterwards, or null.
 Outcome read_rows(std::string_view content, std::string* released, DistanceFile* file, Rows* rows, Header* header) {
-    LineReader reader(content);
-    TextReleaser releaser(released);
+    std::string plain, note;
+    std::uint64_t fault_line = 1;
+    const std::string unclear = make_plain(content, &plain, &note, &fault_line);
+    if (!unclear.empty()) return line_error(file->place.name, fault_line, unclear);
+    if (!note.empty()) add_note(note, file);
+    if (!plain.empty()) content = plain;
+    LineReader reader(content, plain.empty());
+    TextReleaser releaser(plain.empty() ? released : &plain);
     file->numbers.reserve(count_fields(content));
     std::string_view line;
     std::vector<double> row;
@@ -122,6 +143,7 @@ Outcome read_rows(std::string_view content, std::string* released, DistanceFile*
     while (reader.next_content(&line)) {
         const bool has_tab = line.data() != content.data() && line.data()[-1] == '\t';
         line = without_last_comma(line);
+        if (rows->empty() && header->line == 0 && line.size() < 6 && starts(lower_case(line), "sep=")) continue;
         if (rows->empty() && header->line == 0 && read_header(line, has_tab, header)) {
             header->line = reader.number();
             add_note("skipped header " + quoted(line), file);
@@ -145,7 +167,8 @@ Outcome read_rows(std::string_view content, std::string* released, DistanceFile*
                 line = rest;
             }
         }
-        if (!complaint.empty()) return line_error(file->place.name, reader.number(), complaint);
+        if (!complaint.empty())
+            return line_error(file->place.name, reader.number(), complaint + remedy_for_line(*header, *rows, line));
         if (has_name && !header->has_row_names) {
             add_note("left out the names that rows begin with", file);
             header->has_row_names = true;
@@ -170,9 +193,32 @@ Outcome read_rows(std::string_view content, std::string* released, DistanceFile*
     return {};
 }
 
+// A first row that may be something else: how many points there are, or the numbers of columns as pandas writes them.
+std::string remedy_for_first_row(const DistanceFile& file, const Rows& rows) {
+    if (rows.size() < 4 || rows[0].line == 0) return {};
+    const std::size_t n = rows.size() - 1;
+    bool are_numbers = rows[0].count == n, is_count = rows[0].count < 3;
+    for (std::size_t k = 0; k < rows[0].count; k++) {
+        are_numbers = are_numbers && file.numbers[rows[0].first + k] == static_cast<double>(k);
+        is_count = is_count && file.numbers[rows[0].first + k] == static_cast<double>(n);
+    }
+    if (!are_numbers && !is_count) return {};
+    return "; if line " + std::to_string(rows[0].line) +
+           (are_numbers ? " is the numbers of columns" : " says how many points there are") + ", put # in front of it";
+}
+
+// Rows of three of which two are numbers of points.
+std::string remedy_for_entries(const DistanceFile& file, const Rows& rows) {
+    for (const DistanceRow& row : rows)
+        if (row.count != 3 || !is_count(file.numbers[row.first]) || !is_count(file.numbers[row.first + 1])) return {};
+    return "; lines i j distance are read with --sparse";
+}
+
 // Where row r must have `due` numbers.
 Outcome wrong_count(const DistanceFile& file, const Rows& rows, std::size_t r, std::size_t due, const char* what) {
-    return wrong(file, rows, r, count_text(rows[r].count) + " where " + what + " has " + std::to_string(due));
+    return wrong(file, rows, r,
+                 count_text(rows[r].count) + " where " + what + " has " + std::to_string(due) +
+                     remedy_for_first_row(file, rows));
 }
 
 void add_line(const DistanceRow& row, DistanceFile* file) {
@@ -214,10 +260,14 @@ Outcome even_out(const Rows& rows, DistanceFile* file) {
     double largest = 0, moved = 0;
     for (const double x : d) largest = std::isfinite(x) ? std::max(largest, std::abs(x)) : largest;
     const double noise = largest * noise_share;
+    bool are_ones = true;
+    for (std::size_t i = 0; i < n; i++) are_ones = are_ones && d[i * n + i] == 1;
+    const std::string remedy = are_ones ? "; of similarities S write 1 - S" : remedy_for_entries(*file, rows);
     for (std::size_t i = 0; i < n; i++) {
         double& own = d[i * n + i];
         if (std::abs(own) > noise)
-            return wrong(*file, rows, i, "the distance of a point to itself is " + number_text(own) + ", not 0", i + 1);
+            return wrong(*file, rows, i,
+                         "the distance of a point to itself is " + number_text(own) + ", not 0" + remedy, i + 1);
         moved = std::max(moved, std::abs(own));
         own = 0;
         for (std::size_t j = 0; j < i; j++) {
@@ -249,7 +299,8 @@ Outcome take_square(const Rows& rows, DistanceFile* file) {
     if (rows.size() != rows[0].count)
         return wrong(*file, rows, rows.size() - 1,
                      "a matrix of " + counted(rows.size(), "row", "rows") + " and " +
-                         counted(rows[0].count, "column", "columns") + "; one of distances is square");
+                         counted(rows[0].count, "column", "columns") + "; one of distances is square" +
+                         remedy_for_first_row(*file, rows) + remedy_for_entries(*file, rows));
     file->layout = NETMESH_DISTANCES_FULL;
     file->points = rows.size();
     take_half(file);

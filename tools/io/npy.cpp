@@ -70,9 +70,20 @@ bool parse_shape(std::string_view text, std::vector<std::uint64_t>* shape) {
     return true;
 }
 
+// How such elements become floats.
+const char* remedy_for_type(std::string_view text) {
+    if (text.front() == '[') return "numpy.lib.recfunctions.structured_to_unstructured(a)";
+    const char kind = text.size() > 2 ? text[2] : ' ';
+    if (kind == 'c') return "numpy.column_stack([a.real, a.imag])";
+    if (kind == 'O') return "numpy.array(a.tolist(), dtype=float), where all rows have the same length";
+    return "a.astype(float)";
+}
+
 std::string parse_descr(std::string_view text, Array* array) {
+    if (text.empty()) return "elements of no type";
     const std::string no = "elements of type " + quoted(text) +
-                           "; float16, float32, float64 and integers are read: numpy.save(..., a.astype(float))";
+                           "; float16, float32, float64 and integers are read: numpy.save(FILE, ...) of " +
+                           remedy_for_type(text);
     if (text.size() < 5 || (text.front() != '\'' && text.front() != '"') || text.back() != text.front()) return no;
     const std::string_view code = text.substr(1, text.size() - 2);
     const char order = code[0];
@@ -114,9 +125,10 @@ std::string parse_header(std::string_view content, bool distances, Array* array)
     if (!parse_shape(shape_text, &shape)) return "shape " + quoted(shape_text) + " is not understood";
     if (shape.size() == 1 && distances) shape.push_back(1);
     if (shape.size() != 2 && distances)
-        return "an array of " + std::to_string(shape.size()) + " axes; distances are one or two";
+        return "an array of " + std::to_string(shape.size()) + " axes; one or two are read";
     if (shape.size() != 2)
-        return "an array of " + std::to_string(shape.size()) + " axes; points need two: a.reshape(-1, D)";
+        return "an array of " + std::to_string(shape.size()) + (shape.size() == 1 ? " axis" : " axes") +
+               "; points need two: a.reshape(-1, D)";
     if (order != "False" && order != "True") return "fortran_order " + quoted(order) + " is not understood";
     array->fortran = order == "True";
     array->rows = shape[0];

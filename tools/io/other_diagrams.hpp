@@ -9,9 +9,10 @@
 
 namespace netmesh::tool {
 
-// `degree birth death` a line, parted by blanks or commas, behind a header or not; what ripser prints; our own .csv,
-// .json and .npy, and arrays [bars][3] of anybody's; DIPHA's binary files. A class that never dies has inf, Inf,
-// Infinity, null or nothing for a death. Any order. Every fault is Exit::data.
+// `degree birth death` a line in the dialects of tables, in the order that a header names, behind the field as
+// GUDHI's programs write it or not; what ripser and GUDHI's lists print; our own .csv, .json and .npy, and arrays
+// [bars][3] of anybody's; .npz and lists with [birth, death] for each degree; DIPHA's binary files. A class that never
+// dies has inf, Inf, Infinity, null or nothing for a death. Any order. Every fault is Exit::data.
 Outcome parse_any_diagram(std::string_view content, const std::string& name, std::vector<Bar>* bars);
 
 }  // namespace netmesh::tool

@@ -28,7 +28,7 @@ std::string PointCloud::constant_coordinate() const {
         while (i < coordinates.size() && coordinates[i] == coordinates[k]) i += dim;
         if (i >= coordinates.size())
             return "coordinate " + std::to_string(k + 1) + " is " + number_text(coordinates[k]) +
-                   " in all points; --columns can leave it out";
+                   " in all points; without it, by --columns, the same points have an exact diagram";
     }
     return {};
 }
@@ -445,9 +445,11 @@ Outcome take_table(Table table, PointCloud* cloud, std::uint32_t columns_max) {
                                               "; a matrix of distances, as this looks like one, is read by persist "
                                               "--distances");
         if (table.lines.empty()) return file_error(table.name, complaint);
-        return line_error(
-            table.name, table.lines[0],
-            complaint + (width < dim_min ? "; --delimiter says what stands between them" : "; --columns chooses some"));
+        return line_error(table.name, table.lines[0],
+                          complaint + (table.columns >= dim_min + table.has_weights && width < dim_min
+                                           ? "; --columns chooses more"
+                                       : width < dim_min ? "; --delimiter says what stands between them"
+                                                         : "; --columns chooses some"));
     }
     cloud->dim = static_cast<std::uint32_t>(width);
     if (table.has_weights) {

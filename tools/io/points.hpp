@@ -25,8 +25,8 @@ struct PointCloud {
     std::string note;                  // what was left out or understood; empty when nothing
 
     std::size_t rows() const { return dim == 0 ? 0 : coordinates.size() / dim; }
-    // Which coordinate is the same in all of at least two points: "coordinate 3 is 0 in all points; --columns can leave
-    // it out"; empty where none is, and where two coordinates would not be left.
+    // Which coordinate is the same in all of at least two points: "coordinate 3 is 0 in all points; without it, by
+    // --columns, ..."; empty where none is, and where two coordinates would not be left.
     std::string constant_coordinate() const;
     // FILE:LINE of a row, or "FILE: row N" (counted from 1) where rows are not lines.
     std::string where(std::uint64_t row) const;

@@ -6,6 +6,7 @@
 #include "tools/io/characters.hpp"
 #include "tools/io/lines.hpp"
 #include "tools/io/numbers.hpp"
+#include "tools/io/slips.hpp"
 #include "tools/io/table_lines.hpp"
 
 namespace netmesh::tool {
@@ -22,6 +23,16 @@ std::string parse_columns(const std::string& text, std::vector<std::string>* col
 
 namespace {
 
+// "; the header names x [mm], y [mm]"
+std::string names_text(const std::vector<std::string>& names) {
+    constexpr std::size_t most = 8;
+    if (names.empty()) return ", nor a header";
+    std::string text;
+    for (std::size_t i = 0; i < names.size() && i < most; i++)
+        if (!names[i].empty()) text += (text.empty() ? "" : ", ") + quoted(names[i]);
+    return "; the header names " + text + (names.size() > most ? ", ..." : "");
+}
+
 // Columns counted from 0 out of numbers from 1, ranges and names.
 std::string resolve_columns(const std::string& option, const std::vector<std::string>& wanted, std::size_t width,
                             const std::vector<std::string>& names, std::vector<std::size_t>* columns) {
@@ -29,6 +40,11 @@ std::string resolve_columns(const std::string& option, const std::vector<std::st
     for (const std::string& item : wanted) {
         const auto named = std::find(names.begin(), names.end(), item);
         if (named != names.end()) {
+            if (std::find(named + 1, names.end(), item) != names.end())
+                return option + " " + item + ": two columns are called so; numbers from 1 tell them apart";
+            if (names.size() < width)
+                return option + " " + item + ": the header names " + counted(names.size(), "column", "columns") +
+                       ", the rows have " + std::to_string(width) + "; numbers from 1 say which are meant";
             columns->push_back(static_cast<std::size_t>(named - names.begin()));
             if (columns->back() >= width)
                 return "--columns " + item + ": the header names " + counted(names.size(), "column", "columns") +
@@ -39,7 +55,7 @@ std::string resolve_columns(const std::string& option, const std::vector<std::st
         std::uint64_t from = 0, to = 0;
         const bool good = parse_unsigned(item.substr(0, dash), &from) &&
                           (dash == std::string::npos ? (to = from, true) : parse_unsigned(item.substr(dash + 1), &to));
-        if (!good) return option + ": there is no column " + quoted(item) + (names.empty() ? ", nor a header" : "");
+        if (!good) return option + ": there is no column " + quoted(item) + names_text(names);
         if (from == 0 || to < from || to > width)
             return option + " " + item + ": there are columns 1 to " + std::to_string(width);
         for (std::uint64_t k = from; k <= to; k++) columns->push_back(static_cast<std::size_t>(k - 1));
@@ -119,18 +135,21 @@ std::string remedy_for(std::string_view text) {
     return {};
 }
 
-// 1,2,4-9
-std::string ranges_text(const std::vector<std::size_t>& numbers) {
-    std::string text;
-    for (std::size_t i = 0; i < numbers.size();) {
-        std::size_t end = i + 1;
-        while (end < numbers.size() && numbers[end] == numbers[end - 1] + 1) end++;
-        if (end - i < 3) end = i + 1;
-        text += (i > 0 ? "," : "") + std::to_string(numbers[i]);
-        if (end - i > 1) text += "-" + std::to_string(numbers[end - 1]);
-        i = end;
-    }
-    return text;
+// Of a text without a row: lines that are left out as comments, which may be meant as rows.
+std::string remedy_for_comments(std::string_view content) {
+    std::size_t count = 0;
+    std::string_view line;
+    for (LineReader reader(content, false); reader.next(&line);) count += starts(line, "#");
+    if (count < 2) return {};
+    return "; " + counted(count, "line", "lines") + " of it begin with #, as comments do: take that sign out";
+}
+
+// (mm), [m/s], % below names.
+bool is_header_of_units(const std::vector<Field>& fields) {
+    double ignored;
+    return std::all_of(fields.begin(), fields.end(), [&](const Field& field) {
+        return read_field(field, true, &ignored) == FieldKind::word || field.text.empty();
+    });
 }
 
 // A table on its way from lines to numbers.
@@ -163,7 +182,9 @@ private:
     Outcome check_column_numbers() const;
     Outcome check_count_of_names() const;
     Outcome check_count_of_rows() const;
-    void note_other_names();
+    void take_names_above();
+    void note_slips();
+    void note_comments();
     void note_whole_first_row();
     Outcome parse_rows();
     Outcome explain_field(const TableLine& line, std::size_t column) const;
@@ -174,8 +195,8 @@ private:
     std::size_t count_lacking() const;
     std::string remedy_for_missing() const;
     void note_missing(const std::vector<std::uint64_t>& left_out);
-    // Whether the first column counts: 0, 1, 2, ... or from another number on, or only ascends.
-    bool counts(bool by_one) const;
+    // Whether the first column counts from row `first` on: 0, 1, 2, ... or from another number on, or only ascends.
+    bool counts(bool by_one, std::size_t first = 0) const;
     void add_plain_note(const std::string& sentence) { table_->note += (table_->note.empty() ? "" : "; ") + sentence; }
     // Of what hangs on more than the lines at the top.
     void add_note(const std::string& sentence) {
@@ -192,6 +213,7 @@ private:
     std::vector<TableLine> lines_;  // of rows, once the header is out
     Dialect dialect_;
     TableLine header_ = {};
+    std::string_view above_;          // what a comment in front of the rows says
     std::vector<std::string> names_;  // of the header
     std::size_t width_ = 0;           // fields of a row
     std::size_t dropped_ = 0;         // empty fields at the end of every row
@@ -278,17 +300,17 @@ Outcome TableParser::drop_ends() {
     return {};
 }
 
-bool TableParser::counts(bool by_one) const {
+bool TableParser::counts(bool by_one, std::size_t first) const {
     std::vector<Field> fields;
     double last = 0;
-    for (std::size_t i = 0; i < lines_.size(); i++) {
+    for (std::size_t i = first; i < lines_.size(); i++) {
         double value;
         if (!cut(lines_[i], &fields) || fields.empty()) return false;
         if (read_field(fields[0], false, &value) != FieldKind::number || value < 0 || !is_count(value)) return false;
-        if (i > 0 && (by_one ? value != last + 1 : value <= last)) return false;
+        if (i > first && (by_one ? value != last + 1 : value <= last)) return false;
         last = value;
     }
-    return !lines_.empty();
+    return first < lines_.size();
 }
 
 // A first column that the header says is no coordinate.
@@ -304,8 +326,8 @@ Outcome TableParser::find_index() {
     if (!unnamed && !one_short && !called) return {};
     const bool good = counts(true) || (!one_short && counts(false)) || is_word_column(0);
     if (!good) {
-        const std::string others = "--columns 2-" + std::to_string(width_) + " leaves it out, --columns 1-" +
-                                   std::to_string(width_) +
+        const std::string rest = width_ == 2 ? "" : "--columns 2-" + std::to_string(width_) + " leaves it out, ";
+        const std::string others = rest + "--columns 1-" + std::to_string(width_) +
                                    " takes it for coordinates; if this line is part of a title, --skip " +
                                    std::to_string(lines_[0].number) + " leaves it out";
         return fault(lines_[0].number, "the header gives the first column " +
@@ -337,11 +359,15 @@ Outcome TableParser::check_column_numbers() const {
                                        delimiter_option(dialect_.delimiter) + " reads it as a point");
 }
 
-// More names than columns, where blanks within names cannot be the reason: rows lack something.
+// More names than columns, where blanks within names cannot be the reason: rows lack something. Or fewer, and more than
+// the one that rows have in front may lack.
 Outcome TableParser::check_count_of_names() const {
     std::size_t named = 0;
     for (const std::string& name : names_) named += !name.empty();
-    if (dialect_.delimiter == ' ' || dialect_.delimiter == 0 || named <= width_) return {};
+    const bool by_blanks = dialect_.delimiter == ' ' || dialect_.delimiter == 0;
+    const auto is_short = [](const std::string& name) { return name.size() < 3; };  // x, y, z
+    if (by_blanks && !std::all_of(names_.begin(), names_.end(), is_short)) return {};
+    if (names_.size() == width_ || named == width_ || named + 1 == width_ || named < 2) return {};
     std::vector<Field> fields;
     double ignored;
     cut(lines_[0], &fields);
@@ -353,39 +379,30 @@ Outcome TableParser::check_count_of_names() const {
                                        std::to_string(lines_[0].number - 1) + " leaves the header out");
 }
 
-// 100 2 above 100 rows of the plane: how many there are of how many coordinates, or a point?
+// 100 2 above 100 rows of the plane, or 2 100: how many there are of how many coordinates, or a point? And 100 3 0 0
+// above rows that are counted is the head of a .node file.
 Outcome TableParser::check_count_of_rows() const {
     std::vector<Field> fields;
-    if (!names_.empty() || width_ != 2 || lines_.size() < 4) return {};
-    if (!cut(lines_[0], &fields) || fields.size() != 2 || fields[1].text != "2") return {};
-    if (fields[0].text != std::to_string(lines_.size() - 1)) return {};
-    return fault(lines_[0].number, quoted(without_blanks(lines_[0].text)) +
-                                       " may say how many points of how many coordinates there are, or be a point: "
-                                       "--skip " +
-                                       std::to_string(lines_[0].number) +
-                                       " leaves it out, --columns 1-2 reads it as a point");
-}
-
-// x, y or x, y, z, and then something else: all of it is taken, and said.
-void TableParser::note_other_names() {
-    const std::size_t taken_count = columns_.size() - !options_.weights.empty();
-    if (names_.size() != width_ || taken_count == 0) return;
-    const auto name_of = [&](std::size_t i) { return lower_case(names_[columns_[i]]); };
-    std::size_t places = 0;
-    while (places < taken_count && places < 3 && name_of(places) == std::string(1, "xyz"[places])) places++;
-    if (places < 2) return;
-    std::string others;
-    for (std::size_t i = places; i < taken_count; i++) {
-        const std::string name = name_of(i);
-        const bool is_letter = name.size() == 1 && name.find_first_of("tuvwxyz") == 0;
-        const bool is_numbered = name.size() == 2 && name[0] == 'x' && name[1] >= '0' && name[1] <= '9';
-        if (!is_letter && !is_numbered) others += (others.empty() ? "" : ", ") + quoted(names_[columns_[i]]);
-    }
-    if (others.empty()) return;
-    std::string taken;
-    for (std::size_t i = 0; i < places; i++) taken += (i > 0 ? "," : "") + names_[columns_[i]];
-    add_plain_note("took " + others + " for coordinates, too; --columns " + taken + " leaves " +
-                   (taken_count - places == 1 ? "that" : "them") + " out");
+    if (!names_.empty() || width_ < 2 || lines_.size() < 4) return {};
+    if (!cut(lines_[0], &fields) || fields.size() != width_) return {};
+    std::vector<std::uint64_t> head(width_);
+    for (std::size_t k = 0; k < width_; k++)
+        if (!parse_unsigned(std::string(fields[k].text), &head[k])) return {};
+    const std::uint64_t rows = lines_.size() - 1;
+    const bool is_node = width_ > 2 && head[0] == rows && head[1] > 1 && head[1] < width_ && counts(true, 1);
+    const bool is_count = head[0] == rows && head[1] == width_;
+    const bool is_turned = width_ == 2 && head[0] == 2 && head[1] == rows;
+    if (!is_node && !is_count && !is_turned) return {};
+    const std::string skip = "--skip " + std::to_string(lines_[0].number) + " leaves it out";
+    const std::string text = quoted(without_blanks(lines_[0].text));
+    if (is_node)
+        return fault(lines_[0].number, text +
+                                           " is the head of a .node file of Triangle or TetGen, it seems: name the "
+                                           "file .node; " +
+                                           skip + " and has the rows read as a table");
+    return fault(lines_[0].number,
+                 text + " may say how many points of how many coordinates there are, or be a point: " + skip +
+                     ", --columns 1-" + std::to_string(width_) + " reads it as a point");
 }
 
 // 2019 2020 2021 above numbers that all have decimals: names, it may be, but read as a point.
@@ -407,6 +424,16 @@ void TableParser::note_whole_first_row() {
              " as a point; if it names columns, --skip " + std::to_string(lines_[0].number) + " leaves it out");
 }
 
+// # x,y above the rows, as numpy.savetxt writes names.
+void TableParser::take_names_above() {
+    std::vector<Field> fields;
+    for (const char delimiter : {dialect_.delimiter, char{0}})
+        if (cut_line(above_, delimiter, &fields) && fields.size() == width_ && is_header_line(fields)) {
+            for (const Field& field : fields) names_.push_back(name_in(field));
+            return;
+        }
+}
+
 Outcome TableParser::find_columns() {
     for (std::size_t k = 0; k < width_; k++) columns_.push_back(k);
     if (options_.columns.empty()) {
@@ -416,19 +443,13 @@ Outcome TableParser::find_columns() {
         if (!outcome.good()) return outcome;
         note_whole_first_row();
         const Outcome found = find_index();
-        std::vector<Field> first;
-        const bool from_start =
-            cut(lines_[0], &first) && !first.empty() && (first[0].text == "0" || first[0].text == "1");
-        if (found.good() && columns_.size() == width_ && width_ > 2 && lines_.size() > 4 && from_start && counts(true))
-            add_note("took column 1, which counts rows, as a coordinate; --columns 2-" + std::to_string(width_) +
-                     " leaves it out");
         if (!found.good()) return found;
     }
+    if (names_.empty()) take_names_above();
     std::vector<std::string> names = names_;
     if (names.size() + 1 == width_) names.insert(names.begin(), "");
     const std::string complaint = choose_columns(options_, width_, names, &columns_);
     if (!complaint.empty()) return fault(lines_[0].number, complaint);
-    if (options_.columns.empty()) note_other_names();
     return {};
 }
 
@@ -477,6 +498,27 @@ void TableParser::note_missing(const std::vector<std::uint64_t>& left_out) {
     add_note("left out " + grouped_text(left_out.size()) + " of " + counted(lines_.size(), "row", "rows") +
              ", which lack a value: line" + (left_out.size() > 1 ? "s " : " ") + places +
              (left_out.size() > most ? ", ..." : ""));
+}
+
+// #12 behind the numbers of every row: a column, it may be.
+void TableParser::note_comments() {
+    if (lines_.size() < 2) return;
+    for (const TableLine& line : lines_)
+        if (line.comment.size() < 2 || is_blank(line.comment[1])) return;
+    add_note("left out what stands behind # in every row, " + quoted(lines_[0].comment) +
+             " first; if it is a column, take that sign out");
+}
+
+// What is a coordinate by mistake, it may be. A row that counts hangs on all of them.
+void TableParser::note_slips() {
+    TakenColumns taken;
+    taken.columns = columns_;
+    if (!options_.weights.empty()) taken.columns.pop_back();
+    taken.width = width_;
+    taken.chosen = !options_.columns.empty();
+    for (const std::size_t column : taken.columns)
+        if (names_.size() == width_) taken.names.push_back(names_[column]);
+    for (const std::string& sentence : slips_of(taken, table_->values, table_->width)) add_note(sentence);
 }
 
 Outcome TableParser::explain_width(const TableLine& line) const {
@@ -534,7 +576,12 @@ Outcome TableParser::explain_field(const TableLine& line, std::size_t column) co
         std::vector<std::size_t> others;
         for (const std::size_t k : columns_)
             if (!is_word_column(k)) others.push_back(k + 1);
-        if (!others.empty()) remedy = "; --columns " + ranges_text(others) + " leaves such columns out";
+        if (others.size() > 1) remedy = "; --columns " + ranges_text(others) + " leaves such columns out";
+        if (others.size() < 2) remedy = remedy_for(field.text);
+        if (others.size() < 2 && remedy.empty())
+            remedy = others.empty()
+                         ? "; no column that is taken holds numbers"
+                         : "; of the columns that are taken " + std::to_string(others[0]) + " alone holds numbers";
         if (others.size() > 6 && others.size() == lines_.size())
             remedy = "; distances, with names or without, are read by persist --distances";
     }
@@ -543,6 +590,9 @@ Outcome TableParser::explain_field(const TableLine& line, std::size_t column) co
     if (kind == FieldKind::word && options_.delimiter == 0 && by_blanks && remedy.find("--") == std::string::npos &&
         line.text.find_first_of(",;|\t") != std::string_view::npos)
         remedy += "; blanks part columns here: --delimiter says what does, as in --delimiter ','";
+    const bool of_units = line.number == lines_[0].number && !names_.empty() && kind == FieldKind::word &&
+                          lines_.size() > 1 && is_header_of_units(fields);
+    if (of_units) remedy = "; --skip " + std::to_string(line.number) + " leaves the lines down to this one out";
     const bool above = &line == &lines_[0] || line.number == lines_[0].number;
     if (kind == FieldKind::not_finite && remedy.empty()) remedy = "; such a row has to be left out";
     if (remedy.empty() && above && lines_.size() > 1)
@@ -555,6 +605,7 @@ Outcome TableParser::explain_field(const TableLine& line, std::size_t column) co
 Outcome TableParser::parse_rows() {
     std::vector<Field> fields;
     table_->width = columns_.size();
+    table_->columns = width_;
     table_->has_weights = !options_.weights.empty();
     table_->values.reserve(lines_.size() * columns_.size());
     table_->lines.reserve(lines_.size());
@@ -580,13 +631,15 @@ Outcome TableParser::parse_rows() {
     }
     if (table_->lines.empty()) return fault(lines_[0].number, "every row lacks a value");
     note_missing(left_out);
+    note_comments();
+    note_slips();
     if (too_small_ > 0) add_note("read " + counted(too_small_, "number", "numbers") + " below 4.9e-324 as 0");
     return {};
 }
 
 Outcome TableParser::parse(std::string_view content) {
     std::uint64_t line = 0;
-    const std::string complaint = collect_lines(content, options_.skip, &remade_, &lines_, &line);
+    const std::string complaint = collect_lines(content, options_.skip, &remade_, &lines_, &above_, &line);
     if (!complaint.empty()) return fault(line, complaint);
     take_separator_line();
     const auto breaks = std::count_if(lines_.begin(), lines_.end(), [](const TableLine& row) {
@@ -597,7 +650,8 @@ Outcome TableParser::parse(std::string_view content) {
     Outcome outcome = find_header();
     if (outcome.good()) outcome = drop_ends();
     if (!outcome.good()) return outcome;
-    if (lines_.empty()) return fault(line == 0 ? 1 : line, "the input ends without a point");
+    if (lines_.empty())
+        return fault(line == 0 ? 1 : line, "the input ends without a point" + remedy_for_comments(content));
     outcome = find_columns();
     return outcome.good() ? parse_rows() : outcome;
 }

@@ -25,6 +25,7 @@ struct TableOptions {
 struct Table {
     std::string name;  // for messages
     std::size_t width = 0;
+    std::size_t columns = 0;           // that rows of a text have, taken or not
     std::vector<double> values;        // [rows][width], finite, no -0.0
     bool has_weights = false;          // the last column is of radii or weights
     std::vector<std::uint64_t> lines;  // physical line of each row; empty for binary formats

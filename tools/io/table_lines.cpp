@@ -10,18 +10,25 @@ namespace netmesh::tool {
 
 namespace {
 
+bool is_delimiter(char c) { return c == ',' || c == ';' || c == '|' || c == '\t'; }
+
 // Whether a # at `at` begins a comment, not a field: it is the first, or a blank stands between it and a field. Between
-// tabs it is a field.
+// tabs it is a field, and behind a word of a cell (Site #3) where a delimiter follows.
 bool begins_comment(std::string_view line, std::size_t at) {
     if (without_blanks(line.substr(0, at)).empty()) return true;
     if (!is_blank(line[at - 1])) return false;
     if (line[at - 1] == '\t' && line.find('\t', at) != std::string_view::npos) return false;
     std::size_t before = at;
     while (is_blank(line[before - 1])) before--;
-    return line[before - 1] != ',' && line[before - 1] != ';' && line[before - 1] != '|';
+    if (line[before - 1] == ',' || line[before - 1] == ';' || line[before - 1] == '|') return false;
+    std::size_t word = before;
+    while (word > 0 && !is_blank(line[word - 1]) && !is_delimiter(line[word - 1])) word--;
+    const bool is_glued = at + 1 < line.size() && !is_blank(line[at + 1]) && is_letter(line[word]);
+    return !is_glued || line.find_first_of(",;|\t", at) == std::string_view::npos;
 }
 
-// The line without a comment: # outside of quotes, % and // at its start.
+}  // namespace
+
 std::string_view without_comment(std::string_view line) {
     const std::string_view content = without_blanks(line);
     if (content.substr(0, 1) == "%" || content.substr(0, 2) == "//") return {};
@@ -33,6 +40,8 @@ std::string_view without_comment(std::string_view line) {
     }
     return quoted ? line.substr(0, line.find('#')) : line;
 }
+
+namespace {
 
 // UTF-16 as spreadsheets save it, to UTF-8.
 std::string from_utf16(std::string_view content, bool big) {
@@ -110,8 +119,7 @@ std::size_t with_breaks(std::string_view content, std::size_t length) {
 
 }  // namespace
 
-std::string collect_lines(std::string_view content, std::uint64_t skip, std::string* remade,
-                          std::vector<TableLine>* lines, std::uint64_t* line) {
+std::string_view with_plain_ends(std::string_view content, std::string* remade) {
     const std::string_view mark = content.substr(0, 2);
     if (mark == "\xFF\xFE" || mark == "\xFE\xFF") {
         *remade = from_utf16(content, mark[0] == '\xFE');
@@ -124,6 +132,12 @@ std::string collect_lines(std::string_view content, std::uint64_t skip, std::str
         *remade = std::move(text);
         content = *remade;
     }
+    return content;
+}
+
+std::string collect_lines(std::string_view content, std::uint64_t skip, std::string* remade,
+                          std::vector<TableLine>* lines, std::string_view* above, std::uint64_t* line) {
+    content = with_plain_ends(content, remade);
     if (!content.empty() && content.back() == '\x1A') content.remove_suffix(1);  // DOS's end of file
     for (std::uint64_t number = 1; !content.empty(); number++) {
         const std::size_t first = std::min(content.find('\n'), content.size());
@@ -138,11 +152,17 @@ std::string collect_lines(std::string_view content, std::uint64_t skip, std::str
         if (end == first && text.find('\r') != std::string_view::npos)
             return "a carriage return within the line; save the file with one kind of line ends";
         const std::string_view kept = without_comment(text);
+        const std::string_view whole = text;
         const bool commented = kept.size() != text.size();  // tabs in front of a comment are no columns
+        const std::string_view comment = commented ? text.substr(kept.size()) : std::string_view();
         text = kept;
         while (!text.empty() && (text.back() == ' ' || (commented && is_blank(text.back())))) text.remove_suffix(1);
-        if (without_blanks(text).empty()) continue;
-        lines->push_back({text, *line});
+        if (without_blanks(text).empty()) {
+            const std::size_t words = whole.find_first_not_of("#%/ \t\r");
+            if (lines->empty() && words != std::string_view::npos) *above = whole.substr(words);
+            continue;
+        }
+        lines->push_back({text, *line, comment});
     }
     return {};
 }

@@ -11,8 +11,9 @@
 namespace netmesh::tool {
 
 struct TableLine {
-    std::string_view text;  // without line end, comment and blanks behind; tabs in front are kept
-    std::uint64_t number;   // physical, from 1, of its beginning
+    std::string_view text;     // without line end, comment and blanks behind; tabs in front are kept
+    std::uint64_t number;      // physical, from 1, of its beginning
+    std::string_view comment;  // behind it, from # on
 };
 
 // A field of a line, without quotes and blanks around. Of an empty one data() is where it would stand.
@@ -29,9 +30,15 @@ struct Dialect {
 
 // All lines that hold something, behind `skip` physical ones; ends of lines in a field in quotes are part of it. A
 // complaint about line *line, or empty. *remade holds the text where its line ends had to be replaced; `content` and
-// *remade must outlive the lines.
+// *remade must outlive the lines. *above is what the last comment in front of them says.
 std::string collect_lines(std::string_view content, std::uint64_t skip, std::string* remade,
-                          std::vector<TableLine>* lines, std::uint64_t* line);
+                          std::vector<TableLine>* lines, std::string_view* above, std::uint64_t* line);
+
+// The text from its byte-order mark on, in UTF-8, with \n at the ends of its lines; *remade holds it where it had to be
+// written anew, and must outlive it.
+std::string_view with_plain_ends(std::string_view content, std::string* remade);
+// The line without a comment: # outside of quotes and of cells, % and // at its start.
+std::string_view without_comment(std::string_view line);
 
 // False where a quotation does not end.
 bool cut_line(std::string_view line, char delimiter, std::vector<Field>* fields);

@@ -86,7 +86,10 @@ std::string progress_line(const netmesh_progress& progress, double elapsed, int 
     return line;
 }
 
-ProgressBar::ProgressBar(bool wanted) : active_(wanted && platform::stderr_is_terminal()) {}
+ProgressBar::ProgressBar(bool wanted, double log_seconds)
+    : active_(wanted), on_terminal_(wanted && platform::stderr_is_terminal()), log_seconds_(log_seconds) {
+    if (active_ && !on_terminal_) next_ = platform::seconds_now() + log_seconds_;
+}
 
 void ProgressBar::show(const netmesh_progress& progress) {
     if (!active_) return;
@@ -96,6 +99,11 @@ void ProgressBar::show(const netmesh_progress& progress) {
         stage_start_ = now;
     }
     if (now < next_) return;
+    if (!on_terminal_) {
+        next_ = now + log_seconds_;
+        std::fprintf(stderr, "%s\n", progress_line(progress, now - stage_start_, 0).c_str());
+        return;
+    }
     next_ = now + 0.1;
     const std::string line = progress_line(progress, now - stage_start_, platform::stderr_columns());
     std::fprintf(stderr, "\r%s\x1b[K", line.c_str());

@@ -28,17 +28,19 @@ private:
     netmesh_stage seen_ = NETMESH_STAGE_NONE;
 };
 
-// One line on stderr, redrawn at most ten times a second, for a terminal only.
+// One line on stderr: redrawn at most ten times a second on a terminal, else a line of a log every `log_seconds`.
 class ProgressBar {
 public:
-    // Draws nothing when not `wanted` or when stderr is not a terminal.
-    explicit ProgressBar(bool wanted);
+    // Writes nothing when not `wanted`.
+    explicit ProgressBar(bool wanted, double log_seconds = 60);
     ~ProgressBar() { clear(); }
     void show(const netmesh_progress& progress);
     void clear();
 
 private:
-    bool active_, drawn_ = false;
+    const bool active_, on_terminal_;
+    const double log_seconds_;
+    bool drawn_ = false;
     netmesh_stage stage_ = NETMESH_STAGE_NONE;
     double stage_start_ = 0, next_ = 0;
 };

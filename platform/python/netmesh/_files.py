@@ -1,4 +1,6 @@
 """Diagrams in files."""
+import csv
+import json
 import math
 import os
 import warnings
@@ -151,13 +153,41 @@ def save(diagram, path):
         file.write(text)
 
 
+def _rows_of_others(path):
+    """Bars of .csv, .npy and .json; None of what is read by lines."""
+    ending = os.path.splitext(os.fspath(path))[1].lower()
+    if ending not in (".csv", ".npy", ".json"):
+        return None
+    try:
+        if ending == ".npy":
+            bars = np.load(path).tolist()
+        elif ending == ".json":
+            with open(path, encoding="utf-8") as file:
+                bars = [(k, b, np.inf if d is None else d) for k, b, d in json.load(file)["bars"]]
+        else:
+            with open(path, encoding="utf-8-sig", newline="") as file:
+                lines = [line for line in csv.reader(file) if line]
+            names = [name.strip().lower() for name in lines[0]] if lines else []
+            places = [names.index(name) for name in ("degree", "birth", "death")]
+            bars = [[line[k] or "inf" for k in places] for line in lines[1:]]
+        rows = [(int(k), float(b), float(d)) for k, b, d in bars]
+    except (ValueError, KeyError, TypeError, IndexError) as error:
+        raise InvalidArgument("path: %s: no rows of degree, birth and death: %s" % (path, error), "path") from None
+    for i, (k, b, d) in enumerate(rows):
+        if k < 0 or not np.isfinite(b) or not d >= b:
+            raise InvalidArgument("path: %s: bar %d: not degree, birth and death" % (path, i + 1), "path", i)
+    return rows
+
+
 def load(path: Union[str, os.PathLike]) -> Diagram:
-    """Reads a .pers file, of this package or of the tool. Bounds are not read: ``netmesh.check`` makes them anew.
+    """Reads a .pers file, of this package or of the tool, or the bars in .csv, .npy and .json that these write. Bounds
+    are not read: ``netmesh.check`` makes them anew.
 
     Warns of files of version 0.2.0 and before whose births and deaths were not rounded to nearest.
     """
-    head, rows = [], []
-    with open(path, encoding="utf-8") as file:
+    head, rows = [], _rows_of_others(path)
+    with open(os.devnull if rows is not None else path, encoding="utf-8") as file:
+        rows = rows or []
         for number, line in enumerate(file):
             words = line.split("#")[0].split()
             if words:

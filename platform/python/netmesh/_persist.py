@@ -119,8 +119,23 @@ def persist(points, filter: str = "auto", max_degree: Optional[int] = None, *, k
         given.update(fit=True, bounds=True, longer_than=LONGER_THAN if longer_than is None else longer_than)
     else:
         given.update(focus_of(focus, fit))
-    return diagram_of_points(points, given, memory, progress, (function, lipschitz, cut, distance_factor),
-                             {"fit": "focus"} if is_auto else None, balls, (cell, pbc))
+    diagram = diagram_of_points(points, given, memory, progress, (function, lipschitz, cut, distance_factor),
+                                {"fit": "focus"} if is_auto else None, balls, (cell, pbc))
+    if filter == "auto" and diagram._report.diagram.why == c.NETMESH_WHY_FLAT:
+        _warn_of_flat(np.asarray(points))
+    return diagram
+
+
+def _warn_of_flat(points):
+    """Points in a plane have no exact diagram as they are: what makes it exact."""
+    dim = points.shape[1]
+    other = [k for k in range(dim) if (points[:, k] != points[0, k]).any()]
+    if 1 < len(other) < dim:
+        remedy = "the other coordinates are the same in all points, and points[:, %s] have an exact diagram" % other
+    else:
+        remedy = 'filter="%s" is exact, for few points' % ("rips" if dim == 2 else "cech")
+    warnings.warn("points: they lie in a hyperplane, where their diagram is that of the filter complete; " + remedy,
+                  stacklevel=3)
 
 
 def _in_pieces(points, given, pieces, executor, scratch, memory, others):
@@ -232,6 +247,21 @@ def _put_matrix(made, distances):
 NOISE_SHARE = 2.0 ** -36  # as of the tool
 
 
+def _refuse_matrix(array, noise, off):
+    diagonal = np.diagonal(array)
+    if (diagonal == 1).all():
+        raise InvalidArgument("distances: the distance of a point to itself is 1, not 0; of similarities S give 1 - S",
+                              "distances", 0)
+    if not (np.isfinite(diagonal).all() and (np.abs(diagonal) <= noise).all()):
+        return
+    if np.isnan(array).any() or (np.minimum(array, array.T) < -noise).any() or (off <= noise).all():
+        return
+    i, j = next((i, j) for i, j in np.argwhere(~(off <= noise)) if j < i)
+    raise InvalidArgument("distances, row %d: the distance to %d is %r, and %r the other way round; (D + D.T) / 2 "
+                          "makes a matrix symmetric" % (i, j, float(array[i, j]), float(array[j, i])),
+                          "distances", int(i))
+
+
 def _evened(array):
     """Without the noise that products of matrices leave: sides that differ in the last digits, a diagonal near 0."""
     diagonal = np.diagonal(array)
@@ -243,6 +273,7 @@ def _evened(array):
         off = np.where(array == array.T, 0, np.abs(array - array.T))
     mean = np.where(off == 0, array, array / 2 + array.T / 2)
     if (np.abs(diagonal) > noise).any() or not (off <= noise).all() or (mean < -noise).any():
+        _refuse_matrix(array, noise, off)
         return array  # which the library refuses, by its place
     np.fill_diagonal(mean, 0)
     mean = np.maximum(mean, 0)

@@ -1,11 +1,16 @@
 """Tables of numbers in text, read as the program netmesh reads them (tools/io/table.hpp has the rules): what it takes
 here is what it takes there. What that one decides by other options is refused here, with the line."""
+import gzip
 import os
 import re
+import warnings
+import zlib
 from typing import NamedTuple, Optional, Sequence, Union
 
 import numpy as np
 
+from ._foreign import foreign
+from ._slips import slips_of
 from .errors import InvalidArgument
 
 BLANKS = " \t\r\v\f"
@@ -30,6 +35,7 @@ class Table(NamedTuple):
 class _Line(NamedTuple):
     text: str
     number: int
+    comment: str = ""  # behind it, from # on
 
 
 class _Field(NamedTuple):
@@ -47,15 +53,26 @@ def read_table(path: Union[str, os.PathLike], columns: Optional[Sequence[Union[s
     skip: lines left out at the top.
     drop_missing: rows that lack a value in a column that is taken are left out; else they are refused.
 
-    What can be read in two ways is refused: InvalidArgument with the line, from 0, as ``row``.
+    What can be read in two ways is refused: InvalidArgument with the line, from 0, as ``row``. What may be no
+    coordinate (degrees, times, counts, marks of missing values, names of labels) is taken, and warned of.
     """
     with open(path, "rb") as file:
         content = file.read()
+    if content[:2] == b"\x1f\x8b":
+        try:
+            content = gzip.decompress(content)
+        except (OSError, EOFError, zlib.error) as error:
+            raise InvalidArgument("path: %s: packed by gzip, and cut off or damaged: %s" % (path, error),
+                                  "path") from None
+    other = foreign(content) if not skip else ""
+    if other:
+        raise InvalidArgument("path: %s: %s" % (path, other), "path")
     if content[:2] in (b"\xff\xfe", b"\xfe\xff"):
         text = content.decode("utf-16")
     else:
         text = content.decode("utf-8", "surrogateescape")
-    return parse_table(text, columns, delimiter, skip, drop_missing)
+    return parse_table(text, columns, delimiter, skip, drop_missing,
+                       lambda slip: warnings.warn("%s: %s" % (path, slip), stacklevel=4))
 
 
 def _refuse(line, words):
@@ -99,7 +116,10 @@ def _without_comment(line):
             continue
         before = line[:i].strip(BLANKS)
         of_tabs = line[i - 1:i] == "\t" and "\t" in line[i:]
-        if not before or (line[i - 1] in BLANKS and not of_tabs and before[-1] not in ",;|"):
+        # Site #3, in a cell
+        of_words = (line[i + 1:i + 2] not in BLANKS and re.search(r"[,;|\t]", line[i:]) and
+                    HAS_LETTER.match(re.split(r"[ \t\r\v\f,;|]", before)[-1]))
+        if not before or (line[i - 1] in BLANKS and not of_tabs and before[-1] not in ",;|" and not of_words):
             return line[:i]
     return line
 
@@ -109,7 +129,7 @@ def _lines_of(text, skip):
     text = text[:-1] if text[-1:] == "\x1a" else text
     if "\n" not in text:
         text = text.replace("\r", "\n")
-    lines, start, number = [], 0, 0
+    lines, start, number, above = [], 0, 0, ""
     while start < len(text):
         number += 1
         found = text.find("\n", start)
@@ -125,8 +145,10 @@ def _lines_of(text, skip):
         kept = _without_comment(whole)
         line = kept.rstrip(" " if kept == whole else BLANKS)
         if line.strip(BLANKS):
-            lines.append(_Line(line, own))
-    return lines
+            lines.append(_Line(line, own, whole[len(kept):]))
+        elif not lines:
+            above = whole.lstrip("#%/ \t\r") or above
+    return lines, above
 
 
 def _cut(line, delimiter):
@@ -330,6 +352,10 @@ def _choose(wanted, width, names):
     chosen = []
     for item in [wanted] if isinstance(wanted, (str, int)) else wanted:
         item = str(item)
+        if item in names and (names.count(item) > 1 or len(names) < width):
+            raise InvalidArgument("columns: %s, %s; numbers from 1 say which are meant" % (
+                item, "as two columns are called" if names.count(item) > 1 else "where the header names %d columns and "
+                "the rows have %d" % (len(names), width)), "columns")
         if item in names and names.index(item) < width:
             chosen.append(names.index(item))
             continue
@@ -356,8 +382,8 @@ class _Rows:
         return any(len(f) > k and f[k].text and is_text(f[k]) for f, _ in self.rows) and all(
             len(f) > k and (not f[k].text or is_text(f[k])) for f, _ in self.rows)
 
-    def counts(self, step):
-        texts = [f[0].text if f else "" for f, _ in self.rows]
+    def counts(self, step, first=0):
+        texts = [f[0].text if f else "" for f, _ in self.rows[first:]]
         if not all(re.match(r"[0-9]+\Z", text) for text in texts):
             return False
         return all(step(int(a), int(b)) for a, b in zip(texts[1:], texts))
@@ -366,11 +392,13 @@ class _Rows:
         return len(fields) == self.width + self.dropped and any(fields[k].text.lower() in MISSING for k in chosen)
 
 
-def parse_table(text, columns=None, delimiter=None, skip=0, drop_missing=False):
-    """As read_table, of a string."""
-    lines, notes = _lines_of(text, skip), []
+def parse_table(text, columns=None, delimiter=None, skip=0, drop_missing=False, tell=lambda slip: None):
+    """As read_table, of a string. `tell` gets what may be a coordinate by mistake."""
+    (lines, above), notes = _lines_of(text, skip), []
     if not lines:
-        raise InvalidArgument("path: the table ends without a row", "path")
+        signs = sum(line.lstrip(BLANKS)[:1] == "#" for line in re.split("[\r\n]+", text))
+        raise InvalidArgument("path: the table ends without a row" + (
+            "; %d lines of it begin with #, as comments do: take that sign out" % signs if signs > 1 else ""), "path")
     separator = re.match(r'"?sep=(.)"?\Z', lines[0].text.strip(BLANKS), re.I)
     if separator:
         delimiter = separator.group(1) if delimiter is None else delimiter
@@ -414,21 +442,49 @@ def parse_table(text, columns=None, delimiter=None, skip=0, drop_missing=False):
         if others is not None and len(others) == width and _is_header(others):
             names = [f.text for f in others]
     table = _Rows(rows, dialect, width, dropped)
+    header_names = names
+    names = names or _names_above(above, dialect, width)
     if columns is not None:
         chosen = _choose(columns, width, [""] + names if len(names) + 1 == width else names)
     else:
-        chosen = _all_columns(table, dialect, delimiter, names, top, notes)
-    return _numbers(table, chosen, names, top, notes, drop_missing)
+        chosen = _all_columns(table, dialect, delimiter, header_names, top, notes)
+    found = _numbers(table, chosen, names, top, notes, drop_missing)
+    slips = slips_of(found.points, chosen, [names[k] for k in chosen] if len(names) == width else [],
+                     columns is not None)
+    if len(rows) > 1 and all(re.match(r"#[^ \t\r\v\f]", line.comment) for _, line in rows):
+        slips.insert(0, 'left out what stands behind # in every row, "%s" first; if it is a column, take that sign '
+                     "out" % rows[0][1].comment)
+    for slip in slips:
+        notes.append(slip)
+        tell(slip)
+    return found
+
+
+def _names_above(above, dialect, width):
+    """# x,y above the rows, as numpy.savetxt writes names."""
+    for delimiter in (dialect.delimiter, ""):
+        fields = _cut(above, delimiter)
+        if fields and len(fields) == width and _is_header(fields):
+            return [f.text.replace('""', '"') if f.quoted else f.text for f in fields]
+    return []
 
 
 def _all_columns(table, dialect, delimiter, names, top, notes):
     rows, width = table.rows, table.width
     by_one = dialect.delimiter not in (" ", "")
     fields = rows[0][0]
-    if by_one and sum(map(bool, names)) > width:
-        _refuse(top, "%d columns where the header names %d" % (width, sum(map(bool, names))))
-    if not names and width == 2 and len(rows) > 3 and fields[1].text == "2" and fields[0].text == str(len(rows) - 1):
-        _refuse(top, "may say how many points of how many coordinates there are, or be a point: skip it")
+    named = sum(map(bool, names))
+    if (by_one or all(len(name) < 3 for name in names)) and named > 1 and (
+            len(names) != width) and named not in (width, width - 1) and not any(
+            _value_of(f.text, table.decimal_comma) is WORD for f in fields):
+        _refuse(top, "%d columns where the header names %d" % (width, named))
+    if not names and width > 1 and len(rows) > 3 and len(fields) == width and all(
+            re.match(r"[0-9]+\Z", f.text) for f in fields):
+        head, count = [int(f.text) for f in fields], len(rows) - 1
+        if width > 2 and head[0] == count and 1 < head[1] < width and table.counts(lambda a, b: a == b + 1, 1):
+            _refuse(top, "is the head of a .node file of Triangle or TetGen, it seems: skip it")
+        if head[:2] == [count, width] or (width == 2 and head == [2, count]):
+            _refuse(top, "may say how many points of how many coordinates there are, or be a point: skip it")
     if not names and len(rows) > 2 and by_one and width > 1 and delimiter is None and all(
             f.text == str(k) for k, f in enumerate(fields)) and all(
             re.search("[.,eE]", f.text) for row, _ in rows[1:] for f in row):
@@ -441,8 +497,6 @@ def _all_columns(table, dialect, delimiter, names, top, notes):
                          "columns")
         notes.append("skipped index column 1")
         return list(range(1, width))
-    if width > 2 and len(rows) > 4 and fields[0].text in "01" and table.counts(lambda a, b: a == b + 1):
-        notes.append("took column 1, which counts rows, as a coordinate")
     return list(range(width))
 
 

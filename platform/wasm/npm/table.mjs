@@ -1,5 +1,7 @@
 // Tables of numbers in text, read as the program netmesh reads them (tools/io/table.hpp has the rules): what it takes
 // here is what it takes there. What that one decides by other options is refused here, with the line.
+import { foreign } from './foreign.mjs';
+import { slipsOf } from './slips.mjs';
 
 const isBlank = c => c === ' ' || c === '\t' || c === '\r' || c === '\v' || c === '\f';
 const BLANKS_AROUND = /^[ \t\r\v\f]+|[ \t\r\v\f]+$/g;
@@ -48,7 +50,10 @@ function withoutComment(line) {
         if (line[i] !== '#' || quoted) continue;
         const before = trimmed(line.slice(0, i));
         const ofTabs = line[i - 1] === '\t' && line.includes('\t', i);
-        const isApart = isBlank(line[i - 1]) && !ofTabs && !',;|'.includes(before.at(-1));
+        // Site #3, in a cell
+        const ofWords = !isBlank(line[i + 1] ?? ' ') && /[,;|\t]/.test(line.slice(i)) &&
+            HAS_LETTER.test(before.split(/[ \t\r\v\f,;|]/).at(-1)[0] ?? '');
+        const isApart = isBlank(line[i - 1]) && !ofTabs && !',;|'.includes(before.at(-1)) && !ofWords;
         if (before === '' || isApart) return line.slice(0, i);
     }
     return line;
@@ -58,6 +63,7 @@ function linesOf(text, skip) {
     text = text.replace(/^\ufeff/, '').replace(/\x1a$/, '');
     if (!text.includes('\n')) text = text.replaceAll('\r', '\n');
     const lines = [];
+    let above = '';
     for (let start = 0, number = 1; start < text.length; ++number) {
         const found = text.indexOf('\n', start), first = found < 0 ? text.length : found;
         const end = number > skip ? endWithBreaks(text, start, first) : first;
@@ -66,9 +72,10 @@ function linesOf(text, skip) {
         start = end + 1;
         if (own <= skip) continue;
         const kept = withoutComment(whole), line = kept.replace(kept === whole ? / +$/ : /[ \t\r\v\f]+$/, '');
-        if (trimmed(line) !== '') lines.push({ text: line, number: own });
+        if (trimmed(line) !== '') lines.push({ text: line, number: own, comment: whole.slice(kept.length) });
+        else if (lines.length === 0) above = whole.replace(/^[#%/ \t\r]+/, '') || above;
     }
-    return lines;
+    return { lines, above };
 }
 
 // Fields { text, quoted } of a line; null where a quotation does not end. '' as delimiter: several together.
@@ -242,6 +249,11 @@ function chooseColumns(wanted, width, names) {
     const chosen = [];
     for (const item of wanted) {
         const named = names.indexOf(String(item)), range = /^(\d+)(?:-(\d+))?$/.exec(String(item));
+        if (named >= 0 && names.lastIndexOf(String(item)) !== named)
+            throw new Error(`columns: two are called ${item}; numbers from 1 say which are meant`);
+        if (named >= 0 && names.length < width)
+            throw new Error(`columns: ${item}, where the header names ${names.length} columns and the rows have ` +
+                `${width}; numbers from 1 say which are meant`);
         if (named >= 0 && named < width) {
             chosen.push(named);
             continue;
@@ -255,11 +267,26 @@ function chooseColumns(wanted, width, names) {
     return chosen;
 }
 
+// # x,y above the rows, as numpy.savetxt writes names.
+function namesAbove(above, dialect, width) {
+    for (const delimiter of [dialect.delimiter, '']) {
+        const fields = cut(above, delimiter);
+        if (fields?.length === width && isHeader(fields)) return fields.map(nameOf);
+    }
+    return [];
+}
+
 /** The rows of numbers of a table in text: { points: Float64Array [count, dim], dim, count, names, lines, notes }.
  * Throws an Error that says which line is wrong and what to do. */
 export function parseTable(text, { columns, delimiter, skip = 0, dropMissing = false } = {}) {
-    const lines = linesOf(text, skip), notes = [];
-    if (lines.length === 0) throw new Error('the table ends without a row');
+    const other = skip > 0 ? '' : foreign(text);
+    if (other !== '') throw new Error(other);
+    const { lines, above } = linesOf(text, skip), notes = [];
+    if (lines.length === 0) {
+        const signs = text.split(/[\r\n]+/).filter(line => trimmed(line)[0] === '#').length;
+        throw new Error('the table ends without a row' +
+            (signs > 1 ? `; ${signs} lines of it begin with #, as comments do: take that sign out` : ''));
+    }
     const separator = /^"?sep=(.)"?$/i.exec(trimmed(lines[0].text));
     if (separator !== null) {
         delimiter ??= separator[1];
@@ -300,19 +327,30 @@ export function parseTable(text, { columns, delimiter, skip = 0, dropMissing = f
     const isText = field => !field ? false : isWord(valueOf(field, dialect.decimalComma)) || field.quoted;
     const wordColumn = k => rows.some(({ fields }) => isText(fields[k]) && fields[k].text !== '') &&
         rows.every(({ fields }) => fields[k] && (fields[k].text === '' || isText(fields[k])));
-    const count = (k, step) => rows.every(({ fields }, i) => /^\d+$/.test(fields[k]?.text ?? '') &&
-        (i === 0 || step(Number(fields[k].text), Number(rows[i - 1].fields[k].text))));
+    const count = (k, step, from = 0) => rows.every(({ fields }, i) => i < from ||
+        (/^\d+$/.test(fields[k]?.text ?? '') &&
+            (i === from || step(Number(fields[k].text), Number(rows[i - 1].fields[k].text)))));
     let chosen = Array.from({ length: width }, (_, k) => k);
+    const namesOfAll = names.length > 0 ? names : namesAbove(above, dialect, width);
     if (columns !== undefined) {
-        chosen = chooseColumns(columns, width, names.length + 1 === width ? ['', ...names] : names);
+        chosen = chooseColumns(columns, width, namesOfAll.length + 1 === width ? ['', ...namesOfAll] : namesOfAll);
     } else {
-        const named = names.filter(name => name !== '').length;
-        if (![' ', ''].includes(dialect.delimiter) && named > width)
+        const named = names.filter(name => name !== '').length, fields = rows[0].fields;
+        const byMark = ![' ', ''].includes(dialect.delimiter), head = fields.map(({ text }) => Number(text));
+        if ((byMark || names.every(name => name.length < 3)) && named > 1 && names.length !== width &&
+            named !== width && named !== width - 1 &&
+            !fields.some(field => isWord(valueOf(field, dialect.decimalComma))))
             throw new TableFault(line, `${width} columns where the header names ${named}`);
-        if (names.length === 0 && width === 2 && rows.length > 3 && rows[0].fields[1].text === '2' &&
-            rows[0].fields[0].text === String(rows.length - 1))
-            throw new TableFault(line, 'may say how many points of how many coordinates there are, or be a point: '
-                + 'skip it');
+        if (names.length === 0 && width > 1 && rows.length > 3 && fields.length === width &&
+            fields.every(({ text }) => /^\d+$/.test(text))) {
+            const isNode = width > 2 && head[0] === rows.length - 1 && head[1] > 1 && head[1] < width &&
+                count(0, (a, b) => a === b + 1, 1);
+            if (isNode) throw new TableFault(line, 'is the head of a .node file of Triangle or TetGen: skip it');
+            if ((head[0] === rows.length - 1 && head[1] === width) ||
+                (width === 2 && head[0] === 2 && head[1] === rows.length - 1))
+                throw new TableFault(line, 'may say how many points of how many coordinates there are, or be a point: '
+                    + 'skip it');
+        }
         if (names.length === 0 && rows.length > 2 && ![' ', ''].includes(dialect.delimiter) && width > 1 &&
             delimiter === undefined && rows[0].fields.every(({ text }, k) => text === String(k)) &&
             rows.slice(1).every(({ fields }) => fields.every(({ text }) => /[.,eE]/.test(text))))
@@ -325,9 +363,6 @@ export function parseTable(text, { columns, delimiter, skip = 0, dropMissing = f
                     + 'count rows: choose columns');
             chosen.shift();
             notes.push('skipped index column 1');
-        } else if (width > 2 && rows.length > 4 && ['0', '1'].includes(rows[0].fields[0].text) &&
-            count(0, (a, b) => a === b + 1)) {
-            notes.push('took column 1, which counts rows, as a coordinate');
         }
     }
     const lacks = ({ fields }) => fields.length === width + dropped &&
@@ -360,5 +395,11 @@ export function parseTable(text, { columns, delimiter, skip = 0, dropMissing = f
             throw new TableFault(number,
                 `${fields.length} column${fields.length === 1 ? '' : 's'} where line ${line} has ${width + dropped}`);
     });
+    if (rows.length > 1 && lines.every(({ comment }) => /^#[^ \t\r\v\f]/.test(comment)))
+        notes.push(`left out what stands behind # in every row, "${lines[0].comment}" first; if it is a column, take ` +
+            'that sign out');
+    notes.push(...slipsOf(points, chosen, namesOfAll.length === width ? chosen.map(k => namesOfAll[k]) : [],
+        columns !== undefined));
+    names = namesOfAll;
     return { points, dim: chosen.length, count: taken.length, names, lines: taken.map(({ number }) => number), notes };
 }

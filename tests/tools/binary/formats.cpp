@@ -53,12 +53,12 @@ TEST_CASE("a first column that counts rows is a coordinate, and that is said") {
     for (const std::string& table : {from_0, from_1}) {
         folder.write("p.csv", table);
         CHECK(folder.run("delaunay p.csv -o p.node")
-                  .says("p.csv: took column 1, which counts rows, as a coordinate; "
-                        "--columns 2-3 leaves it out\n"));
+                  .says("p.csv: took column 1, which counts rows, for a coordinate; "
+                        "--columns 2,3 leaves it out\n"));
         CHECK(!folder.run("delaunay p.csv -o p.node --columns 1-3").says("counts rows"));
     }
     folder.write("p.csv", "1990,1,2\n1991,2,2\n1992,2,5\n1993,1,4\n1994,7,7\n");
-    CHECK(!folder.run("delaunay p.csv -o p.node").says("counts rows"));
+    CHECK(folder.run("delaunay p.csv -o p.node").says("counts rows"));
     folder.write("p.csv", from_0 + "9,1,1\n");
     CHECK(!folder.run("delaunay p.csv -o p.node").says("counts rows"));
 }
@@ -270,6 +270,12 @@ TEST_CASE("what is said of k, of points on a line, and of the whole process") {
     const Folder folder;
     folder.write("line.csv", "0,0\n1,1\n3,3\n");
     CHECK(folder.run("persist line.csv").says("on a line --filter rips is exact"));
+    folder.write("flat.csv", "0,0,5\n1,0,5\n1,1,5\n0,1,5\n");
+    CHECK(folder.run("persist flat.csv").says("coordinate 3 is 5 in all points; without it, by --columns, the same"));
+    CHECK(folder.run("persist flat.csv --columns 1,2 -q").out.find("1 0.5 0.7071067811865476") != std::string::npos);
+    folder.write("slope.csv", "0,0,0\n1,0,1\n1,1,2\n0,1,1\n");
+    CHECK(folder.run("persist slope.csv").says("in a hyperplane and have no Delaunay triangulation; --filter cech is"));
+    CHECK(folder.run("persist slope.csv --filter cech").exit == 0);
     REQUIRE(folder.run("sample circle -n 30 -o p.csv").exit == 0);
     const Result result = folder.run("persist p.csv --k 3");
     CHECK(result.exit == 2);

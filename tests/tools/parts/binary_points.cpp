@@ -111,7 +111,7 @@ TEST_CASE("npy: Fortran order, half precision and integers up to 2^53") {
 TEST_CASE("npy: what is not two axes of real numbers is refused") {
     const std::string two = raw<double>({1, 2});
     CHECK(fault(parse_npy_points, npy("<f8", "(2,)", two)) ==
-          "p: an array of 1 axes; points need two: a.reshape(-1, D)");
+          "p: an array of 1 axis; points need two: a.reshape(-1, D)");
     CHECK(fault(parse_npy_points, npy("<f8", "(1, 1, 2)", two)) ==
           "p: an array of 3 axes; points need two: a.reshape(-1, D)");
     CHECK(fault(parse_npy_points, npy("<c16", "(1, 2)", two)).find("type") != std::string::npos);

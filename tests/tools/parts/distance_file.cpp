@@ -3,6 +3,8 @@
 #include <doctest/doctest.h>
 
 #include <cmath>
+#include <string>
+#include <vector>
 
 using namespace netmesh::tool;
 
@@ -137,6 +139,104 @@ TEST_CASE("rounding noise of a matrix is taken off, and no more") {
     CHECK(fault("0 4 1\n4 0 -1e-10\n1 0 0\n") == "d.csv:2: field 3: a distance is negative: -1e-10");
     CHECK(fault("0 inf\n1 0\n").find("the distance is 1, and inf the other way round") != std::string::npos);
     CHECK(good("0 inf 4\ninf 0 1\n4.00000000001 1 0\n").numbers[1] == HUGE_VAL);
+}
+
+namespace {
+
+std::string replaced(std::string text, const std::string& from, const std::string& to) {
+    for (std::size_t at = text.find(from); at != std::string::npos; at = text.find(from, at + to.size()))
+        text.replace(at, from.size(), to);
+    return text;
+}
+
+std::string utf16(const std::string& text) {
+    std::string wide = "\xFF\xFE";
+    for (const char c : text) (wide += c) += '\0';
+    return wide;
+}
+
+// The text as spreadsheets and others write it, a blank between its numbers.
+std::vector<std::string> in_dialects(const std::string& text) {
+    std::vector<std::string> all = {text};
+    for (const char* const between : {",", ";", "\t", ", ", " ; ", "   ", "|", " | "})
+        all.push_back(replaced(text, " ", between));
+    const std::string semicolons = replaced(text, " ", ";");
+    const bool has_semicolon = semicolons != text;
+    const std::size_t plain = all.size();
+    for (const char* const between : {";", "\t", "|", " ; "})  // decimal commas
+        if (has_semicolon) all.push_back(replaced(replaced(text, ".", ","), " ", between));
+    all.push_back("\"" + replaced(replaced(text, " ", "\",\""), "\n", "\"\n\""));
+    all.back().pop_back();  // behind the last end of line nothing begins
+    if (has_semicolon) all.push_back(replaced(all.back(), ".", ","));
+    for (std::size_t i = 0, count = all.size(); i < count; i++) {
+        if (i > 4 && i < plain) continue;
+        all.push_back("\xEF\xBB\xBF" + replaced(all[i], "\n", "\r\n"));
+        all.push_back(replaced(all[i], "\n", "\r"));
+        all.push_back(utf16(all[i]));
+        all.push_back("# made by hand, 2024\n" + replaced(all[i], "\n", " # so far\n"));
+        all.push_back("% a\n// b\n" + all[i] + "\x1A");
+    }
+    return all;
+}
+
+}  // namespace
+
+TEST_CASE("distances in every form are read in every dialect of tables") {
+    const char* const forms[] = {"0 3.25 5.5 1.25\n3.25 0 4.5 2.75\n5.5 4.5 0 6.5\n1.25 2.75 6.5 0\n",
+                                 "3.25\n5.5 4.5\n1.25 2.75 6.5\n",
+                                 "0\n3.25 0\n5.5 4.5 0\n1.25 2.75 6.5 0\n",
+                                 "3.25 5.5 1.25\n4.5 2.75\n6.5\n",
+                                 "0 3.25 5.5 1.25\n0 4.5 2.75\n0 6.5\n0\n",
+                                 "0 3.25 5.5 1.25\n0 0 4.5 2.75\n0 0 0 6.5\n0 0 0 0\n",
+                                 "3.25 5.5 1.25 4.5 2.75 6.5\n",
+                                 "3.25\n5.5\n1.25\n4.5\n2.75\n6.5\n"};
+    const Numbers due = {3.25, 5.5, 4.5, 1.25, 2.75, 6.5};
+    for (const char* const form : forms)
+        for (const std::string& text : in_dialects(form)) {
+            const DistanceFile file = good(text);
+            CAPTURE(text);
+            REQUIRE(file.points == 4);
+            Numbers lower;
+            for (std::size_t i = 0; i < 4; i++)
+                for (std::size_t j = 0; j < i; j++)
+                    lower.push_back(file.layout == NETMESH_DISTANCES_FULL ? file.numbers[4 * i + j]
+                                                                          : file.numbers[i * (i - 1) / 2 + j]);
+            CHECK(lower == due);
+        }
+    for (const std::string& text : in_dialects("0 1 3.25\n0 2 5.5\n1 2 4.5\n")) {
+        CAPTURE(text);
+        const DistanceFile file = good(text, true);
+        REQUIRE(file.entries.size() == 3);
+        CHECK((file.entries[2].i == 1 && file.entries[2].j == 2 && file.entries[2].distance == 4.5));
+    }
+}
+
+TEST_CASE("decimal commas of distances are said, and refused where they may be something else") {
+    CHECK(good("1,5;2,5;2,1\n").points == 3);  // three distances, not six
+    CHECK(good("0;1,5\n1,5;0\n").note == "commas read as decimal");
+    CHECK(good("\"0\",\"1,5\"\n\"1,5\",\"0\"\n").numbers == Numbers{0, 1.5, 1.5, 0});
+    CHECK(good("sep=;\n0;1,5\n1,5;0\n").numbers == Numbers{0, 1.5, 1.5, 0});
+    CHECK(good(";Site #1;Site #2\nSite #1;0;1,5\nSite #2;1,5;0\n").numbers == Numbers{0, 1.5, 1.5, 0});
+    CHECK(fault("0;1,234\n1,234;0\n") ==
+          "d.csv:1: commas may be decimal or group thousands (1,234); write numbers with points");
+    CHECK(fault("0;1,5\n1.5;0\n").find("d.csv:1: points and commas are both decimal here") == 0);
+    CHECK(fault("0 1,5\n1,5 0\n").find("write decimals with a point") != std::string::npos);
+}
+
+TEST_CASE("what stands in front of distances, and what is none, is named") {
+    const std::string square = "0 3 5\n3 0 4\n5 4 0\n";
+    CHECK(fault("3\n" + square).find("if line 1 says how many points there are, put # in front of it") !=
+          std::string::npos);
+    CHECK(fault("3 3\n" + square).find("says how many points there are") != std::string::npos);
+    CHECK(fault("0,1,2\n0,3,5\n3,0,4\n5,4,0\n").find("if line 1 is the numbers of columns, put # in front of it") !=
+          std::string::npos);
+    CHECK(good("# 0,1,2\n0,3,5\n3,0,4\n5,4,0\n").points == 3);
+    CHECK(fault("a 0 3\nb 3 0\n").find("names that rows begin with are read below a header") != std::string::npos);
+    CHECK(fault("0,,\n3,0,\n5,4,0\n").find("cells that a triangle does not have are left out, or 0") !=
+          std::string::npos);
+    CHECK(fault("1 .5\n.5 1\n").find("; of similarities S write 1 - S") != std::string::npos);
+    CHECK(fault("0 1 2\n0 2 3\n1 2 3\n").find("; lines i j distance are read with --sparse") != std::string::npos);
+    CHECK(fault("0 1 2\n0 2 3\n1 2 3\n1 3 1\n").find("are read with --sparse") != std::string::npos);
 }
 
 TEST_CASE("inf is a distance") {

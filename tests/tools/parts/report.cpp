@@ -2,6 +2,10 @@
 
 #include <doctest/doctest.h>
 
+#include <unistd.h>
+
+#include <cstdio>
+
 #include <cmath>
 
 #include "tools/commands/diagram_checks.hpp"
@@ -146,6 +150,32 @@ TEST_CASE("report: what has to be asked for is left out or there as a whole") {
     CHECK(json.find("\"analysis\": {\n    \"size\": null,\n    \"structure\": {\n      \"degree_max\": 0,") !=
           std::string::npos);
     CHECK(json.find("\"what\"") == std::string::npos);
+}
+
+TEST_CASE("without a terminal progress is a line of a log now and then, none where it is not wanted") {
+    netmesh_progress progress = {};
+    progress.stage = NETMESH_STAGE_REFINE;
+    progress.done = 2500;
+    progress.total = 10000;
+    std::FILE* const log = std::tmpfile();
+    const int kept = dup(2);
+    REQUIRE((log != nullptr && kept >= 0));
+    std::fflush(stderr);
+    dup2(fileno(log), 2);
+    ProgressBar now(true, 0), later(true), never(false, 0);
+    for (ProgressBar* const bar : {&now, &later, &never}) {
+        bar->show(progress);
+        bar->clear();
+    }
+    now.show(progress);
+    std::fflush(stderr);
+    dup2(kept, 2);
+    close(kept);
+    std::rewind(log);
+    char text[200] = {};
+    const std::size_t bytes = std::fread(text, 1, sizeof text - 1, log);
+    std::fclose(log);
+    CHECK(std::string(text, bytes) == "refine   2,500 of 10,000   25%  0:00\nrefine   2,500 of 10,000   25%  0:00\n");
 }
 
 TEST_CASE("the progress line fits its terminal") {

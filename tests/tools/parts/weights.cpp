@@ -90,7 +90,8 @@ TEST_CASE("weights are a column of a table or an array, which is no coordinate")
     good(folder.write("b.csv", ",x,y,r\n0,1,2,3\n1,5,6,7\n2,9,1,2\n"), "r", true, places, third);  // behind an index
     good(folder.write("c.csv", "1;2;-3,5\n5;6;7\n9;1;2\n"), "3", false, places, {-3.5, 7, 2});
     CHECK(fault(table, "4", true) == "a.csv:2: --radii 4: there are columns 1 to 3");
-    CHECK(fault(table, "w", false) == "a.csv:2: --weights: there is no column \"w\"");
+    CHECK(fault(table, "w", false) ==
+          "a.csv:2: --weights: there is no column \"w\"; the header names \"x\", \"y\", \"r\"");
     CHECK(fault(table, "2-3", true) == "a.csv:2: --radii 2-3: is one column");
     CHECK(fault(table, "r", true, Exit::data, {"x", "r"}) ==
           "a.csv:2: --radii r: --columns takes the same column for a coordinate");
