@@ -34,7 +34,8 @@ Complaint missing_numbers(const netmesh_request& r) {
                : Complaint{};
 }
 
-netmesh_status fail_with_periods(netmesh_context* context, Status status, const PeriodicAlphaDiagram& made) {
+[[gnu::cold]] netmesh_status fail_with_periods(netmesh_context* context, Status status,
+                                               const PeriodicAlphaDiagram& made) {
     const PeriodicReport& report = made.report;
     const std::uint64_t row = report.input.row_a;
     if (made.is_far)

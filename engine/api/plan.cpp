@@ -131,8 +131,8 @@ template <int D> double block_bytes(const Amounts& n, const Planned& planned) {
 }
 
 // A few points take more than the figures say, which are for 60 and more.
-template <int D> double alpha_block(const PeakFigures& figures, double points) {
-    const double peak = figures.at<D>(points), least = D == 2 ? 3700 + 52 * points : D == 3 ? 4000 + 440 * points : 0;
+double alpha_block(const PeakFigures& figures, double points, int D) {
+    const double peak = figures.at(points, D), least = D == 2 ? 3700 + 52 * points : D == 3 ? 4000 + 440 * points : 0;
     return least > peak ? least : peak;
 }
 
@@ -211,26 +211,20 @@ std::size_t whole_bytes(double bytes) {
 }
 
 double plan_of_triangulation(const netmesh_points& points, bool with_diagram) {
-    return with_dimension(points.dim, [&](auto dimension) {
-        constexpr int D = decltype(dimension)::value;
-        constexpr const DelaunayFigures& f = DelaunayFiguresOf<D>::value;
-        const double n = static_cast<double>(points.count);
-        return with_diagram ? alpha_block<D>(f.filtered, n) : f.triangulated.at<D>(n);
-    });
+    const DelaunayFigures& f = delaunay_figures_of(points.dim);
+    const double n = static_cast<double>(points.count);
+    const int D = static_cast<int>(points.dim);
+    return with_diagram ? alpha_block(f.filtered, n, D) : f.triangulated.at(n, D);
 }
 
 double plan_of_alpha(const netmesh_request& r) {
     if (r.keep_mesh != 0 || r.cycles != nullptr) return plan_of_triangulation(r.points, true);
-    return with_dimension(r.points.dim, [&](auto dimension) {
-        constexpr int D = decltype(dimension)::value;
-        if (D == 2 && r.weighting == nullptr) {
-            const PeakFigures& f = r.points.count <= few_points_max ? plane_figures_few : plane_figures;
-            return alpha_block<D>(f, static_cast<double>(r.points.count));
-        }
-        constexpr const PeakFigures& f = DelaunayFiguresOf<D>::value.diagram;
-        const std::size_t exact = r.weighting != nullptr ? exact_power_bytes * (D + 3) : 0;
-        return alpha_block<D>(f, static_cast<double>(r.points.count)) + static_cast<double>(exact);
-    });
+    const double n = static_cast<double>(r.points.count);
+    const int D = static_cast<int>(r.points.dim);
+    if (D == 2 && r.weighting == nullptr)
+        return alpha_block(r.points.count <= few_points_max ? plane_figures_few : plane_figures, n, D);
+    const std::size_t exact = r.weighting != nullptr ? exact_power_bytes * (r.points.dim + 3) : 0;
+    return alpha_block(delaunay_figures_of(r.points.dim).diagram, n, D) + static_cast<double>(exact);
 }
 
 // With those about them a leaf's points are as many as fit a skin of 1.6 spacings around them (stars.cpp), and all at
@@ -238,16 +232,13 @@ double plan_of_alpha(const netmesh_request& r) {
 // point takes in one block: measured on 1e3 to 5e4 points a leaf in the plane and in space, 375 to 2,000 in R^4, 150 to
 // 250 in R^5, 150 in R^6.
 double plan_of_leaf(std::uint32_t dim, std::uint64_t points, std::uint32_t pieces) {
-    return with_dimension(dim, [&](auto dimension) {
-        constexpr int D = decltype(dimension)::value;
-        constexpr double of_near = D < 4 ? 3 : D == 4 ? 0.8 : 1.3, of_own = D < 4 ? 0 : 4;
-        constexpr PeakFigures one_block = DelaunayFiguresOf<D>::value.diagram;
-        const double all = static_cast<double>(points), own = all / pieces, skin = 1 + 3.2 * to_power(own, -1.0 / D);
-        double near = own;
-        for (int k = 0; k < D; ++k) near *= skin;
-        near = near < all ? near : all;
-        return block_overhead + one_block.at<D>(near) * (of_near + of_own * own / near);
-    });
+    const int D = static_cast<int>(dim);
+    const double of_near = D < 4 ? 3 : D == 4 ? 0.8 : 1.3, of_own = D < 4 ? 0 : 4;
+    const double all = static_cast<double>(points), own = all / pieces, skin = 1 + 3.2 * to_power(own, -1.0 / D);
+    double near = own;
+    for (int k = 0; k < D; ++k) near *= skin;
+    near = near < all ? near : all;
+    return block_overhead + delaunay_figures_of(dim).diagram.at(near, D) * (of_near + of_own * own / near);
 }
 
 double plan_of_mesh(const netmesh_request& r, bool with_diagram) {
@@ -340,7 +331,7 @@ extern "C" size_t netmesh_plan_mesh(const netmesh_request* from) {
     if (read_struct(from, &request, sizeof request) != NETMESH_FIELD_NONE) return 0;
     if (settle(Call::mesh, 0, &request).text != nullptr) return 0;
     const netmesh_method* const method = request.mesh.method != nullptr ? request.mesh.method : request.filter->by_tau;
-    if (method->keeps_few) return whole_bytes(few_cells_figures.at<2>(static_cast<double>(request.points.count)));
+    if (method->keeps_few) return whole_bytes(few_cells_figures.at(static_cast<double>(request.points.count), 2));
     return whole_bytes(method->triangulates() ? plan_of_triangulation(request.points, false) + weight_bytes(request)
                                               : plan_of_mesh(request, false));
 }

@@ -29,7 +29,7 @@ inline double to_power(double x, double p) {
 // (4), 1,000 (5; with diagrams 300) and 300 (6; with diagrams 200), beyond which nothing is known.
 struct PeakFigures {
     double fixed, each, hull;
-    template <int D> double at(double points) const {
+    double at(double points, int D) const {
         const double n = points > 100 ? points : 100;
         return fixed + points * (each - hull * to_power(n, -1.0 / D));
     }
@@ -63,6 +63,10 @@ constexpr DelaunayFigures delaunay_figures_in(int dim) {
     return f;
 }
 template <int D> struct DelaunayFiguresOf { static constexpr DelaunayFigures value = delaunay_figures_in(D); };
+// Of a dimension that is served.
+inline const DelaunayFigures& delaunay_figures_of(std::uint32_t dim) {
+    return *with_dimension(dim, [](auto of) { return &DelaunayFiguresOf<decltype(of)::value>::value; });
+}
 
 // Vertices of meshes of uniform points in R^2, R^3, R^4: 1 + growth spread a point. The spread from set to set
 // is large where points are few: the largest of 60 sets of 100 points has 2.5 (D = 2) and 3 (3) times as many as the

@@ -52,98 +52,86 @@ constexpr double sorted = 80;
 // Of what pieces report that are not full: four times the instructions of one step in each loop.
 constexpr double begun = 3000, begun_each = 2000;  // and by the dimension
 
-[[gnu::cold]] double triangulation_units(double n, int D) {
-    const double cells = facets_most(n + 1, D + 1), squares = n * n;
+// with_diagram: the complex is listed, filtered and reduced as well.
+[[gnu::cold]] double units_most(double n, int D, bool with_diagram) {
+    const double cells = facets_most(n + 1, D + 1);
     // The sum of facets_most(m, D) over m up to n: its leading term, of n + 1.
-    const double share = ByDimension<double>{{1.0 / 2, 1, 1.0 / 6, 1.0 / 3, 1.0 / 24}}.at(D);
-    double made = share;
+    double made = ByDimension<double>{{1.0 / 2, 1, 1.0 / 6, 1.0 / 3, 1.0 / 24}}.at(D);
     for (int i = 0; i <= D / 2; ++i) made *= n + 1;
     // Points of one key are given keys anew until each has another; every time at least one of them gets one, so less
     // than n times.
-    const double order = squares * (D / 2.0 + 3) + n * (130 * D + 700);
+    double units = n * n * (D / 2.0 + 3) + n * (130 * D + 700);
     // Kernels report making and linking of many cells as well. From R^4 on they report tests that doubles do not
     // decide: of cells in conflict and, once for each of their facets, of those about them.
-    const double reports = D == 2 ? 1 : 3, tested = D > 3 ? n * (D + 2) * cells * 2 * D : 0;
-    return begun + begun_each * D + order + 2 * n + (D - 1) * reports * made + tested + linear * D * (n + cells);
-}
+    units += 2 * n + (D - 1) * (D == 2 ? 1 : 3) * made + (D > 3 ? n * (D + 2) * cells * 2 * D : 0);
+    units += begun + begun_each * D + linear * D * (n + cells);
+    if (!with_diagram) return units;
 
-// Listing the complex, values and reduction.
-[[gnu::cold]] double filtered_units(double n, int D) {
-    const double cells = facets_most(n + 1, D + 1);
-    double faces[NETMESH_DIM_MAX + 1], all = 0;
+    double below = n;  // faces of one dimension less
+    units += begun + begun_each * D + n * (8 << D) + (D + 1) * cells;
     for (int k = 0; k <= D; ++k) {
-        faces[k] = k == 0 ? n : cells * binomial(D + 1, k + 1) / (D + 1 - k);
-        all += faces[k];
+        const double faces = k == 0 ? n : cells * binomial(D + 1, k + 1) / (D + 1 - k);
+        // Lists; values, all exact (circumsphere_settle.hpp); sorted, and once more as pairs; in unions.
+        units += faces * (linear * D + D + 40 * D + 2 * sorted + 2);
+        // Between the unions of vertices and of cells columns, to which each row adds one at most.
+        if (k >= 2 && k < D) units += faces * (1 + below * (1 + below / 16));
+        below = faces;
     }
-    double units = n * (8 << D) + (D + 1) * cells + all * linear * D;  // stars, and what is made of them
-    units += all * (D + 40 * D) + all * 2 * sorted;                    // values, all exact (circumsphere_settle.hpp)
-    units += 2 * all;  // unions of vertices and of cells; between these columns, to which each row adds one at most
-    for (int k = 2; k < D; ++k) units += faces[k] * (1 + faces[k - 1] * (1 + faces[k - 1] / 16));
-    return units + begun + begun_each * D;
+    return units;
 }
-
-// What is known of the work of a request.
-struct PlannedWork {
-    std::size_t bytes = 0;
-    double units_each = 0;  // a byte
-    double units_most = 0;  // 0: without bound
-};
 
 std::uint64_t whole_polls(double polls) { return polls < 0x1p63 ? static_cast<std::uint64_t>(polls) + 1 : UINT64_MAX; }
-
-[[gnu::cold]] std::uint64_t polls_of(const PlannedWork& work, std::uint64_t* most) {
-    const bool is_refused = work.bytes == 0;
-    if (most != nullptr)
-        *most = is_refused ? 0 : work.units_most > 0 ? whole_polls(work.units_most / Monitor::interval) : UINT64_MAX;
-    const double units = static_cast<double>(work.bytes) * work.units_each;
-    return is_refused ? 0 : whole_polls(units / (Monitor::interval + late_units));
-}
 
 // Of nothing but triangulations and alpha complexes of points.
 bool is_bounded(const netmesh_request& r) {
     return r.periods == nullptr && r.bounds == nullptr && r.cycles == nullptr && r.vines == nullptr && r.fit == nullptr;
 }
 
-// Diagrams take the same work with and without what stays.
-netmesh_request without_mesh(netmesh_request r) {
-    r.keep_mesh = 0;
-    r.cycles = nullptr;
-    return r;
-}
-
-[[gnu::cold]] double most_of(const netmesh_request& r, bool with_diagram) {
-    if (!is_bounded(r)) return 0;
-    const double least = r.points.dim + 2, n = static_cast<double>(r.points.count);
-    const int D = static_cast<int>(r.points.dim);
-    const double points = n > least ? n : least;  // fewer than make two cells are no exception
-    return triangulation_units(points, D) + (with_diagram ? filtered_units(points, D) : 0);
-}
-
-[[gnu::cold]] double mesh_units(const netmesh_request& r, double each) {
-    const netmesh_method* const method = r.mesh.method;
-    if (method == nullptr) return each;
-    return each * (method->id == NETMESH_METHOD_THESIS   ? thesis_share
-                   : method->id == NETMESH_METHOD_REFINE ? refine_share
-                                                         : 1);
-}
-
-// Of a request that is settled.
-[[gnu::cold]] PlannedWork work_of_diagram(const netmesh_request& r, std::size_t bytes) {
-    const WorkFigures figures = work_figures(r.points.dim);
-    if (source_of(r) != Source::points) return {bytes, rips_units};
-    if (r.filter->id == NETMESH_FILTER_AUTO) return {whole_bytes(plan_of_alpha(without_mesh(r))), alpha_units};
+// Units a planned byte of a diagram. Where it is bounded that is of the alpha complex alone, as more bytes of what is
+// kept are no more work.
+[[gnu::cold]] double units_each(const netmesh_request& r, const WorkFigures& figures) {
+    if (source_of(r) != Source::points || r.filter->id == NETMESH_FILTER_RIPS) return rips_units;
+    if (r.filter->id == NETMESH_FILTER_AUTO) return alpha_units;
     switch (find_filter(r.filter->id)->source) {
-    case FilterSource::delaunay:
-        if (r.periods != nullptr) return {bytes, alpha_units};
-        return {whole_bytes(plan_of_alpha(without_mesh(r))), alpha_units, most_of(r, true)};
-    case FilterSource::points:
-        return {bytes, r.filter->id == NETMESH_FILTER_RIPS   ? rips_units
-                       : r.filter->id == NETMESH_FILTER_CECH ? cech_units
-                                                             : barycentric_units};
-    case FilterSource::scales: return {bytes, r.goal.ratio > 0 ? figures.scales_by_ratio : scales_units};
+    case FilterSource::delaunay: return alpha_units;
+    case FilterSource::points: return r.filter->id == NETMESH_FILTER_CECH ? cech_units : barycentric_units;
+    case FilterSource::scales: return r.goal.ratio > 0 ? figures.scales_by_ratio : scales_units;
     case FilterSource::mesh: break;
     }
-    return {bytes, mesh_units(r, figures.filtered)};
+    return figures.filtered;
+}
+
+// bytes: the request's plan.
+[[gnu::cold]] std::uint64_t polls_of(const netmesh_request* from, Call call, std::size_t bytes, std::uint64_t* most) {
+    netmesh_request r;
+    if (most != nullptr) *most = 0;
+    if (bytes == 0 || read_struct(from, &r, sizeof r) != NETMESH_FIELD_NONE || settle(call, 0, &r).text != nullptr)
+        return 0;
+    const bool has_diagram = call == Call::persist;
+    const WorkFigures figures = work_figures(r.points.dim);
+    const netmesh_method* const method =
+        r.mesh.method != nullptr || r.filter == nullptr ? r.mesh.method : r.filter->by_tau;
+    double each = has_diagram ? units_each(r, figures) : figures.mesh;
+    bool has_bound = is_bounded(r);
+    if (each == alpha_units && r.periods == nullptr) {
+        has_bound = has_bound && r.filter->id != NETMESH_FILTER_AUTO;
+        r.keep_mesh = 0;
+        r.cycles = nullptr;
+        bytes = whole_bytes(plan_of_alpha(r));
+    } else if (!has_diagram && (method->keeps_few || method->triangulates())) {
+        each = figures.triangulation;
+    } else {
+        has_bound = false;
+        if (method != nullptr && method->id == NETMESH_METHOD_THESIS) each *= thesis_share;
+        if (method != nullptr && method->id == NETMESH_METHOD_REFINE) each *= refine_share;
+    }
+    if (most != nullptr) *most = UINT64_MAX;
+    if (most != nullptr && has_bound) {
+        const double n = static_cast<double>(r.points.count), least = r.points.dim + 2;
+        const double units = units_most(n > least ? n : least, static_cast<int>(r.points.dim), has_diagram);
+        *most = whole_polls(units / Monitor::interval);
+    }
+    return whole_polls(static_cast<double>(bytes) * each / (Monitor::interval + late_units));
 }
 
 }  // namespace
@@ -151,24 +139,10 @@ netmesh_request without_mesh(netmesh_request r) {
 
 using namespace netmesh;
 
-extern "C" [[gnu::cold]] uint64_t netmesh_plan_polls(const netmesh_request* from, uint64_t* most) {
-    netmesh_request request;
-    const std::size_t bytes = netmesh_plan(from);
-    if (bytes == 0 || read_struct(from, &request, sizeof request) != NETMESH_FIELD_NONE ||
-        settle(Call::persist, 0, &request).text != nullptr)
-        return polls_of({}, most);
-    return polls_of(work_of_diagram(request, bytes), most);
+extern "C" uint64_t netmesh_plan_polls(const netmesh_request* request, uint64_t* most) {
+    return polls_of(request, Call::persist, netmesh_plan(request), most);
 }
 
-extern "C" [[gnu::cold]] uint64_t netmesh_plan_mesh_polls(const netmesh_request* from, uint64_t* most) {
-    netmesh_request request;
-    const std::size_t bytes = netmesh_plan_mesh(from);
-    if (bytes == 0 || read_struct(from, &request, sizeof request) != NETMESH_FIELD_NONE ||
-        settle(Call::mesh, 0, &request).text != nullptr)
-        return polls_of({}, most);
-    const netmesh_method* const method = request.mesh.method != nullptr ? request.mesh.method : request.filter->by_tau;
-    const WorkFigures figures = work_figures(request.points.dim);
-    if (!method->keeps_few && !method->triangulates())
-        return polls_of({bytes, mesh_units(request, figures.mesh)}, most);
-    return polls_of({bytes, figures.triangulation, most_of(request, false)}, most);
+extern "C" uint64_t netmesh_plan_mesh_polls(const netmesh_request* request, uint64_t* most) {
+    return polls_of(request, Call::mesh, netmesh_plan_mesh(request), most);
 }

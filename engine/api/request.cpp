@@ -73,7 +73,7 @@ WeightRows weights_of(const netmesh_request& r) {
     return {{p.weights, p.weight_stride_bytes, p.format == NETMESH_POINTS_FLOAT32}, r.weighting->are_radii};
 }
 
-bool refuses_square(netmesh_context* context, Status status) {
+[[gnu::cold]] bool refuses_square(netmesh_context* context, Status status) {
     const netmesh_request& r = context->request;
     if (status != Status::out_of_range || r.squares == 0 || !r.weighting->are_radii) return false;
     const WeightRows weights = weights_of(r);

@@ -25,7 +25,8 @@ Complaint settle_weighting(const Settling& s) {
 }
 
 // Why there is neither a triangulation nor a diagram.
-netmesh_status fail(netmesh_context* context, Status status, const InputReport& input, const HiddenPoints& hidden) {
+[[gnu::cold]] netmesh_status fail(netmesh_context* context, Status status, const InputReport& input,
+                                  const HiddenPoints& hidden) {
     const std::uint64_t row = input.row_a;
     if (refuses_square(context, status)) {
         clear(context);
