@@ -58,8 +58,8 @@ constexpr double begun = 3000, begun_each = 2000;  // and by the dimension
     // The sum of facets_most(m, D) over m up to n: its leading term, of n + 1.
     double made = ByDimension<double>{{1.0 / 2, 1, 1.0 / 6, 1.0 / 3, 1.0 / 24}}.at(D);
     for (int i = 0; i <= D / 2; ++i) made *= n + 1;
-    // Points of one key are given keys anew until each has another; every time at least one of them gets one, so less
-    // than n times.
+    // Runs of points of one key are given keys anew, each of which splits the run: less than n times, of n^2 / 2 points
+    // in all (delaunay/spatial_order.cpp). A point takes D / 2 + 4 units, most of them to be sorted.
     double units = n * n * (D / 2.0 + 3) + n * (130 * D + 700);
     // Kernels report making and linking of many cells as well. From R^4 on they report tests that doubles do not
     // decide: of cells in conflict and, once for each of their facets, of those about them.

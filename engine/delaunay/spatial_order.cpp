@@ -126,6 +126,10 @@ private:
     }
 };
 
+// Positions take the bits below, rounds those from there on.
+constexpr int round_shift = 60;
+constexpr std::uint64_t new_run = std::uint64_t{1} << round_shift;
+
 template <int D> struct Sorter {
     const DimensionOf<D> dim;
     const Arena& arena;
@@ -201,8 +205,10 @@ template <int D> struct Sorter {
 };
 
 // Every run of equal keys that holds different points is keyed again on its own bounding box until none is left. The
-// two ends of the widest axis get different keys, so each pass splits the run. Below half the smallest normal number
-// halves round, and such points are told apart by insertion on their coordinates. True when there may be equal points.
+// two ends of the widest axis get different keys, so each pass splits the run. Runs only ever split, so there are less
+// passes than points: what ends with the key of the run behind it is marked, by a bit that new keys have not. Below
+// half the smallest normal number halves round, and such points are told apart by insertion on their coordinates. True
+// when there may be equal points.
 template <int D> bool Sorter<D>::split_equal_keys(std::size_t count) {
     bool repeats = false;
     std::size_t begin = 0;
@@ -227,6 +233,9 @@ template <int D> bool Sorter<D>::split_equal_keys(std::size_t count) {
         }
         if (split) {
             sort_range(begin, end);
+            std::size_t last = end;  // where the last run of the new keys begins, if it would go on behind
+            while (end < count && keys[last - 1] == keys[end]) --last;
+            for (std::size_t i = last; i < end; ++i) keys[i] |= new_run;
             continue;
         }
         for (std::size_t i = begin + 1; i < end; ++i) {
@@ -279,7 +288,7 @@ Status order_of(DimensionOf<D> dim, const unsigned char* coordinates, std::ptrdi
             std::uint64_t h = mix64(s.hash(i) ^ seed);
             std::uint32_t round = rounds_max;
             for (; round > 0 && (h & 3u) == 0; h >>= 2) --round;
-            s.keys[i] |= static_cast<std::uint64_t>(round) << 60;
+            s.keys[i] |= static_cast<std::uint64_t>(round) << round_shift;
         }
     s.sort_range(0, count);
     *repeats = s.split_equal_keys(count);

@@ -483,10 +483,10 @@ netmesh_status netmesh_settle(const netmesh_request* request, netmesh_request* s
 size_t netmesh_plan(const netmesh_request* request);
 size_t netmesh_plan_mesh(const netmesh_request* request);
 
-/* Polls to plan for, slices of a job, of the same requests: for uniform points, at most 2 times as many or as few from
- * a hundred on, an estimate for others. *most, if most is not null: no points in this number take more. It is derived
- * for triangulations and exact alpha diagrams without periods, bounds and cycles (decisions/polls.md). UINT64_MAX: for
- * the rest no bound by the number is known. Both are 0 where the plan is. O(1). */
+/* Polls to plan for, slices of a job, of the same requests: on uniform points from a hundred on at most 2.5 times as
+ * many or as few, for others and with weights or a kept triangulation an estimate. *most, if most is not null: no
+ * points in this number take more, as derived for triangulations and alpha diagrams without periods, bounds and cycles;
+ * UINT64_MAX: no bound by the number is known, or it is larger. Both are 0 where the plan is. O(1). */
 uint64_t netmesh_plan_polls(const netmesh_request* request, uint64_t* most);
 uint64_t netmesh_plan_mesh_polls(const netmesh_request* request, uint64_t* most);
 
