@@ -43,11 +43,11 @@ template <class Run> Outcome by_size(std::size_t enough, std::size_t dense, Run 
     return outcome;
 }
 
-// Stopped at each of the first chances, then at some, an eighth further each: a number that is beyond the last one.
+// Stopped at the first chance, at the second ..: how many there are.
 template <class Run> int at_polls(std::size_t enough, Run run) {
     const auto poll = [](void* left, const netmesh_progress*) { return --*static_cast<int*>(left) < 0 ? 1 : 0; };
     Block block(enough);
-    for (int polls = 0;; polls += 1 + polls / 8) {
+    for (int polls = 0;; ++polls) {
         int left = polls;
         netmesh::Monitor monitor(poll, &left);
         const netmesh::Status status = run({block.arena, monitor});
