@@ -68,8 +68,7 @@ netmesh_status netmesh_settle(const netmesh_request* from, netmesh_request* sett
 
 size_t netmesh_plan(const netmesh_request* from) {
     netmesh_request request;
-    if (read_settled(from, false, &request).text != nullptr) return 0;
-    return source_of(request) == Source::context ? 0 : whole_bytes(plan_of_diagram(request));
+    return read_settled(from, false, &request).text != nullptr ? 0 : bytes_of_diagram(request);
 }
 
 }  // extern "C"

@@ -322,6 +322,17 @@ double plan_of_diagram(const netmesh_request& r) {
     return plan_of_mesh(r, true);
 }
 
+std::size_t bytes_of_diagram(const netmesh_request& r) {
+    return source_of(r) == Source::context ? 0 : whole_bytes(plan_of_diagram(r));
+}
+
+std::size_t bytes_of_cells(const netmesh_request& r) {
+    const netmesh_method* const method = r.mesh.method != nullptr ? r.mesh.method : r.filter->by_tau;
+    if (method->keeps_few) return whole_bytes(few_cells_figures.at(static_cast<double>(r.points.count), 2));
+    return whole_bytes(method->triangulates() ? plan_of_triangulation(r.points, false) + weight_bytes(r)
+                                              : plan_of_mesh(r, false));
+}
+
 }  // namespace netmesh
 
 using namespace netmesh;
@@ -329,9 +340,5 @@ using namespace netmesh;
 extern "C" size_t netmesh_plan_mesh(const netmesh_request* from) {
     netmesh_request request;
     if (read_struct(from, &request, sizeof request) != NETMESH_FIELD_NONE) return 0;
-    if (settle(Call::mesh, 0, &request).text != nullptr) return 0;
-    const netmesh_method* const method = request.mesh.method != nullptr ? request.mesh.method : request.filter->by_tau;
-    if (method->keeps_few) return whole_bytes(few_cells_figures.at(static_cast<double>(request.points.count), 2));
-    return whole_bytes(method->triangulates() ? plan_of_triangulation(request.points, false) + weight_bytes(request)
-                                              : plan_of_mesh(request, false));
+    return settle(Call::mesh, 0, &request).text != nullptr ? 0 : bytes_of_cells(request);
 }

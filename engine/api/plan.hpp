@@ -26,6 +26,10 @@ double plan_with_periods(const netmesh_request& request);
 // Of any request for a diagram. Objects do not point here, so that a program which does not plan holds no plans.
 double plan_of_diagram(const netmesh_request& request);
 
+// What netmesh_plan and netmesh_plan_mesh say. 0: nothing can be planned.
+std::size_t bytes_of_diagram(const netmesh_request& request);
+std::size_t bytes_of_cells(const netmesh_request& request);
+
 // What weights take besides: a number of each point, and what alpha diagrams copy of it.
 inline double weight_bytes(const netmesh_request& r) {
     return r.weighting != nullptr ? 16 * static_cast<double>(r.points.count) : 0;

@@ -19,22 +19,21 @@
 namespace netmesh {
 namespace {
 
-// Units a planned byte, as measured on uniform points: of triangulations, of meshes by tau, of these with their
+// Units of 1,000 planned bytes, as measured on uniform points: of triangulations, of meshes by tau, of these with their
 // diagram, of scales by a ratio. From D = 4 on those of 4.
 struct WorkFigures {
-    double triangulation, mesh, filtered, scales_by_ratio;
+    int triangulation, mesh, filtered, scales_by_ratio;
 };
 constexpr WorkFigures work_figures(std::uint32_t dim) {
-    return dim == 2   ? WorkFigures{0.07, 0.23, 0.3, 0.9}
-           : dim == 3 ? WorkFigures{0.085, 0.17, 0.22, 0.35}
-                      : WorkFigures{0.2, 0.22, 0.33, 0.35};
+    return dim == 2   ? WorkFigures{70, 230, 300, 900}
+           : dim == 3 ? WorkFigures{85, 170, 220, 350}
+                      : WorkFigures{200, 220, 330, 350};
 }
-constexpr double alpha_units = 0.27, scales_units = 0.25, cech_units = 0.16, barycentric_units = 0.35,
-                 rips_units = 0.08;
-// Times what other meshes take: of the cages of the thesis, and VoronoiRefine.
-constexpr double thesis_share = 4, refine_share = 1.3;
+constexpr int alpha_units = 270, scales_units = 250, cech_units = 160, barycentric_units = 350, rips_units = 80;
+// Tenths of what other meshes take: of the cages of the thesis, and VoronoiRefine.
+constexpr int thesis_share = 40, refine_share = 13;
 // By how many units the report that leads to a poll is late in the mean.
-constexpr double late_units = 10;
+constexpr int late_units = 10;
 
 // Facets of a cyclic d-polytope of m vertices, m > d.
 [[gnu::cold]] double facets_most(double m, int d) {
@@ -46,21 +45,21 @@ constexpr double late_units = 10;
 }
 
 // Units of all loops over items of one kind, by the item: a 256th of the instructions that they say they take.
-constexpr double linear = 8;
+constexpr int linear = 8;
 // Of sorting, by the item: levels of splitting, and a heap where these do not get on.
-constexpr double sorted = 80;
+constexpr int sorted = 80;
 // Of what pieces report that are not full: four times the instructions of one step in each loop.
-constexpr double begun = 3000, begun_each = 2000;  // and by the dimension
+constexpr int begun = 3000, begun_each = 2000;  // and by the dimension
 
 // with_diagram: the complex is listed, filtered and reduced as well.
 [[gnu::cold]] double units_most(double n, int D, bool with_diagram) {
     const double cells = facets_most(n + 1, D + 1);
     // The sum of facets_most(m, D) over m up to n: its leading term, of n + 1.
-    double made = ByDimension<double>{{1.0 / 2, 1, 1.0 / 6, 1.0 / 3, 1.0 / 24}}.at(D);
+    double made = 1.0 / ByDimension<int>{{2, 1, 6, 3, 24}}.at(D);
     for (int i = 0; i <= D / 2; ++i) made *= n + 1;
     // Runs of points of one key are given keys anew, each of which splits the run: less than n times, of n^2 / 2 points
     // in all (delaunay/spatial_order.cpp). A point takes D / 2 + 4 units, most of them to be sorted.
-    double units = n * n * (D / 2.0 + 3) + n * (130 * D + 700);
+    double units = n * n * ((D + 7) / 2) + n * (130 * D + 700);
     // Kernels report making and linking of many cells as well. From R^4 on they report tests that doubles do not
     // decide: of cells in conflict and, once for each of their facets, of those about them.
     units += 2 * n + (D - 1) * (D == 2 ? 1 : 3) * made + (D > 3 ? n * (D + 2) * cells * 2 * D : 0);
@@ -87,9 +86,9 @@ bool is_bounded(const netmesh_request& r) {
     return r.periods == nullptr && r.bounds == nullptr && r.cycles == nullptr && r.vines == nullptr && r.fit == nullptr;
 }
 
-// Units a planned byte of a diagram. Where it is bounded that is of the alpha complex alone, as more bytes of what is
+// Units of 1,000 planned bytes of a diagram. Where it is bounded that is of the alpha complex alone, as more bytes of what is
 // kept are no more work.
-[[gnu::cold]] double units_each(const netmesh_request& r, const WorkFigures& figures) {
+[[gnu::cold]] int units_each(const netmesh_request& r, const WorkFigures& figures) {
     if (source_of(r) != Source::points || r.filter->id == NETMESH_FILTER_RIPS) return rips_units;
     if (r.filter->id == NETMESH_FILTER_AUTO) return alpha_units;
     switch (find_filter(r.filter->id)->source) {
@@ -101,17 +100,17 @@ bool is_bounded(const netmesh_request& r) {
     return figures.filtered;
 }
 
-// bytes: the request's plan.
-[[gnu::cold]] std::uint64_t polls_of(const netmesh_request* from, Call call, std::size_t bytes, std::uint64_t* most) {
+[[gnu::cold]] std::uint64_t polls_of(const netmesh_request* from, Call call, std::uint64_t* most) {
     netmesh_request r;
     if (most != nullptr) *most = 0;
-    if (bytes == 0 || read_struct(from, &r, sizeof r) != NETMESH_FIELD_NONE || settle(call, 0, &r).text != nullptr)
-        return 0;
+    if (read_struct(from, &r, sizeof r) != NETMESH_FIELD_NONE || settle(call, 0, &r).text != nullptr) return 0;
     const bool has_diagram = call == Call::persist;
+    std::size_t bytes = has_diagram ? bytes_of_diagram(r) : bytes_of_cells(r);
+    if (bytes == 0) return 0;
     const WorkFigures figures = work_figures(r.points.dim);
     const netmesh_method* const method =
         r.mesh.method != nullptr || r.filter == nullptr ? r.mesh.method : r.filter->by_tau;
-    double each = has_diagram ? units_each(r, figures) : figures.mesh;
+    int each = has_diagram ? units_each(r, figures) : figures.mesh, tenths = 10;
     bool has_bound = is_bounded(r);
     if (each == alpha_units && r.periods == nullptr) {
         has_bound = has_bound && r.filter->id != NETMESH_FILTER_AUTO;
@@ -122,8 +121,8 @@ bool is_bounded(const netmesh_request& r) {
         each = figures.triangulation;
     } else {
         has_bound = false;
-        if (method != nullptr && method->id == NETMESH_METHOD_THESIS) each *= thesis_share;
-        if (method != nullptr && method->id == NETMESH_METHOD_REFINE) each *= refine_share;
+        if (method != nullptr && method->id == NETMESH_METHOD_THESIS) tenths = thesis_share;
+        if (method != nullptr && method->id == NETMESH_METHOD_REFINE) tenths = refine_share;
     }
     if (most != nullptr) *most = UINT64_MAX;
     if (most != nullptr && has_bound) {
@@ -131,7 +130,7 @@ bool is_bounded(const netmesh_request& r) {
         const double units = units_most(n > least ? n : least, static_cast<int>(r.points.dim), has_diagram);
         *most = whole_polls(units / Monitor::interval);
     }
-    return whole_polls(static_cast<double>(bytes) * each / (Monitor::interval + late_units));
+    return whole_polls(static_cast<double>(bytes) * (each * tenths) / (10'000.0 * (Monitor::interval + late_units)));
 }
 
 }  // namespace
@@ -140,9 +139,9 @@ bool is_bounded(const netmesh_request& r) {
 using namespace netmesh;
 
 extern "C" uint64_t netmesh_plan_polls(const netmesh_request* request, uint64_t* most) {
-    return polls_of(request, Call::persist, netmesh_plan(request), most);
+    return polls_of(request, Call::persist, most);
 }
 
 extern "C" uint64_t netmesh_plan_mesh_polls(const netmesh_request* request, uint64_t* most) {
-    return polls_of(request, Call::mesh, netmesh_plan_mesh(request), most);
+    return polls_of(request, Call::mesh, most);
 }

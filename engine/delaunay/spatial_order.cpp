@@ -206,7 +206,7 @@ template <int D> struct Sorter {
 
 // Every run of equal keys that holds different points is keyed again on its own bounding box until none is left. The
 // two ends of the widest axis get different keys, so each pass splits the run. Runs only ever split, so there are less
-// passes than points: what ends with the key of the run behind it is marked, by a bit that new keys have not. Below
+// passes than points: new keys differ from that of the run behind them by a bit that they have not themselves. Below
 // half the smallest normal number halves round, and such points are told apart by insertion on their coordinates. True
 // when there may be equal points.
 template <int D> bool Sorter<D>::split_equal_keys(std::size_t count) {
@@ -226,16 +226,10 @@ template <int D> bool Sorter<D>::split_equal_keys(std::size_t count) {
             continue;
         }
         key_range(begin, end);
-        bool split = false;
-        for (std::size_t i = begin + 1; i < end; ++i) {
-            arena.step(i, 5);
-            split |= keys[i] != keys[begin];
-        }
-        if (split) {
-            sort_range(begin, end);
-            std::size_t last = end;  // where the last run of the new keys begins, if it would go on behind
-            while (end < count && keys[last - 1] == keys[end]) --last;
-            for (std::size_t i = last; i < end; ++i) keys[i] |= new_run;
+        sort_range(begin, end);
+        if (keys[begin] != keys[end - 1]) {
+            const std::uint64_t mark = end < count ? ~keys[end] & new_run : 0;
+            for (std::size_t i = begin; i < end; ++i) keys[i] |= mark;
             continue;
         }
         for (std::size_t i = begin + 1; i < end; ++i) {
