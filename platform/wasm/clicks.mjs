@@ -1,6 +1,7 @@
 // node clicks.mjs netmesh.html GOLDEN FOLDER [NETMESH]: the page as people use it, in headless Chromium, with real
-// clicks, keys, drops and drags. A screenshot of each path stays in FOLDER. With the program NETMESH the saved diagram
-// is compared with the program's own.
+// clicks, keys, drops, drags and touches. A screenshot of each path stays in FOLDER. With the program NETMESH the saved
+// diagram is compared with the program's own. With NETMESH_AXE=.../axe.min.js, of the npm package axe-core, that checker
+// of accessibility goes over the page in each state.
 import { spawnSync } from 'node:child_process';
 import { existsSync, mkdirSync, mkdtempSync, readFileSync, rmSync, writeFileSync } from 'node:fs';
 import { tmpdir } from 'node:os';
@@ -50,6 +51,67 @@ const shade = (page, x, y) => page.run(`(() => {
     const [red, , , alpha] = view.canvas.getContext('2d').getImageData(...at, 1, 1).data;
     return Math.round(255 + (red - 255) * alpha / 255);  // on white
 })()`);
+// What has the keyboard: the element's id, or of a bar its pair.
+const focused = page => page.run("document.activeElement.id || document.activeElement.dataset.pair || ''");
+async function tab_to(page, id) {
+    for (let keys = 0; keys < 40; ++keys) {
+        if (await focused(page) === id) return;
+        await page.key('Tab', 9);
+    }
+    throw new Error(`no way by the tabulator to ${id}`);
+}
+async function as_phone(page) {
+    await page.send('Emulation.setDeviceMetricsOverride',
+        { width: 360, height: 740, deviceScaleFactor: 2, mobile: true });
+    await page.send('Emulation.setTouchEmulationEnabled', { enabled: true });
+}
+async function touch(page, from, to) {
+    const at = share => ({ x: from.x + (to.x - from.x) * share, y: from.y + (to.y - from.y) * share });
+    const send = (type, ...touchPoints) => page.send('Input.dispatchTouchEvent', { type, touchPoints });
+    await send('touchStart', at(0));
+    for (let i = 1; i <= 8; ++i) await send('touchMove', at(i / 8));
+    await send('touchEnd');
+}
+// The states that a page can be in, for what goes over all of them.
+const states = {
+    async 'at first'() {},
+    async 'a fault'(page) {
+        await page.run("document.querySelector('#text').value = '1 2\\n3 x', compute()");
+        await bad(page);
+    },
+    async 'a diagram'(page) {
+        await choose(page, '#sample', 'torus, 3D');
+        await done(page);
+    },
+    async 'bounds and a chosen bar'(page) {
+        await page.run("document.querySelector('#bounds').checked = true");
+        await choose(page, '#filter', '1');
+        await choose(page, '#sample', 'noisy circle, 2D');
+        await done(page);
+        await page.click('#barcode .bar rect');
+    },
+    async 'a box'(page) {
+        await choose(page, '#filter', '0');
+        await choose(page, '#sample', 'circle in a periodic box, 2D');
+        await done(page);
+    },
+    async 'a computation'(page) {
+        await page.run("set_box('-,-', 'extent')");
+        await page.run(`document.querySelector('#text').value = ${JSON.stringify(cube(20000, 3))}`);
+        await choose(page, '#filter', '1');
+        await choose(page, '#memory', '1024');
+        await page.click('#run');
+        await page.until("/vertices, in a block/.test(document.querySelector('#status').textContent)", 'progress');
+    },
+    async 'advice'(page) {
+        await page.run('stop()');
+        await page.run(`document.querySelector('#text').value = ${JSON.stringify(cube(3000, 4))}`);
+        await choose(page, '#filter', '3');
+        await choose(page, '#memory', '16');
+        await page.click('#run');
+        await bad(page);
+    },
+};
 const ring = Array.from({ length: 24 }, (_, i) =>
     `${Math.cos(i * Math.PI / 12).toFixed(6)}, ${Math.sin(i * Math.PI / 12).toFixed(6)}`).join('\n');
 
@@ -520,6 +582,115 @@ const paths = {
         equal(await status(page), 'this link cannot be read', 'a link that is none');
     },
 };
+
+// Without a mouse: choose a sample, compute, go through the bars, move the radius, turn.
+paths['keyboard'] = async page => {
+    await tab_to(page, 'sample');
+    await page.key('ArrowDown', 40);
+    await done(page);
+    check((await status(page)).includes('120 points in 2 dimensions'), await status(page));
+    equal(await page.run("document.querySelector('#view').tabIndex"), -1, 'nothing to turn in the plane');
+    await tab_to(page, 'run');
+    await page.run('last = null');
+    await page.key('Enter', 13);
+    await page.until("last !== null && !document.querySelector('#run').disabled", 'a result by Enter');
+    await page.run("document.querySelector('#sample').focus()");
+    for (let i = 0; i < 4; ++i) await page.key('ArrowDown', 40);
+    await page.until("document.querySelector('#status').textContent.includes('200 points in 3 dimensions: done')", 'a sphere');
+    await tab_to(page, 'view');
+    const before = await ink(page);
+    await page.key('ArrowLeft', 37);
+    check(await ink(page) !== before, 'an arrow key turns it');
+    await page.key('Tab', 9);
+    const all = await page.run("bars_shown().map(bar => bar.dataset.pair)");
+    equal(await focused(page), all[0], 'the first bar');
+    await page.key('ArrowUp', 38);
+    equal(await focused(page), all[0], 'nothing above it');
+    await page.key('End', 35);
+    equal(await focused(page), all[all.length - 1], 'the last bar');
+    await page.key('Home', 36);
+    await page.key('ArrowDown', 40);
+    equal(await focused(page), all[1], 'the second bar');
+    await page.key('Enter', 13);
+    equal(await page.run('String(chosen)'), all[1], 'the chosen bar');
+    equal(await page.run("document.activeElement.getAttribute('aria-pressed')"), 'true', 'pressed');
+    await page.key(' ', 32);
+    equal(await page.run('chosen'), null, 'chosen no more');
+    await page.key('Tab', 9);
+    equal(await focused(page), 'radius', 'behind all bars');
+    const radius = await page.run("document.querySelector('#radius').value");
+    await page.key('ArrowRight', 39);
+    check(await page.run("document.querySelector('#radius').value") !== radius, 'the slider');
+    await page.key('Tab', 9, 8);
+    equal(await focused(page), all[1], 'back to the bar of before');
+};
+// On a screen of 360 by 740, by fingers.
+paths['phone'] = async page => {
+    await as_phone(page);
+    for (const sample of ['noisy circle, 2D', 'torus, 3D']) {
+        await page.run('last = null');
+        await choose(page, '#sample', sample);
+        await page.until("last !== null && !document.querySelector('#run').disabled", 'a result');
+        equal(await page.run('document.documentElement.scrollWidth <= innerWidth'), true, 'nothing beside the screen');
+        const least = await page.run(`Math.min(...[...document.querySelectorAll('#barcode text')].map(text =>
+            text.getAttribute('font-size') * text.ownerSVGElement.getBoundingClientRect().width / last.barcode.width))`);
+        check(least >= 8, `text of ${least} pixels`);
+        const low = await page.run("Math.min(...bars_shown().map(bar => bar.getBoundingClientRect().height))");
+        check(low >= 20, `bars of ${low} pixels`);
+        // A finger that goes up over the picture scrolls the page.
+        const from = await page.place('#view', .5, .5), scroll = await page.run('scrollY'), drawn = await ink(page);
+        await touch(page, from, { x: from.x, y: from.y - 150 });
+        await page.until(`scrollY > ${scroll} + 50`, 'scrolling over the picture');
+        check(await ink(page) === drawn, 'the picture turns then');
+    }
+    const left = await page.place('#view', .2, .5), right = await page.place('#view', .7, .5), drawn = await ink(page);
+    await touch(page, left, right);
+    check(await ink(page) !== drawn, 'a finger to the side turns it');
+    const bar = await page.place('#barcode .bar:nth-of-type(2)');
+    await touch(page, bar, bar);
+    await page.until('chosen !== null', 'a bar by a touch');
+};
+// What a screen reader is told.
+paths['screen reader'] = async page => {
+    for (const [name, lead] of Object.entries(states)) {
+        await lead(page);
+        const { nodes } = await page.send('Accessibility.getFullAXTree');
+        const spoken = ['button', 'combobox', 'textbox', 'spinbutton', 'checkbox', 'slider', 'img', 'image', 'progressbar',
+            'progressIndicator', 'group', 'region', 'status'];
+        const named = nodes.filter(node => !node.ignored && spoken.includes(node.role?.value));
+        check(named.length > 12, `${name}: ${named.length} elements`);
+        for (const { role, name: { value } } of named)
+            check(role.value === 'status' || role.value === 'group' || value?.trim().length > 0, `${name}: a ${role.value} without a name`);
+    }
+    await page.run("stop(), set_box('-,-', 'extent')");
+    await choose(page, '#memory', '256');
+    await choose(page, '#filter', '0');
+    await choose(page, '#sample', 'noisy circle, 2D');
+    await done(page);
+    const { nodes } = await page.send('Accessibility.getFullAXTree');
+    const names = role => nodes.filter(node => !node.ignored && node.role?.value === role).map(node => node.name.value);
+    check(names('button').some(words => /^H1: 0\.\d+ to 0\.\d+, certified to exist$/.test(words)),
+        `a bar's name: ${names('button').join('; ')}`);
+    check([...names('img'), ...names('image')].some(words => /^Picture at radius .*: 80 points, \d+ edges/.test(words)), 'the picture');
+    equal(await page.run("document.querySelector('#radius').getAttribute('aria-valuetext')"),
+        await text(page, '#radius-value'), 'the radius in words');
+    equal(await page.run("document.querySelector('#status').getAttribute('aria-busy')"), 'false', 'not busy');
+    equal(await page.run("document.querySelector('#figures th').scope"), 'row', 'heads of rows');
+};
+if (process.env.NETMESH_AXE !== undefined) {
+    const axe = readFileSync(process.env.NETMESH_AXE, 'utf8');
+    for (const phone of [false, true]) for (const [name, lead] of Object.entries(states)) {
+        paths[`axe${phone ? ' on a phone' : ''}, ${name}`] = async page => {
+            if (phone) await as_phone(page);
+            await lead(page);
+            await page.run(axe);
+            const found = await page.run(`axe.run().then(({ violations, passes }) => ({ passes: passes.length,
+                violations: violations.map(({ id, help, nodes }) => [id, help, nodes[0].html.slice(0, 200)].join(', ')) }))`);
+            equal(found.violations.join('\n'), '', 'violations');
+            check(found.passes > 20, `${found.passes} rules`);
+        };
+    }
+}
 
 let failed = 0;
 const wanted = process.env.NETMESH_PATHS?.split(',') ?? Object.keys(paths);

@@ -40,7 +40,7 @@ export async function open_browser(width = 1280, height = 1000) {
 
 const pause = milliseconds => new Promise(resolve => setTimeout(resolve, milliseconds));
 
-// A page of that address. Errors that nothing catches are collected in `faults`.
+// A page of that address. Errors that nothing catches and errors on the console are collected in `faults`.
 export async function open_page(browser, url, { downloads = null, fresh = true } = {}) {
     const context = fresh ? (await browser.send('Target.createBrowserContext')).browserContextId : undefined;
     const { targetId } = await browser.send('Target.createTarget', { url: 'about:blank', browserContextId: context });
@@ -48,10 +48,15 @@ export async function open_page(browser, url, { downloads = null, fresh = true }
     const send = (method, params) => browser.send(method, params, sessionId);
     const faults = [];
     browser.listeners.push(message => {
-        if (message.sessionId !== sessionId || message.method !== 'Runtime.exceptionThrown') return;
-        const details = message.params.exceptionDetails;
-        faults.push(details.exception?.description ?? details.text);
+        if (message.sessionId !== sessionId) return;
+        const { exceptionDetails, entry, type, args } = message.params;
+        if (message.method === 'Runtime.exceptionThrown')
+            faults.push(exceptionDetails.exception?.description ?? exceptionDetails.text);
+        else if (message.method === 'Log.entryAdded' && entry.level === 'error') faults.push(`console: ${entry.text}`);
+        else if (message.method === 'Runtime.consoleAPICalled' && type === 'error')
+            faults.push(`console: ${args.map(arg => arg.value ?? arg.description).join(' ')}`);
     });
+    await send('Log.enable');
     await send('Page.enable');
     await send('Runtime.enable');
     if (downloads !== null)
@@ -102,9 +107,10 @@ export async function open_page(browser, url, { downloads = null, fresh = true }
                     { buttons: 1 });
             await page.mouse('mouseReleased', b);
         },
-        async key(name, code) {
-            const key = { key: name, code: name, windowsVirtualKeyCode: code };
-            await send('Input.dispatchKeyEvent', { type: 'rawKeyDown', ...key });
+        async key(name, code, modifiers = 0) {
+            const key = { key: name, code: name === ' ' ? 'Space' : name, windowsVirtualKeyCode: code, modifiers };
+            const text = { Enter: '\r', ' ': ' ' }[name];
+            await send('Input.dispatchKeyEvent', { type: text ? 'keyDown' : 'rawKeyDown', ...key, text });
             await send('Input.dispatchKeyEvent', { type: 'keyUp', ...key });
         },
         // As from a keyboard or the clipboard, at once.

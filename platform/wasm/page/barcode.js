@@ -55,12 +55,14 @@ function barcode_end(pairs) {
     return finite.reduce((most, x) => Math.max(most, x), 0) * 1.08 || 1;
 }
 
-function barcode_svg({ pairs, ratio, has_bounds }, title) {
-    const width = 600, left = 128, right = 138, row = 13, bar = 8;
+// As a picture; or as a group of buttons, which arrow keys go through, and narrow where the screen is.
+function barcode_svg({ pairs, ratio, has_bounds }, title, { buttons = false, narrow = false } = {}) {
+    const [width, left, right, row, bar] = narrow ? [360, 92, 96, 24, 14] : [600, 128, 138, 13, 8];
     const end = barcode_end(pairs), groups = barcode_groups(pairs);
     const x = value => left + Math.max(0, Math.min(value, end)) / end * (width - left - right);
     const parts = [];
-    let y = 16;
+    let y = 16, tab = 0;  // of all buttons one is reached by the tabulator
+    const as_button = () => buttons ? ` role="button" aria-pressed="false" tabindex="${tab++ === 0 ? 0 : -1}"` : '';
     const rect = (from, to, top, height, fill, more = '') =>
         `<rect x="${from.toFixed(2)}" y="${top.toFixed(2)}" width="${Math.max(.8, to - from).toFixed(2)}" ` +
         `height="${height}" fill="${fill}"${more}/>`;
@@ -68,7 +70,7 @@ function barcode_svg({ pairs, ratio, has_bounds }, title) {
         `<text x="${at}" y="${base}" font-size="${size}"${more}>${escape_text(words)}</text>`;
     for (const { degree, total, exist, count, apart, shown } of groups) {
         const top = y, colour = degree_colours[degree % 6];
-        parts.push(text(8, y + 13, 'H' + sub(degree), 17, ` font-weight="bold" fill="${colour}"`),
+        parts.push(text(8, y + 13, 'H' + sub(degree), 17, ' font-weight="bold" fill="#22262b"'),
             text(8, y + 28, `${counted(total)} bar${total === 1 ? '' : 's'}`, 10, ' fill="#5b626a"'));
         const lines = [ratio === 1 ? '' : `${counted(exist)} certified`,
             count === 0 ? '' : `${count} stand${count === 1 ? 's' : ''} apart`,
@@ -78,11 +80,12 @@ function barcode_svg({ pairs, ratio, has_bounds }, title) {
             const p = pairs[i], line = y + at * row;
             const doubt = p.after > p.birth
                 ? rect(x(p.birth), x(p.after), line, row, '#fbf0d0', ' class="doubt"') : '';
-            const arrow = p.death === Infinity ? `<path d="M${x(end)} ${line + 1}l10 5.5l-10 5.5z" fill="${colour}"/>` : '';
-            const note = p.exists ? text(width - right + 14, line + 10, `${short_number(p.birth)} to ${short_number(p.death)}`,
+            const arrow = p.death === Infinity ? `<path d="M${x(end)} ${line + row / 2 - 5.5}l10 5.5l-10 5.5z" fill="${colour}"/>` : '';
+            const note = p.exists ? text(width - right + 14, line + row / 2 + 3.5, `${short_number(p.birth)} to ${short_number(p.death)}`,
                 10, ' fill="#22262b"' + (p.death - p.birth >= apart ? ' font-weight="bold"' : '')) : '';
-            parts.push(`<g class="bar" data-pair="${i}">${doubt}` + rect(x(p.birth), x(p.death), line + 2.5, bar, colour,
-                p.exists ? '' : ' fill-opacity=".45"') + arrow + note +
+            const field = buttons ? rect(left, width, line, row, 'none', ' pointer-events="all"') : '';
+            parts.push(`<g class="bar" data-pair="${i}"${as_button()}>${field}${doubt}` + rect(x(p.birth), x(p.death),
+                line + (row - bar) / 2, bar, colour, p.exists ? '' : ' fill-opacity=".45"') + arrow + note +
                 `<title>H${degree}: ${p.birth} to ${p.death === Infinity ? 'infinity' : p.death}` +
                 `${p.exists ? ', certified to exist' : ''}</title></g>`);
         });
@@ -102,7 +105,7 @@ function barcode_svg({ pairs, ratio, has_bounds }, title) {
     const words = groups.map(g => `degree ${g.degree}: ${g.total} bars` +
         (ratio === 1 ? '' : `, ${g.exist} certified to exist`)).join('; ');
     return { end, left, right, width, svg: `<svg xmlns="http://www.w3.org/2000/svg" width="${width}" height="${height}" ` +
-        `viewBox="0 0 ${width} ${height}" role="img" font-family="Helvetica, Arial, 'Liberation Sans', 'DejaVu Sans', ` +
+        `viewBox="0 0 ${width} ${height}" role="${buttons ? 'group' : 'img'}" font-family="Helvetica, Arial, 'Liberation Sans', 'DejaVu Sans', ` +
         `sans-serif"><title>${escape_text(title)}</title><desc>${escape_text(words)}</desc>` +
         `<rect width="${width}" height="${height}" fill="#ffffff"/>${parts.join('\n')}${legend}` +
         `<path class="radius" d="M${left} 6V${y}" stroke="#d5590e" stroke-width="1.5" stroke-dasharray="4 3"/></svg>` };

@@ -83,6 +83,7 @@ function stop() {
     $('run').disabled = false;
     $('cancel').disabled = true;
     $('progress').hidden = true;
+    $('status').setAttribute('aria-busy', false);
 }
 
 function compute() {
@@ -105,6 +106,7 @@ function compute() {
     $('cancel').disabled = false;
     $('progress').hidden = false;
     $('progress').value = 0;
+    $('status').setAttribute('aria-busy', true);  // what comes is said when it is over, not each step of it
     say('starting');
     worker.onmessage = ({ data }) => {
         if (data.progress !== undefined) { show_progress(data.progress); return; }
@@ -154,10 +156,13 @@ function take_result(result, cloud, wanted, box = null) {
     show_options();
     const certificate = result.ratio === 1 ? 'exact' : `certified ratio ${result.ratio.toFixed(4)}: births and deaths are ` +
         'within that factor of the exact ones';
-    last.barcode = barcode_svg({ pairs: result.pairs, ratio: result.ratio, has_bounds: wanted.asked.bounds === 1 },
-        `Barcode: ${last.described}, ${certificate}`);
+    const shown = { pairs: result.pairs, ratio: result.ratio, has_bounds: wanted.asked.bounds === 1 };
+    const title = `Barcode: ${last.described}, ${certificate}`;
+    last.barcode = barcode_svg(shown, title, { buttons: true, narrow: $('barcode').clientWidth < 480 });
+    last.picture = barcode_svg(shown, title).svg;
     $('barcode').innerHTML = last.barcode.svg;
-    $('barcode-note').textContent = `${certificate}${box === null ? '' : ', modulo the periods'}. Click a bar to see its cycle.`;
+    $('barcode-note').textContent = `${certificate}${box === null ? '' : ', modulo the periods'}. Choose a bar, by a click or ` +
+        'by arrow keys and Enter, to see its cycle.';
     $('link-note').textContent = '';
     show_figures(result, certificate);
     let from = 0, longest = 0;  // of as many bars as there are: no call takes them all as arguments
@@ -212,10 +217,14 @@ function show_figures({ figures, bytes }, certificate) {
             `${size_text(figures.peak_bytes)} of a block of ${size_text(bytes)}`], ['fingerprint', figures.fingerprint]];
     if (figures.aspect_ratio > 0) rows.splice(6, 0, ['worst aspect ratio', figures.aspect_ratio.toFixed(3)]);
     $('figures').replaceChildren(...rows.filter(([, value]) => value !== 0).map(([name, value]) => {
-        const tr = document.createElement('tr');
-        for (const t of [name, value]) tr.appendChild(document.createElement('td')).textContent = t;
+        const tr = document.createElement('tr'), head = document.createElement('th');
+        head.scope = 'row';
+        head.textContent = name;
+        tr.append(head);
+        tr.insertCell().textContent = value;
         return tr;
     }));
+    $('figures').createCaption().textContent = 'Figures of this result';
 }
 
 // Whether a cycle of the bar can be drawn.
@@ -226,6 +235,7 @@ function show_radius() {
     const { result, cloud, complex, barcode, box } = last;
     const radius = Number($('radius').value) / 1000 * barcode.end;
     $('radius-value').textContent = short_number(radius);
+    $('radius').setAttribute('aria-valuetext', short_number(radius));
     const x = barcode.left + radius / barcode.end * (barcode.width - barcode.left - barcode.right);
     const line = document.querySelector('#barcode .radius');
     line.setAttribute('d', line.getAttribute('d').replace(/^M[\d.]+/, 'M' + x.toFixed(2)));
@@ -240,11 +250,12 @@ function show_radius() {
         if (p.birth <= radius && radius < p.death) alive.set(p.degree, alive.get(p.degree) + 1);
     $('betti').textContent = 'holes at this radius: ' + degrees.map(degree => `H${sub(degree)} ${alive.get(degree)}`)
         .join(', ');
-    const turned = cloud.dim > 2 ? `; drag to turn it${cloud.dim > 3 ? ', of more than three coordinates the first three' : ''}`
+    const turned = cloud.dim > 2 ? `; drag or take arrow keys to turn it${cloud.dim > 3 ? ', of more than three coordinates the first three' : ''}`
         : '';
     $('view-note').textContent = box !== null ? box_note() : `${complex.inputs} points` + (!last.is_drawn
         ? `: too large to draw more of it (${result.figures.cells.toLocaleString('en')} cells); the barcode is complete`
         : $('show').value === 'balls' ? '' : `, ${view.counts.edges} edges, ${view.counts.triangles} triangles at this radius`) + turned;
+    $('view').setAttribute('aria-label', `Picture at radius ${short_number(radius)}: ${$('view-note').textContent}`);
 }
 
 // More points, and their balls take longer than their picture is worth.
@@ -259,19 +270,41 @@ function box_note() {
         : `; ${edges} edges, ${triangles} triangles at this radius, modulo the periods`);
 }
 
-$('barcode').addEventListener('click', event => {
-    const bar = event.target.closest('.bar');
-    if (bar === null) return;
+const bars_shown = () => [...document.querySelectorAll('#barcode .bar')];
+function go_to(bar) {
+    for (const other of bars_shown()) other.setAttribute('tabindex', other === bar ? 0 : -1);
+    bar.focus();
+}
+function choose(bar) {
     const pair = Number(bar.dataset.pair);
     chosen = chosen === pair ? null : pair;
-    for (const other of document.querySelectorAll('#barcode .bar'))
-        other.classList.toggle('chosen', chosen !== null && other === bar);
+    for (const other of bars_shown()) {
+        const is_chosen = chosen !== null && other === bar;
+        other.classList.toggle('chosen', is_chosen);
+        other.setAttribute('aria-pressed', is_chosen);
+    }
     const p = last.result.pairs[pair];
     if (chosen !== null) $('radius').value = Math.ceil(1000 * Math.min(p.birth, last.barcode.end) / last.barcode.end);
     $('barcode-note').textContent = chosen === null ? '' : `H${sub(p.degree)}, from ${short_number(p.birth)} to ` +
         `${short_number(p.death)}` + (!has_cycle(p) ? ': no cycle is kept of it' : `: a cycle of ` +
         `${p.cycle.length / (p.degree + 1)} pieces is drawn`);
     show_radius();
+}
+$('barcode').addEventListener('click', event => {
+    const bar = event.target.closest('.bar');
+    if (bar === null) return;
+    go_to(bar);
+    choose(bar);
+});
+$('barcode').addEventListener('keydown', event => {
+    const bar = event.target.closest('.bar');
+    if (bar === null) return;
+    const all = bars_shown(), at = all.indexOf(bar);
+    const next = { ArrowDown: at + 1, ArrowUp: at - 1, Home: 0, End: all.length - 1 }[event.key];
+    if (next !== undefined) go_to(all[Math.max(0, Math.min(next, all.length - 1))]);
+    else if (event.key === 'Enter' || event.key === ' ') choose(bar);
+    else return;
+    event.preventDefault();
 });
 
 function save(name, type, text) {
@@ -282,7 +315,7 @@ function save(name, type, text) {
     setTimeout(() => URL.revokeObjectURL(a.href), 10000);
 }
 $('save-pers').addEventListener('click', () => save('netmesh.pers', 'text/plain', pers_text(last.result, last.described)));
-$('save-svg').addEventListener('click', () => save('netmesh.svg', 'image/svg+xml', last.barcode.svg));
+$('save-svg').addEventListener('click', () => save('netmesh.svg', 'image/svg+xml', last.picture));
 
 // A link has the options and either the sample's name or the points themselves, squeezed.
 const option_ids = ['columns', 'filter', 'k', 'ratio', 'degree', 'memory', 'show', 'radius'];

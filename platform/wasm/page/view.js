@@ -26,10 +26,12 @@ class View {
             held = [event.clientX, event.clientY];
             try { canvas.setPointerCapture(event.pointerId); } catch { /* no such pointer any more */ }
         });
-        canvas.addEventListener('pointerup', () => { held = null; });
+        for (const end of ['pointerup', 'pointercancel']) canvas.addEventListener(end, () => { held = null; });
         canvas.addEventListener('pointermove', event => {
             if (held === null) return;
-            this.rotate((event.clientX - held[0]) * 0.01, (event.clientY - held[1]) * 0.01);
+            // A finger that goes up or down scrolls the page.
+            const up = event.pointerType === 'touch' ? 0 : event.clientY - held[1];
+            this.rotate((event.clientX - held[0]) * 0.01, up * 0.01);
             held = [event.clientX, event.clientY];
         });
         canvas.addEventListener('keydown', event => {
@@ -50,6 +52,7 @@ class View {
     show(shown) {
         this.shown = shown;
         this.canvas.classList.toggle('turns', shown.dim > 2);
+        this.canvas.tabIndex = shown.dim > 2 ? 0 : -1;
         this.draw();
     }
 
