@@ -233,15 +233,27 @@ void tell_warning(const std::string& file, const std::string& warning) {
     print_message(file + ": " + warning + "\n", "33");
 }
 
+// Whether an isometric copy of the points stands for them: an alpha complex is intrinsic. Not where coordinates come out
+// again, and not beside a proof, whose verifier reads the file as it is.
+bool is_of_points_alone(const Options& options) {
+    const bool is_alpha = filter_of(options) == NETMESH_FILTER_ALPHA;
+    if (options.command == Command::check) return is_alpha;
+    return options.command == Command::persist && (is_alpha || options.request.filter == &netmesh_filter_auto) &&
+           options.proof.empty() && options.mesh_out.empty() && options.pace_path.empty() &&
+           options.weighted_path.empty() && !goes_by_pieces(options) && options.implies_mesh.empty();
+}
+
 Outcome read_cloud(const Options& options, const std::string& path, PointCloud* cloud) {
     const bool any = options.command == Command::persist && filter_of(options) == NETMESH_FILTER_RIPS;
     const Outcome outcome = read_points(path, options.table, cloud, any ? NETMESH_RIPS_DIM_MAX : dim_max);
     if (!outcome.good()) return outcome;
     tell_note(options, cloud->name, cloud->note);
-    // Without a mesh such points are refused, with the same words.
-    const bool has_mesh = options.command != Command::delaunay && filter_of(options) != NETMESH_FILTER_ALPHA;
-    if (!any && has_mesh && cloud->lattice.kind == Lattice::none)
-        tell_note(options, cloud->name, cloud->constant_coordinate());
+    if (any || cloud->lattice.kind != Lattice::none) return {};
+    if (is_of_points_alone(options)) {
+        tell_note(options, cloud->name, cloud->leave_out_constant());
+    } else if (options.command != Command::delaunay && filter_of(options) != NETMESH_FILTER_ALPHA) {
+        tell_note(options, cloud->name, cloud->constant_coordinate());  // without a mesh they are refused, and told so
+    }
     return {};
 }
 

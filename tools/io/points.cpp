@@ -22,15 +22,42 @@ std::string PointCloud::where(std::uint64_t row) const {
     return name + ": row " + std::to_string(row + 1);
 }
 
+namespace {
+
+bool is_constant(const PointCloud& cloud, std::size_t k) {
+    std::size_t i = k;
+    while (i < cloud.coordinates.size() && cloud.coordinates[i] == cloud.coordinates[k]) i += cloud.dim;
+    return i >= cloud.coordinates.size();
+}
+
+}  // namespace
+
 std::string PointCloud::constant_coordinate() const {
     for (std::size_t k = dim; rows() > 1 && dim > 2 && k-- > 0;) {
-        std::size_t i = k;
-        while (i < coordinates.size() && coordinates[i] == coordinates[k]) i += dim;
-        if (i >= coordinates.size())
+        if (is_constant(*this, k))
             return "coordinate " + std::to_string(k + 1) + " is " + number_text(coordinates[k]) +
                    " in all points; without it, by --columns, the same points have an exact diagram";
     }
     return {};
+}
+
+std::string PointCloud::leave_out_constant() {
+    std::vector<std::size_t> kept;
+    std::string said;
+    for (std::size_t k = 0; rows() > 1 && k < dim; ++k) {
+        if (is_constant(*this, k))
+            said += (said.empty() ? "coordinate " : ", ") + std::to_string(k + 1) + ", " + number_text(coordinates[k]);
+        else
+            kept.push_back(k);
+    }
+    if (said.empty() || kept.size() < dim_min) return {};
+    const bool several = dim - kept.size() > 1;
+    std::size_t end = 0;
+    for (std::size_t i = 0; i < coordinates.size(); i += dim)
+        for (const std::size_t k : kept) coordinates[end++] = coordinates[i + k];
+    coordinates.resize(end);
+    dim = static_cast<std::uint32_t>(kept.size());
+    return said + " in all points, " + (several ? "are" : "is") + " left out";
 }
 
 std::string ending_of(const std::string& path) {

@@ -271,8 +271,23 @@ TEST_CASE("what is said of k, of points on a line, and of the whole process") {
     folder.write("line.csv", "0,0\n1,1\n3,3\n");
     CHECK(folder.run("persist line.csv").says("on a line --filter rips is exact"));
     folder.write("flat.csv", "0,0,5\n1,0,5\n1,1,5\n0,1,5\n");
-    CHECK(folder.run("persist flat.csv").says("coordinate 3 is 5 in all points; without it, by --columns, the same"));
-    CHECK(folder.run("persist flat.csv --columns 1,2 -q").out.find("1 0.5 0.7071067811865476") != std::string::npos);
+    for (const char* const given : {"", " --filter alpha", " --columns 1,2 -q"})
+        CHECK(folder.run("persist flat.csv" + std::string(given)).out.find("1 0.5 0.7071067811865476") !=
+              std::string::npos);
+    CHECK(folder.run("persist flat.csv -o flat.pers").says("coordinate 3, 5 in all points, is left out"));
+    CHECK(folder.run("check flat.pers --points flat.csv").exit == 0);
+    CHECK(folder.run("check flat.pers --points flat.csv").says("coordinate 3, 5 in all points, is left out"));
+    folder.write("other.csv", "0,0,5\n1,0,5\n1,1,5\n0,1,6\n");
+    CHECK(folder.run("check flat.pers --points other.csv").exit == 7);
+    folder.write("thin.csv", "7,0,5,0,3\n7,1,5,0,3\n7,1,5,1,3\n7,0,5,1,3\n");
+    CHECK(folder.run("persist thin.csv -o thin.pers").says("coordinate 1, 7, 3, 5, 5, 3 in all points, are left out"));
+    CHECK(folder.run("check thin.pers --points thin.csv").exit == 0);
+    CHECK(folder.run("persist flat.csv --filter complete").says("coordinate 3 is 5 in all points; without it, by"));
+    CHECK(folder.run("persist flat.csv --proof p.proof -o p.pers").exit != 0);
+    CHECK(folder.run("persist flat.csv --pieces 2 -o p.pers").exit == 5);
+    CHECK(folder.run("persist flat.csv --mesh-out m.ply -o m.pers").says("by --columns, the same"));
+    folder.write("axis.csv", "0,5,5\n1,5,5\n2,5,5\n");  // one coordinate would be left: a mesh
+    CHECK(folder.run("persist axis.csv").says("in a hyperplane"));
     folder.write("slope.csv", "0,0,0\n1,0,1\n1,1,2\n0,1,1\n");
     CHECK(folder.run("persist slope.csv").says("in a hyperplane and have no Delaunay triangulation; --filter cech is"));
     CHECK(folder.run("persist slope.csv --filter cech").exit == 0);
