@@ -110,15 +110,51 @@ __asm__(R"(
 .endm
 )");
 #endif
+// ARMv8-M faults where the stack pointer in use goes below its limit, which a system sets for each of its stacks. The
+// limit is kept with the rest; a stack that begins has none. Without privilege it reads as 0 and keeps its value.
+#if defined(__ARM_ARCH_8M_MAIN__) || defined(__ARM_ARCH_8_1M_MAIN__)
+__asm__(R"(
+.macro netmesh_set_limit
+    mrs r5, control
+    tst r5, 2
+    ite eq
+    msreq msplim, r4
+    msrne psplim, r4
+.endm
+.macro netmesh_save_limit
+    mrs r5, control
+    tst r5, 2
+    ite eq
+    mrseq r4, msplim
+    mrsne r4, psplim
+    push {r4, r5}
+    movs r4, 0
+    netmesh_set_limit
+.endm
+.macro netmesh_restore_limit
+    pop {r4, r5}
+    netmesh_set_limit
+.endm
+)");
+#else
+__asm__(R"(
+.macro netmesh_save_limit
+.endm
+.macro netmesh_restore_limit
+.endm
+)");
+#endif
 __asm__(R"(
 .syntax unified
 .macro netmesh_save
     push {r3-r11, lr}
     netmesh_floats vpush
+    netmesh_save_limit
     str sp, [r0]
     mov sp, r1
 .endm
 .macro netmesh_restore
+    netmesh_restore_limit
     netmesh_floats vpop
     pop {r3-r11, pc}
 .endm
