@@ -51,17 +51,20 @@ unsigned long long number_in(const char* path, unsigned long long otherwise) {
     return found ? value : otherwise;
 }
 
-}  // namespace
-
-std::size_t peak_process_bytes() {
+std::size_t peak_of(int whose) {
     rusage usage;
-    if (getrusage(RUSAGE_SELF, &usage) != 0 || usage.ru_maxrss <= 0) return 0;
+    if (getrusage(whose, &usage) != 0 || usage.ru_maxrss <= 0) return 0;
 #ifdef __APPLE__
     return static_cast<std::size_t>(usage.ru_maxrss);
 #else
     return static_cast<std::size_t>(usage.ru_maxrss) * 1024;
 #endif
 }
+
+}  // namespace
+
+std::size_t peak_process_bytes() { return peak_of(RUSAGE_SELF); }
+std::size_t peak_worker_bytes() { return peak_of(RUSAGE_CHILDREN); }
 
 std::size_t physical_memory_bytes() {
     const long pages = sysconf(_SC_PHYS_PAGES), page_bytes = sysconf(_SC_PAGESIZE);

@@ -31,6 +31,8 @@ void forget_pages(void* begin, std::size_t bytes);
 
 // The most that this process has had in memory at a time; 0 where the system does not say.
 std::size_t peak_process_bytes();
+// The same of the processes that it has started and that have ended, the largest one.
+std::size_t peak_worker_bytes();
 
 // Memory that this process can hope to use: the machine's, or the control group's limit where that is lower.
 std::size_t physical_memory_bytes();

@@ -31,7 +31,7 @@ void add_alpha(const Options& options, const Cloud& cloud, std::string* text) {
     exact.command = Command::persist;
     exact.request.filter = &netmesh_filter_alpha;
     std::size_t plan;
-    if (fits(exact, cloud, &plan)) add_way(text, "--filter alpha is exact and fits: plan for " + bytes_text_up(plan));
+    if (fits(exact, cloud, &plan)) add_way(text, "--filter alpha is exact: plan for " + bytes_text_up(plan));
 }
 
 void add_lower_degree(const Options& options, const Cloud& cloud, std::string* text) {
@@ -65,6 +65,7 @@ void add_coarser_mesh(const Options& options, std::uint32_t dim, std::string* te
 std::string advice_on_diagram(const Options& options, const Cloud& cloud) {
     std::string text;
     if (!options.table.weights.empty() || options.table.lattice.kind != Lattice::none) return text;  // of alpha alone
+    add_alpha(options, cloud, &text);
     const netmesh_request& r = options.request;
     const netmesh_filter_info& filter = about(r.filter);
     if (filter.is_on_points != 0) {
@@ -80,7 +81,6 @@ std::string advice_on_diagram(const Options& options, const Cloud& cloud) {
                                                       : "--fit finds the best ratio that fits");
         if (options.values_at.empty()) add_coarser_mesh(options, cloud.dim, &text);
     }
-    add_alpha(options, cloud, &text);
     return text;
 }
 

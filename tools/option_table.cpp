@@ -540,7 +540,8 @@ const std::vector<OptionEntry>& option_entries() {
          apply_switch<&Options::json>,
          "report as JSON on stdout; data then goes to -o only, but bars without -o stand in the JSON"},
         {"--quiet", engine | pieces | vineyard | homology | distance | size | check | sample, nullptr,
-         apply_switch<&Options::quiet>, "no progress, no summary"},
+         apply_switch<&Options::quiet>,
+         "no progress, no summary; of notes on the data those alone that say what may be a slip"},
     };
     return table;
 }

@@ -164,7 +164,9 @@ void complete(Options* options) {
     const bool is_open = options->command == Command::persist || options->command == Command::size;
     if (is_open && (r.filter == nullptr || r.filter == &netmesh_filter_auto)) {
         r.filter = &netmesh_filter_auto;
-        options->implies_mesh = option_against_auto(*options);
+        // Weights and periods are alpha's, whatever else is asked for.
+        if (options->table.weights.empty() && options->table.lattice.kind == Lattice::none)
+            options->implies_mesh = option_against_auto(*options);
         if (!options->implies_mesh.empty()) r.filter = &netmesh_filter_complete;
     }
     if (options->command == Command::size && is_of_eps(*options)) take_eps_as_goal(options);

@@ -97,8 +97,12 @@ std::string Session::memory_message(const PointCloud& cloud, std::size_t plan) c
         if (last_.vertices > 0) text += " with " + counted(last_.vertices, "vertex", "vertices");
     }
     if (wanted > 0) text += "; it takes more than " + bytes_text(wanted - 1);
-    if (plan != SIZE_MAX && plan > block_.bytes())
+    if (plan != SIZE_MAX && plan > block_.bytes()) {
         text += "; plan for " + bytes_text_up(plan) + ": --memory " + memory_option_text(plan);
+    } else if (options_.memory_bytes != 0 && options_.memory_bytes < SIZE_MAX / 2) {
+        const std::size_t next = std::max<std::size_t>(2 * options_.memory_bytes, wanted);
+        text += ", more than is planned for such a number of points: try --memory " + memory_option_text(next);
+    }
     const std::string advice = memory_advice(options_, cloud.dim, cloud.rows(), block_.bytes());
     return advice.empty() ? text : text + "; or " + advice;
 }
@@ -164,7 +168,9 @@ Outcome Session::explain(netmesh_status status, const PointCloud& cloud, std::si
                           "flat: fewer than " + std::to_string(dim_ + 1) +
                               " affinely independent points in dimension " + std::to_string(dim_) +
                               ", so there is no Delaunay triangulation; " +
-                              (constant.empty() ? "persist --filter cech takes few points as they are" : constant),
+                              (!constant.empty()         ? constant
+                               : cloud.weights.empty() ? "persist --filter cech takes few points as they are"
+                                                       : "there is no other filter of balls"),
                           Exit::degenerate);
     }
     case NETMESH_TOO_CLOSE:
@@ -172,8 +178,8 @@ Outcome Session::explain(netmesh_status status, const PointCloud& cloud, std::si
             detail.index_b,
             "this point and the one of " + cloud.place(detail.index_a) +
                 " are distinct but closer than coordinates resolve for this mesh: 64 units in the "
-                "last place, more when tau is near 2 or the ratio below 2; persist --filter cech takes few points as "
-                "they are",
+                "last place, more when tau is near 2 or the ratio below 2; persist --filter alpha has no mesh and takes "
+                "any points",
             Exit::degenerate);
     case NETMESH_CHECK_FAILED: return {Exit::check, "netmesh: check failed: " + said};
     default: return {Exit::internal, "netmesh: internal error: " + said};

@@ -72,7 +72,8 @@ netmesh_status finish(netmesh_context* context, Status status, const char* text,
         // Lists that fill their share of the block ask for nothing: more than the block it is all the same.
         const std::uint64_t wanted = context->arena.bytes_wanted() + (context->block_bytes - context->arena.bytes());
         const std::uint64_t least = context->block_bytes + Arena::alignment;
-        detail.bytes_wanted = wanted > least ? wanted : least;
+        // What a block has beyond a multiple of the alignment is not used.
+        detail.bytes_wanted = (wanted > least ? wanted : least) & ~std::uint64_t{Arena::alignment - 1};
     }
     keep_said(context, detail, text);
     return detail.status;

@@ -63,6 +63,8 @@ constexpr int begun = 3000, begun_each = 2000;  // and by the dimension
     // Kernels report making and linking of many cells as well. From R^4 on they report tests that doubles do not
     // decide: of cells in conflict and, once for each of their facets, of those about them.
     units += 2 * n + (D - 1) * (D == 2 ? 1 : 3) * made + (D > 3 ? n * (D + 2) * cells * 2 * D : 0);
+    // A walk comes to no cell twice.
+    units += n * cells * (5 * D) / 32;
     units += begun + begun_each * D + linear * D * (n + cells);
     if (!with_diagram) return units;
 

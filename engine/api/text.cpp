@@ -7,6 +7,25 @@
 #define NETMESH_NAMED(name, member, field, text)                                                                       \
     case NETMESH_FIELD_##field: return text;
 
+namespace netmesh {
+namespace {
+
+// Of texts with a 0 behind each the one of this number. They are one array, which a program links with the function
+// that reads them; literals in a table would come with those of all tables of the library.
+const char* text_at(const char* text, int number) {
+    for (; number > 0; ++text) number -= *text == 0;
+    return text;
+}
+
+constexpr int texts_in(const char* texts, std::size_t bytes) {
+    int count = 0;
+    for (std::size_t i = 0; i < bytes; ++i) count += texts[i] == 0;
+    return count;
+}
+
+}  // namespace
+}  // namespace netmesh
+
 extern "C" {
 
 uint32_t netmesh_version(void) { return NETMESH_VERSION; }
@@ -17,41 +36,41 @@ const char* netmesh_version_text(void) {
 }
 
 const char* netmesh_status_text(netmesh_status status) {
+    static constexpr char texts[] =
+        "done\0"
+        "invalid argument\0"
+        "the block of memory is too small\0"
+        "cancelled\0"
+        "a coordinate is not a finite number\0"
+        "a coordinate or a distance is outside the range that meshing admits\0"
+        "the points lie in a hyperplane\0"
+        "two points are closer than their coordinates resolve\0"
+        "an earlier step is missing\0"
+        "a check failed\0"
+        "the floating-point mode is not IEEE double precision, rounding to nearest\0"
+        "an invariant of the library does not hold\0"
+        "the simplices are not a filtered complex\0"
+        "left out of this build of the library\0"
+        "the job has paused\0"
+        "the job's stack is too small";
+    static_assert(netmesh::texts_in(texts, sizeof texts) == NETMESH_STACK_OVERFLOW + 1, "a status has no text");
     if (!netmesh::in_range(status, NETMESH_OK, NETMESH_STACK_OVERFLOW)) return "unknown status";
-    switch (status) {
-    case NETMESH_OK: return "done";
-    case NETMESH_INVALID_ARGUMENT: return "invalid argument";
-    case NETMESH_OUT_OF_MEMORY: return "the block of memory is too small";
-    case NETMESH_CANCELLED: return "cancelled";
-    case NETMESH_NOT_FINITE: return "a coordinate is not a finite number";
-    case NETMESH_OUT_OF_RANGE: return "a coordinate or a distance is outside the range that meshing admits";
-    case NETMESH_FLAT: return "the points lie in a hyperplane";
-    case NETMESH_TOO_CLOSE: return "two points are closer than their coordinates resolve";
-    case NETMESH_NO_RESULT: return "an earlier step is missing";
-    case NETMESH_CHECK_FAILED: return "a check failed";
-    case NETMESH_FLOATING_POINT: return "the floating-point mode is not IEEE double precision, rounding to nearest";
-    case NETMESH_NOT_A_COMPLEX: return "the simplices are not a filtered complex";
-    case NETMESH_NOT_BUILT: return "left out of this build of the library";
-    case NETMESH_PAUSED: return "the job has paused";
-    case NETMESH_STACK_OVERFLOW: return "the job's stack is too small";
-    case NETMESH_INTERNAL: return "an invariant of the library does not hold";
-    }
-    return "unknown status";
+    return netmesh::text_at(texts, status);
 }
 
 const char* netmesh_why_text(netmesh_why why) {
+    static constexpr char texts[] =
+        "it was asked for\0"
+        "the exact alpha complex is affordable\0"
+        "the points are too close or too far apart for a mesh\0"
+        "the exact alpha complex would take more work than a mesh\0"
+        "the exact alpha complex does not fit in the memory\0"
+        "the points lie in a hyperplane and have no Delaunay triangulation\0"
+        "coordinates are too far apart in size for an exact alpha complex\0"
+        "no other filter takes weights or periods";
+    static_assert(netmesh::texts_in(texts, sizeof texts) == NETMESH_WHY_ALONE + 1, "a reason has no text");
     if (!netmesh::in_range(why, NETMESH_WHY_ASKED, NETMESH_WHY_ALONE)) return "unknown reason";
-    switch (why) {
-    case NETMESH_WHY_ASKED: return "it was asked for";
-    case NETMESH_WHY_AFFORDABLE: return "the exact alpha complex is affordable";
-    case NETMESH_WHY_NO_MESH: return "the points are too close or too far apart for a mesh";
-    case NETMESH_WHY_CELLS: return "the exact alpha complex would take more work than a mesh";
-    case NETMESH_WHY_MEMORY: return "the exact alpha complex does not fit in the memory";
-    case NETMESH_WHY_FLAT: return "the points lie in a hyperplane and have no Delaunay triangulation";
-    case NETMESH_WHY_RANGE: return "coordinates are too far apart in size for an exact alpha complex";
-    case NETMESH_WHY_ALONE: return "no other filter takes weights or periods";
-    }
-    return "unknown reason";
+    return netmesh::text_at(texts, why);
 }
 
 const char* netmesh_field_text(netmesh_field field) {

@@ -310,7 +310,8 @@ template <int D, class W, class Words> CellId PlaneRun<D, W, Words>::locate() {
             c = cells[c].neighbour[i].cell();
             break;
         }
-    for (;;) {
+    for (std::uint32_t steps = 1;; ++steps) {
+        if (steps % 32 == 0) arena_.pass(5 * dim);  // points on a curve take as many as there are
         const CellT& cell = cells[c];
         const PlaneArm arm[3] = {question.arm_to(cell.vertex[0]), question.arm_to(cell.vertex[1]),
                                  question.arm_to(cell.vertex[2])};

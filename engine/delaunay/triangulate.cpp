@@ -65,7 +65,7 @@ std::uint32_t remove_duplicates(const AnyStore& store, std::uint32_t* order, std
 
 bool are_finite(const InputRows& points, std::size_t n, int dim, const Arena& arena, InputReport* input) {
     for (std::size_t i = 0; i < n;)
-        for (const std::uint64_t piece = arena.piece(i, n, 5 * dim); i < piece; ++i) {
+        for (const std::uint64_t piece = arena.piece(i, n, 20 * dim); i < piece; ++i) {
             double x[dimension_max];
             if (points.read(i, dim, x)) continue;
             input->row_a = i;
@@ -80,7 +80,7 @@ std::uint64_t copy_points(const InputRows& points, const AnyStore& store) {
     Fingerprint fingerprint;
     fingerprint.add(static_cast<std::uint64_t>(store.dim));
     for (std::uint32_t i = 0; i < count;)
-        for (const std::uint64_t piece = store.arena.piece(i, count, 20 + 10 * store.dim); i < piece; ++i) {
+        for (const std::uint64_t piece = store.arena.piece(i, count, 20 + 40 * store.dim); i < piece; ++i) {
             const AnyVertex v = store.vertex(i);
             points.read(i, store.dim, v.x);
             for (int k = 0; k < store.dim; ++k) fingerprint.add(v.x[k]);

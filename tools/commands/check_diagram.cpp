@@ -145,10 +145,10 @@ std::string Reproduction::said() const {
     std::string text = "reproduced: the engine makes the same bars";
     if (!file_.bounds.empty()) text += ", bounds and ratios by scale";
     text += " of " + cloud_.name + " for " + choice_text(choice_of(made_)) + "; certified ratio " +
-            rounded_text(diagram.certified_ratio, 6);
-    if (diagram.certified_from > 0) text += " from radius " + rounded_text(diagram.certified_from, 6);
-    if (diagram.filter == NETMESH_FILTER_FUNCTION) text += ", error " + rounded_text(diagram.certified_error, 6);
-    if (report_.mesh.is_mesh != 0) text += "; aspect ratio at most " + rounded_text(report_.mesh.aspect_ratio_max, 6);
+            bound_text(diagram.certified_ratio, 6);
+    if (diagram.certified_from > 0) text += " from radius " + bound_text(diagram.certified_from, 6);
+    if (diagram.filter == NETMESH_FILTER_FUNCTION) text += ", error " + bound_text(diagram.certified_error, 6);
+    if (report_.mesh.is_mesh != 0) text += "; aspect ratio at most " + bound_text(report_.mesh.aspect_ratio_max, 6);
     return text;
 }
 

@@ -131,10 +131,10 @@ void add_findings(const MeshFiles& files, const netmesh_request& promise, const 
     checked->push_back("facets shared by two, cells positively oriented, spheres empty, hull convex");
     checked->push_back(files.neighbours.name + " names the cells behind the facets");
     if (is_mesh && ratio > 0) {
-        checked->push_back("certified ratio at most " + rounded_text(ratio, 6) + " by the bounds of every cell" +
+        checked->push_back("certified ratio at most " + bound_text(ratio, 6) + " by the bounds of every cell" +
                            (mesh.whole_cells == 0 ? ", clipped" : ""));
     } else if (is_mesh) {
-        checked->push_back("aspect ratio at most " + rounded_text(report.aspect_ratio_max, 6) + " (tau " +
+        checked->push_back("aspect ratio at most " + bound_text(report.aspect_ratio_max, 6) + " (tau " +
                            rounded_text(mesh.tau > 0 ? mesh.tau : default_tau(files.node.cloud.dim), 6) + ")");
     }
     if (!files.node.cages.empty()) {
@@ -153,7 +153,7 @@ void add_findings(const MeshFiles& files, const netmesh_request& promise, const 
             asked += (asked.empty() ? "cell-size " : ", cell-size ") + number_text(mesh.sizes.at_inputs) + ',' +
                      number_text(mesh.sizes.growth);
         if (error > 0) asked += (asked.empty() ? "error " : ", error ") + number_text(error);
-        checked->push_back("cells reach " + rounded_text(report.sizes.ratio_max, 6) + " of the size asked for (" +
+        checked->push_back("cells reach " + bound_text(report.sizes.ratio_max, 6) + " of the size asked for (" +
                            asked + ")");
     }
     checked->push_back(is_mesh && ratio == 0 ? "size and degrees within the bounds of chapters 3 to 5"

@@ -107,7 +107,7 @@ Outcome recompute(const Options& options, const VineSource& source, const MeshFi
     run->clock = session.clock();
     run->checked->push_back(source.name + " is the vineyard of " + source.cloud.name + " for " +
                             choice_text(file.choice) + "; certified ratio at most " +
-                            rounded_text(run->engine->vineyard.certified_ratio, 6));
+                            bound_text(run->engine->vineyard.certified_ratio, 6));
     return {};
 }
 

@@ -47,7 +47,7 @@ Outcome check_error(const Options& options, const Engine& engine) {
     if (!outcome.good() || asked == 0) return outcome;
     const double error = engine.report().diagram.certified_error;
     if (error <= asked) return outcome;
-    return usage_error("--error " + number_text(asked) + ": the mesh made for it certifies " + rounded_text(error, 6) +
+    return usage_error("--error " + number_text(asked) + ": the mesh made for it certifies " + bound_text(error, 6) +
                        " only");
 }
 

@@ -247,7 +247,10 @@ Outcome read_cloud(const Options& options, const std::string& path, PointCloud* 
     const bool any = options.command == Command::persist && filter_of(options) == NETMESH_FILTER_RIPS;
     const Outcome outcome = read_points(path, options.table, cloud, any ? NETMESH_RIPS_DIM_MAX : dim_max);
     if (!outcome.good()) return outcome;
-    tell_note(options, cloud->name, cloud->note);
+    if (cloud->has_slip)
+        tell_warning(cloud->name, cloud->note);
+    else
+        tell_note(options, cloud->name, cloud->note);
     if (any || cloud->lattice.kind != Lattice::none) return {};
     if (is_of_points_alone(options)) {
         tell_note(options, cloud->name, cloud->leave_out_constant());

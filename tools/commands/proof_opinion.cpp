@@ -136,7 +136,7 @@ Outcome verify(const ProofInput& input, DiagramClaim* claim, RunReport* run) {
     const std::string program = platform::find_program(verifier);
     if (program.empty()) {
         verdict.why =
-            "there is no " + verifier + " beside netmesh, nor in a folder of PATH; it is built where there is GMP";
+            "there is no " + verifier + " beside netmesh, nor in a folder of PATH; it is built with GMP: cmake --build build";
     } else {
         // First the file itself, with no part of this tool in between. Other tables are read here.
         Outcome outcome;

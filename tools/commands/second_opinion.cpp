@@ -217,7 +217,7 @@ Outcome CellJury::judge(std::vector<std::string>* checked) {
         text += grouped_text(values_.size()) + " filter values are those of the vertices' cells (to " +
                 rounded_text(static_cast<double>(worst_), 2) + ", " +
                 rounded_text(static_cast<double>(opinion_.tolerance), 2) + " allowed), and ";
-    text += "certified ratio " + rounded_text(ratio_, 6) + " follows from them";
+    text += "certified ratio " + bound_text(ratio_, 6) + " follows from them";
     text += "; the function keeps to it at " + grouped_text(opinion_.places) + " places of cells";
     if (steps > 0) text += " and to " + grouped_text(steps) + " ratios by scale";
     checked->push_back(text);
@@ -322,7 +322,7 @@ Outcome judge_function(const DiagramClaim& claim, const MeshFiles& files, RunRep
     std::size_t steps = 0;
     const Outcome outcome = judge_error_steps(claim, opinion, values, &steps);
     if (!outcome.good()) return outcome;
-    run->checked->push_back("second opinion: the function keeps to the error " + rounded_text(said.error, 6) +
+    run->checked->push_back("second opinion: the function keeps to the error " + bound_text(said.error, 6) +
                             (steps > 0 ? ", and to " + grouped_text(steps) + " by value," : "") + " at " +
                             grouped_text(opinion.places + values.size()) +
                             " places of cells, and as far as --lipschitz lets it");

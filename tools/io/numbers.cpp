@@ -68,6 +68,13 @@ std::string rounded_text(double value, int digits) {
     return text;
 }
 
+std::string bound_text(double value, int digits) {
+    const std::string text = rounded_text(value, digits);
+    if (!(std::strtod(text.c_str(), nullptr) < value)) return text;
+    const double unit = std::pow(10.0, std::floor(std::log10(std::fabs(value))) + 1 - digits);
+    return rounded_text(value + 0.5 * unit, digits);
+}
+
 std::string grouped_text(std::uint64_t value) {
     std::string text = std::to_string(value);
     for (std::size_t i = text.size(); i > 3; i -= 3) text.insert(i - 3, ",");

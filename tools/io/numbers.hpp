@@ -32,6 +32,8 @@ void append_number(std::string& text, std::uint64_t value);
 std::string number_text(double value);
 // `digits` significant digits, for people.
 std::string rounded_text(double value, int digits);
+// The same, never below the value: of a bound from above.
+std::string bound_text(double value, int digits);
 // 12345 -> 12,345
 std::string grouped_text(std::uint64_t value);
 // 1 point, 1,200 points

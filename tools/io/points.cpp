@@ -493,10 +493,13 @@ Outcome take_table(Table table, PointCloud* cloud, std::uint32_t columns_max) {
     cloud->lines = std::move(table.lines);
     cloud->cell = std::move(table.cell);
     cloud->note = std::move(table.note);
-    if (of_distances)
+    cloud->has_slip = table.has_slip;
+    if (of_distances) {
+        cloud->has_slip = true;
         cloud->note += (cloud->note.empty() ? "" : "; ") +
                        std::string("took a matrix that looks like distances for coordinates; persist --distances "
                                    "takes it for distances");
+    }
     return {};
 }
 

@@ -23,6 +23,7 @@ struct PointCloud {
     std::vector<std::uint64_t> lines;  // physical line of each row, counted from 1; empty for binary formats
     FileCell cell;                     // of atoms
     std::string note;                  // what was left out or understood; empty when nothing
+    bool has_slip = false;             // the note says what may be a slip (slips.hpp)
 
     std::size_t rows() const { return dim == 0 ? 0 : coordinates.size() / dim; }
     // Which coordinate is the same in all of at least two points: "coordinate 3 is 0 in all points; without it, by

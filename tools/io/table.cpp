@@ -518,7 +518,10 @@ void TableParser::note_slips() {
     taken.chosen = !options_.columns.empty();
     for (const std::size_t column : taken.columns)
         if (names_.size() == width_) taken.names.push_back(names_[column]);
-    for (const std::string& sentence : slips_of(taken, table_->values, table_->width)) add_note(sentence);
+    for (const std::string& sentence : slips_of(taken, table_->values, table_->width)) {
+        add_note(sentence);
+        table_->has_slip = true;
+    }
 }
 
 Outcome TableParser::explain_width(const TableLine& line) const {

@@ -31,6 +31,7 @@ struct Table {
     std::vector<std::uint64_t> lines;  // physical line of each row; empty for binary formats
     FileCell cell;                     // of atoms
     std::string note;                  // what was left out or understood: `skipped header "x,y"`; empty when nothing
+    bool has_slip = false;             // the note says what may be a slip (slips.hpp)
 
     std::size_t rows() const { return width == 0 ? 0 : values.size() / width; }
 };

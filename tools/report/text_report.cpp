@@ -36,7 +36,7 @@ std::string audit_lines(const netmesh_mesh_report& mesh) {
 }
 
 std::string goal_text(const netmesh_goal& goal) {
-    std::string text = "ratio " + rounded_text(goal.ratio, 5);
+    std::string text = "ratio " + bound_text(goal.ratio, 5);
     if (goal.focus_ratio > 0) {
         text += ", " + rounded_text(goal.focus_ratio, 5) + " from radius " + rounded_text(goal.focus_from, 4) + " to " +
                 rounded_text(goal.focus_to, 4);
@@ -56,12 +56,12 @@ std::string mesh_lines(const netmesh_mesh_report& mesh) {
                 grouped_text(mesh.hierarchy.cages_made) + " made\n";
     }
     if (mesh.is_mesh != 0) {
-        text += "quality  aspect ratio at most " + rounded_text(mesh.aspect_ratio_max, 5);
+        text += "quality  aspect ratio at most " + bound_text(mesh.aspect_ratio_max, 5);
         text += mesh.goal.ratio > 0 ? ", refined by the certificate to " + goal_text(mesh.goal) +
                                           (mesh.clipped != 0 ? ", for clipped cells\n" : "\n")
                                     : " (tau " + rounded_text(mesh.tau, 5) + ")\n";
         if (mesh.sizes.ratio_max > 0)
-            text += "size     cells reach " + rounded_text(mesh.sizes.ratio_max, 5) + " of the size asked for\n";
+            text += "size     cells reach " + bound_text(mesh.sizes.ratio_max, 5) + " of the size asked for\n";
         text += audit_lines(mesh);
     }
     return text;
@@ -134,9 +134,9 @@ std::string decision_lines(const netmesh_decision_report& decision) {
     const std::string longer = "longer than " + rounded_text(decision.longer_than, 5) + " times their birth";
     std::string text =
         "undecided " + by_degree(decision.undecided, decision.max_degree, true) + " bars may live " + longer;
-    if (decision.undecided_to > 0) text += ", up to radius " + rounded_text(decision.undecided_to, 5);
+    if (decision.undecided_to > 0) text += ", up to radius " + bound_text(decision.undecided_to, 5);
     return text + "\ndecided  all classes that live " + longer + " and die after radius " +
-           rounded_text(decision.decided_from, 5) + " have a bar that is certified to exist\n";
+           bound_text(decision.decided_from, 5) + " have a bar that is certified to exist\n";
 }
 
 bool is_exact(const netmesh_diagram_report& diagram) {
@@ -149,11 +149,11 @@ std::string diagram_lines(const netmesh_report& engine) {
     if (engine.input.dim == 0)
         return text + "\nBetti    " + by_degree(diagram.essential, diagram.max_degree, false) + "\n";
     text += "; " + reported_choice_text({diagram.filter, diagram.values});
-    text += "\ncertified ratio " + rounded_text(diagram.certified_ratio, 6);
-    if (diagram.certified_from > 0) text += " from radius " + rounded_text(diagram.certified_from, 6);
+    text += "\ncertified ratio " + bound_text(diagram.certified_ratio, 6);
+    if (diagram.certified_from > 0) text += " from radius " + bound_text(diagram.certified_from, 6);
     text += " to the " + reference_name(engine) + "\n";
     if (diagram.filter == NETMESH_FILTER_FUNCTION) {
-        text += "certified error " + rounded_text(diagram.certified_error, 6) +
+        text += "certified error " + bound_text(diagram.certified_error, 6) +
                 ": births and deaths are off by at most that\n";
     }
     if (is_exact(diagram))
@@ -175,7 +175,7 @@ std::string vineyard_lines(const netmesh_vineyard_report& vineyard) {
         return "vineyard " + counted(vineyard.k_last, "step", "steps") + text + "\n";
     return "vineyard k = " + std::to_string(vineyard.k_first) + " to " + std::to_string(vineyard.k_last) + text + "; " +
            choice_text({vineyard.filter, vineyard.values}) + "\ncertified ratio at most " +
-           rounded_text(vineyard.certified_ratio, 6) + "\n";
+           bound_text(vineyard.certified_ratio, 6) + "\n";
 }
 
 std::string input_line(const netmesh_report& engine) {
@@ -215,7 +215,10 @@ std::string cost_lines(const RunReport& run) {
     }
     text += ", write " + seconds_text(run.write_seconds);
     const std::size_t process = platform::peak_process_bytes();  // with points, results and the program itself
-    text += process == 0 ? "\n" : "; the whole process took " + bytes_text(process) + "\n";
+    if (process != 0) text += "; the whole process took " + bytes_text(process);
+    const std::size_t worker = platform::peak_worker_bytes();  // of pieces
+    if (worker != 0) text += ", the largest of its workers " + bytes_text(worker);
+    text += '\n';
     char digits[48];
     std::snprintf(digits, sizeof digits, "result   fingerprint %016llx\n",
                   static_cast<unsigned long long>(engine.fingerprint));

@@ -91,7 +91,10 @@ typedef struct netmesh_job netmesh_job;
 typedef netmesh_status (*netmesh_task)(void* user);
 
 /* Makes a job of task(user) on stack[0, stack_bytes), which is the job's alone until it ends and may not be moved.
- * Nothing runs yet. Costs O(stack_bytes). While it pauses its contexts are its alone, too.
+ * Nothing runs yet. Costs O(stack_bytes). While it pauses its contexts are its alone, too. On ARMv8-M the limit of the
+ * stack in use (MSPLIM, PSPLIM) is none while the job runs; a thread without privilege, or a system that sets limits
+ * itself whenever it switches, needs the job's stack above that of its thread. Threads of a system need no job: one
+ * with as much stack as the call takes is enough, and a poll can wait or cancel.
  * INVALID_ARGUMENT (a null pointer), OUT_OF_MEMORY (less than NETMESH_STACK_BYTES_MIN), NOT_BUILT: there is no way to
  * switch stacks on this processor (WebAssembly, ARMv6-M), or a shadow stack is in use. */
 #define NETMESH_STACK_BYTES_MIN 2048

@@ -154,7 +154,7 @@ function take_result(result, cloud, wanted, box = null) {
     say(`${last.described}: done in ${seconds} s${wanted.note === '' ? '' : '; ' + wanted.note}`);
     $('results').hidden = false;
     show_options();
-    const certificate = result.ratio === 1 ? 'exact' : `certified ratio ${result.ratio.toFixed(4)}: births and deaths are ` +
+    const certificate = result.ratio === 1 ? 'exact' : `certified ratio ${(Math.ceil(1e4 * result.ratio) / 1e4).toFixed(4)}: births and deaths are ` +
         'within that factor of the exact ones';
     const shown = { pairs: result.pairs, ratio: result.ratio, has_bounds: wanted.asked.bounds === 1 };
     const title = `Barcode: ${last.described}, ${certificate}`;
