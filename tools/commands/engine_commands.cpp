@@ -499,6 +499,12 @@ Options for_input(const Options& options, const std::string& path) {
 Outcome check_several(const Options& options) {
     if (!options.values_at.empty()) return usage_error("--values-at goes with one mesh");
     if (!options.scratch.empty()) return usage_error("--scratch is for one input: a folder belongs to one job");
+    for (const std::string& path : options.positionals) {
+        std::string why;
+        if (!options.table.columns.empty() && path != "-" && path.find('.') == std::string::npos &&
+            !platform::InputFile().open(path, &why))
+            return usage_error(path + ": " + why + "; names of columns are joined by commas, without blanks");
+    }
     if (options.out.empty() && !options.json)
         return usage_error(
             "several inputs need -o with {} in it, which stands for the name of each: -o 'out/{}.ENDING'");

@@ -69,10 +69,12 @@ std::string rounded_text(double value, int digits) {
 }
 
 std::string bound_text(double value, int digits) {
-    const std::string text = rounded_text(value, digits);
-    if (!(std::strtod(text.c_str(), nullptr) < value)) return text;
+    const auto is_below = [value](const std::string& text) { return std::strtod(text.c_str(), nullptr) < value; };
+    std::string text = rounded_text(value, digits);
+    if (!is_below(text)) return text;
     const double unit = std::pow(10.0, std::floor(std::log10(std::fabs(value))) + 1 - digits);
-    return rounded_text(value + 0.5 * unit, digits);
+    text = rounded_text(value + 0.5 * unit, digits);
+    return is_below(text) ? rounded_text(value, 17) : text;  // of the smallest numbers, whose unit is 0
 }
 
 std::string grouped_text(std::uint64_t value) {

@@ -475,7 +475,8 @@ Outcome take_table(Table table, PointCloud* cloud, std::uint32_t columns_max) {
         return line_error(table.name, table.lines[0],
                           complaint + (table.columns >= dim_min + table.has_weights && width < dim_min
                                            ? "; --columns chooses more"
-                                       : width < dim_min ? "; --delimiter says what stands between them"
+                                       : width < dim_min ? "; --delimiter says what stands between them; of a series "
+                                                           "delays make points, as the guide says"
                                                          : "; --columns chooses some"));
     }
     cloud->dim = static_cast<std::uint32_t>(width);

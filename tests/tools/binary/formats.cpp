@@ -266,6 +266,22 @@ TEST_CASE("tables with words in their cells, missing values, and distances where
     CHECK(folder.run("persist d.csv --distances -o d.pers").exit == 0);
 }
 
+TEST_CASE("what may be a slip is said with --quiet, too; balls have neither bounds nor cycles") {
+    const Folder folder;
+    folder.write("places.csv", "lat,lon\n52.1,13.2\n51.9,13.9\n52.4,13.1\n-999,-999\n");
+    CHECK(folder.run("persist places.csv -q -o p.pers").says("-999"));
+    CHECK(folder.run("persist places.csv -q -o p.pers").exit == 0);
+    folder.write("plain.csv", "a,b\n0,0\n1,0\n0,1\n");
+    CHECK(folder.run("persist plain.csv -q -o p.pers").err.empty());
+    CHECK(folder.run("persist plain.csv -o p.pers").says("skipped header"));
+    folder.write("balls.txt", "0 0 1\n3 0 1\n1 2 1\n");
+    CHECK(folder.run("persist balls.txt --radii 3 --bounds").says("--bounds: with weights each bar is the exact one"));
+    CHECK(folder.run("persist balls.txt --radii 3 --representatives c.txt").says("with weights there are cycles where"));
+    folder.write("line.txt", "0 0 1\n3 0 1\n");
+    CHECK(folder.run("persist line.txt --radii 3").says("there is no other filter of balls"));
+    CHECK(folder.run("persist balls.txt --columns 1 2").says("2: No such file or directory; names of columns are"));
+}
+
 TEST_CASE("what is said of k, of points on a line, and of the whole process") {
     const Folder folder;
     folder.write("line.csv", "0,0\n1,1\n3,3\n");

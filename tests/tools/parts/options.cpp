@@ -1,5 +1,8 @@
 #include "tools/options.hpp"
 
+#include <cstdlib>
+#include <limits>
+
 #include <doctest/doctest.h>
 
 #include "tools/closest.hpp"
@@ -285,6 +288,18 @@ TEST_CASE("--json counts also where the rest cannot be parsed") {
 }
 
 TEST_CASE("sizes of memory as people and --memory have them") {
+    CHECK(bound_text(2.0000168450663947, 5) == "2.0001");
+    CHECK(bound_text(1.3779428362644583, 6) == "1.37795");
+    CHECK(bound_text(0.49999952, 5) == "0.5");
+    CHECK(bound_text(9.99999999, 5) == "10");
+    CHECK(bound_text(1.8, 5) == "1.8");
+    CHECK(bound_text(0, 5) == "0");
+    CHECK(bound_text(std::numeric_limits<double>::infinity(), 5) == "inf");
+    for (double x = 1e-310, most = 1e308; x < most; x *= 1.37)
+        for (int digits = 1; digits <= 17; ++digits) {
+            CHECK(std::strtod(bound_text(x, digits).c_str(), nullptr) >= x);
+            CHECK(bound_text(-x, digits).size() > 0);
+        }
     CHECK(bytes_text_up(1) == "1 byte");
     CHECK(bytes_text_up(1023) == "1023 bytes");
     CHECK(bytes_text_up(1025) == "1.1 KiB");

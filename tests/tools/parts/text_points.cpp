@@ -64,7 +64,8 @@ TEST_CASE("two to six columns") {
     CHECK(good("1 2").dim == 2);
     CHECK(good("1 2 3 4 5 6").dim == 6);
     CHECK(fault("1\n2\n") ==
-          "p.txt:1: 1 column; points have 2 to 6 coordinates; --delimiter says what stands between them");
+          "p.txt:1: 1 column; points have 2 to 6 coordinates; --delimiter says what stands between them; of a "
+          "series delays make points, as the guide says");
     CHECK(fault("\n\n1 2 3 4 5 6 7\n") == "p.txt:3: 7 columns; points have 2 to 6 coordinates; --columns chooses some");
 }
 
