@@ -39,7 +39,7 @@ static uint64_t job_stack[JOB_STACK_BYTES / 8];
 static netmesh_job* job;
 
 static netmesh_request request;
-static netmesh_report report; /* a kilobyte that need not be on a stack */
+static netmesh_report report; /* two kilobytes that need not be on a stack */
 
 /* How periodic a signal is, in percent: the most of 100 (1 - birth / death) of bars of degree 1 that end at LEAST or
  * later; smaller loops are noise of the last digit.
