@@ -168,7 +168,7 @@ Outcome Session::explain(netmesh_status status, const PointCloud& cloud, std::si
                           "flat: fewer than " + std::to_string(dim_ + 1) +
                               " affinely independent points in dimension " + std::to_string(dim_) +
                               ", so there is no Delaunay triangulation; " +
-                              (!constant.empty()         ? constant
+                              (!constant.empty()       ? constant
                                : cloud.weights.empty() ? "persist --filter cech takes few points as they are"
                                                        : "there is no other filter of balls"),
                           Exit::degenerate);

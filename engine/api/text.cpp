@@ -36,38 +36,36 @@ const char* netmesh_version_text(void) {
 }
 
 const char* netmesh_status_text(netmesh_status status) {
-    static constexpr char texts[] =
-        "done\0"
-        "invalid argument\0"
-        "the block of memory is too small\0"
-        "cancelled\0"
-        "a coordinate is not a finite number\0"
-        "a coordinate or a distance is outside the range that meshing admits\0"
-        "the points lie in a hyperplane\0"
-        "two points are closer than their coordinates resolve\0"
-        "an earlier step is missing\0"
-        "a check failed\0"
-        "the floating-point mode is not IEEE double precision, rounding to nearest\0"
-        "an invariant of the library does not hold\0"
-        "the simplices are not a filtered complex\0"
-        "left out of this build of the library\0"
-        "the job has paused\0"
-        "the job's stack is too small";
+    static constexpr char texts[] = "done\0"
+                                    "invalid argument\0"
+                                    "the block of memory is too small\0"
+                                    "cancelled\0"
+                                    "a coordinate is not a finite number\0"
+                                    "a coordinate or a distance is outside the range that meshing admits\0"
+                                    "the points lie in a hyperplane\0"
+                                    "two points are closer than their coordinates resolve\0"
+                                    "an earlier step is missing\0"
+                                    "a check failed\0"
+                                    "the floating-point mode is not IEEE double precision, rounding to nearest\0"
+                                    "an invariant of the library does not hold\0"
+                                    "the simplices are not a filtered complex\0"
+                                    "left out of this build of the library\0"
+                                    "the job has paused\0"
+                                    "the job's stack is too small";
     static_assert(netmesh::texts_in(texts, sizeof texts) == NETMESH_STACK_OVERFLOW + 1, "a status has no text");
     if (!netmesh::in_range(status, NETMESH_OK, NETMESH_STACK_OVERFLOW)) return "unknown status";
     return netmesh::text_at(texts, status);
 }
 
 const char* netmesh_why_text(netmesh_why why) {
-    static constexpr char texts[] =
-        "it was asked for\0"
-        "the exact alpha complex is affordable\0"
-        "the points are too close or too far apart for a mesh\0"
-        "the exact alpha complex would take more work than a mesh\0"
-        "the exact alpha complex does not fit in the memory\0"
-        "the points lie in a hyperplane and have no Delaunay triangulation\0"
-        "coordinates are too far apart in size for an exact alpha complex\0"
-        "no other filter takes weights or periods";
+    static constexpr char texts[] = "it was asked for\0"
+                                    "the exact alpha complex is affordable\0"
+                                    "the points are too close or too far apart for a mesh\0"
+                                    "the exact alpha complex would take more work than a mesh\0"
+                                    "the exact alpha complex does not fit in the memory\0"
+                                    "the points lie in a hyperplane and have no Delaunay triangulation\0"
+                                    "coordinates are too far apart in size for an exact alpha complex\0"
+                                    "no other filter takes weights or periods";
     static_assert(netmesh::texts_in(texts, sizeof texts) == NETMESH_WHY_ALONE + 1, "a reason has no text");
     if (!netmesh::in_range(why, NETMESH_WHY_ASKED, NETMESH_WHY_ALONE)) return "unknown reason";
     return netmesh::text_at(texts, why);

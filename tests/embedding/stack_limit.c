@@ -1,5 +1,5 @@
-/* A job on a processor with limits of stacks (ARMv8-M): its stack below and above the one that resumes it, whose limit is
- * set; main stack and process stack. Each overflow of either is a fault. */
+/* A job on a processor with limits of stacks (ARMv8-M): its stack below and above the one that resumes it, whose limit
+ * is set; main stack and process stack. Each overflow of either is a fault. */
 #include <netmesh.h>
 
 #define STACK_BYTES 4096
@@ -19,7 +19,8 @@ static netmesh_status count(void* user) {
 
 static uint32_t limit(void) {
     uint32_t control, main_stack, process;
-    __asm__ volatile("mrs %0, control\n mrs %1, msplim\n mrs %2, psplim" : "=r"(control), "=r"(main_stack), "=r"(process));
+    __asm__ volatile("mrs %0, control\n mrs %1, msplim\n mrs %2, psplim"
+                     : "=r"(control), "=r"(main_stack), "=r"(process));
     return (control & 2) != 0 ? process : main_stack;
 }
 

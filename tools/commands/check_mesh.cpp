@@ -153,8 +153,8 @@ void add_findings(const MeshFiles& files, const netmesh_request& promise, const 
             asked += (asked.empty() ? "cell-size " : ", cell-size ") + number_text(mesh.sizes.at_inputs) + ',' +
                      number_text(mesh.sizes.growth);
         if (error > 0) asked += (asked.empty() ? "error " : ", error ") + number_text(error);
-        checked->push_back("cells reach " + bound_text(report.sizes.ratio_max, 6) + " of the size asked for (" +
-                           asked + ")");
+        checked->push_back("cells reach " + bound_text(report.sizes.ratio_max, 6) + " of the size asked for (" + asked +
+                           ")");
     }
     checked->push_back(is_mesh && ratio == 0 ? "size and degrees within the bounds of chapters 3 to 5"
                                              : "degrees within the bounds of fat cells (chapter 5)");

@@ -233,8 +233,8 @@ void tell_warning(const std::string& file, const std::string& warning) {
     print_message(file + ": " + warning + "\n", "33");
 }
 
-// Whether an isometric copy of the points stands for them: an alpha complex is intrinsic. Not where coordinates come out
-// again, and not beside a proof, whose verifier reads the file as it is.
+// Whether an isometric copy of the points stands for them: an alpha complex is intrinsic. Not where coordinates come
+// out again, and not beside a proof, whose verifier reads the file as it is.
 bool is_of_points_alone(const Options& options) {
     const bool is_alpha = filter_of(options) == NETMESH_FILTER_ALPHA;
     if (options.command == Command::check) return is_alpha;

@@ -135,8 +135,8 @@ Outcome verify(const ProofInput& input, DiagramClaim* claim, RunReport* run) {
     std::string whose = input.what + (" in " + input.name);
     const std::string program = platform::find_program(verifier);
     if (program.empty()) {
-        verdict.why =
-            "there is no " + verifier + " beside netmesh, nor in a folder of PATH; it is built with GMP: cmake --build build";
+        verdict.why = "there is no " + verifier +
+                      " beside netmesh, nor in a folder of PATH; it is built with GMP: cmake --build build";
     } else {
         // First the file itself, with no part of this tool in between. Other tables are read here.
         Outcome outcome;

@@ -238,9 +238,9 @@ typedef struct netmesh_progress {
 
 /* Called by every call that is given a netmesh_monitor, in all of its phases, in the mean about every 300,000
  * instructions, some hundred microseconds on a desktop processor. That is measured; there is no bound, as one star,
- * column or exact predicate is not divided, nor is what a function of the caller's takes. A non-zero return cancels: the call that polls returns NETMESH_CANCELLED and polls no more.
- * Where nothing can stop in the middle (sorting, compaction of a finished mesh) it does so at the end of the phase.
- * Must not call into the context, nor throw. */
+ * column or exact predicate is not divided, nor is what a function of the caller's takes. A non-zero return cancels:
+ * the call that polls returns NETMESH_CANCELLED and polls no more. Where nothing can stop in the middle (sorting,
+ * compaction of a finished mesh) it does so at the end of the phase. Must not call into the context, nor throw. */
 typedef int (*netmesh_poll)(void* user, const netmesh_progress* progress);
 
 /* Who watches a job. Every request has one. */

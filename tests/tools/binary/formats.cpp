@@ -276,7 +276,8 @@ TEST_CASE("what may be a slip is said with --quiet, too; balls have neither boun
     CHECK(folder.run("persist plain.csv -o p.pers").says("skipped header"));
     folder.write("balls.txt", "0 0 1\n3 0 1\n1 2 1\n");
     CHECK(folder.run("persist balls.txt --radii 3 --bounds").says("--bounds: with weights each bar is the exact one"));
-    CHECK(folder.run("persist balls.txt --radii 3 --representatives c.txt").says("with weights there are cycles where"));
+    CHECK(
+        folder.run("persist balls.txt --radii 3 --representatives c.txt").says("with weights there are cycles where"));
     folder.write("line.txt", "0 0 1\n3 0 1\n");
     CHECK(folder.run("persist line.txt --radii 3").says("there is no other filter of balls"));
     CHECK(folder.run("persist balls.txt --columns 1 2").says("2: No such file or directory; names of columns are"));
