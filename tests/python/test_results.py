@@ -92,6 +92,7 @@ def test_bounds():
     assert bounds.death[at, 0] <= longest[1] <= bounds.death[at, 1]
     assert bounds.birth.shape == (len(diagram), 2) and bounds.certain.dtype == bool and bounds.steps.shape[1] == 6
     assert (bounds.certain_after >= bounds.birth[:, 1]).all()
+    assert repr(bounds) == "<netmesh.Bounds of %d bars, %d certified to exist>" % (len(diagram), bounds.certain.sum())
     assert 1 <= diagram.certified_ratio <= 1.7
 
 

@@ -20,6 +20,9 @@ class Bounds(NamedTuple):
     #: float64 [s, 6]: the certificate by scale, from, low, high, reach, ratio, error (netmesh_scale_step)
     steps: np.ndarray
 
+    def __repr__(self) -> str:
+        return "<netmesh.Bounds of %d bars, %d certified to exist>" % (len(self.certain), self.certain.sum())
+
 
 class Representatives:
     """A cycle for each bar, in the order of the diagram: ``representatives[i]`` is an array int32
