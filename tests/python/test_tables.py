@@ -151,14 +151,15 @@ def test_what_helps_is_said_with_the_place_in_the_file(tmp_path):
     assert said("a,1,2\nb,3,4\n") == ':1: "a" is not a number; columns=[2, 3] leaves columns of words out'
     assert said("a,1\nb,3\n") == ':1: "a" is not a number'  # no columns that leave a single one
     assert said("x,y\n1,2\n3,z\n4,5\n") == ':3: "z" is not a number'
-    assert said(text, "x,y") == (':3: "na" is not a number; a row with a missing value has to be left out or filled in: '
-                                 "drop_missing=True leaves such rows out, 1 of 3")
+    assert said(text, "x,y") == (':3: "na" is not a number; a row with a missing value has to be left out or filled '
+                                 "in: drop_missing=True leaves such rows out, 1 of 3")
     header = 'the header names "id", "city", "x", "y", "note"'
     assert said(text, ["x", "z"]) == ': columns: there is no column "z"; ' + header
     assert said(text, ["x", "notes"]) == ': columns: there is no column "notes"; %s; did you mean note?' % header
     assert said("1,2\n3,4\n", ["x"]) == ': columns: there is no column "x"; there is no header'
     assert said(text, [0, 1]) == ": columns: 0, where there are columns 1 to 5"
-    assert said("", []) == ": the table ends without a row"
+    assert said("", "x") == ": the table ends without a row"
+    assert said(text, "") == said(text, []) == ": columns: none is named"
     path.write_text(text)
     for columns in ("x,y", "x, y", '"x",y', "3-4", ["x", 4], "3,y"):
         assert netmesh.read_table(path, columns, drop_missing=True).points.tolist() == [[1.5, 2], [4, 7]]

@@ -79,8 +79,8 @@ class Diagram:
         return self._intervals[self._starts[degree]:self._starts[degree + 1]]
 
     def longest(self, degree: int = 1, count: int = 1) -> np.ndarray:
-        """The longest bars of one degree, the longest first: float64 [at most count, 2]. What never dies is longer than
-        all others; of bars as long as each other the first in the diagram comes first."""
+        """The longest bars of one degree by death - birth, the longest first: float64 [at most count, 2]. What never
+        dies is longer than all others; of bars as long as each other the first in the diagram comes first."""
         bars = self.intervals(degree)
         count = whole(count, "count", 1)
         with np.errstate(over="ignore"):

@@ -385,6 +385,8 @@ def _choose(wanted, width, names):
         if not 1 <= first <= last <= width:
             raise InvalidArgument("columns: %s, where there are columns 1 to %d" % (item, width), "columns")
         chosen += range(first - 1, last)
+    if not chosen:
+        raise InvalidArgument("columns: none is named", "columns")
     if len(set(chosen)) != len(chosen):
         raise InvalidArgument("columns: one stands there twice", "columns")
     return chosen
