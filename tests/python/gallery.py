@@ -1,4 +1,4 @@
-"""Runs platform/python/gallery.py in an empty folder: its diagrams are those of the tool, its pictures are pictures."""
+"""Runs platform/python/examples/gallery.py: its diagrams are those of the tool, its pictures are pictures."""
 import importlib.util
 import os
 import pathlib
@@ -21,7 +21,8 @@ def shown(name):
 
 
 with tempfile.TemporaryDirectory() as folder:
-    ran = subprocess.run([sys.executable, str(ROOT / "platform/python/gallery.py"), str(ROOT / "tests/data"), folder],
+    script = ROOT / "platform/python/examples/gallery.py"
+    ran = subprocess.run([sys.executable, str(script), str(ROOT / "tests/data"), folder],
                          capture_output=True, text=True, env=dict(os.environ, MPLCONFIGDIR=folder))
     assert ran.returncode == 0, ran.stderr
     print(ran.stdout, end="")

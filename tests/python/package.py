@@ -1,5 +1,5 @@
 """package.py wheel | source: builds the package without a network, installs it in a clean environment, and runs the
-first example of its README there.
+first example of its README there, and a script of the clone, which has to find the package that is installed.
 
   wheel    with the library that NETMESH_LIBRARY names, by `pip wheel`
   source   by `pip install` of the source distribution, which compiles the engine; of D = 2 alone and not optimised, as
@@ -69,6 +69,8 @@ def main():
         said = subprocess.run([python, "-c", "import netmesh; print(netmesh.__file__)"], check=True, cwd=folder,
                               env=environment, stdout=subprocess.PIPE).stdout.decode().strip()
         assert said.startswith(clean), said
+        run(python, os.path.join(PACKAGE, "examples", "windows.py"), "2", cwd=ROOT, env=environment,
+            stdout=subprocess.DEVNULL)
         print("%s, %d KB, installed and run" % (name, os.path.getsize(file) // 1024))
 
 

@@ -1,4 +1,8 @@
 """Every exception, with argument and row."""
+import re
+import subprocess
+import warnings
+
 import numpy as np
 import pytest
 
@@ -107,10 +111,44 @@ def test_distances_in_place_of_points():
     distances = np.abs(np.subtract.outer(np.arange(9.0), np.arange(9.0)))
     error = raised(errors.InvalidArgument, netmesh.rips, distances)
     assert error.argument == "points" and "rips(distances=...)" in str(error)
-    assert len(netmesh.persist(distances, "rips").intervals(0)) == 9  # as it says
+    for given in (distances, distances.tolist(), distances[:4, :4]):
+        with pytest.warns(UserWarning, match=r"looks like distances.*rips\(distances=D\) takes"):
+            assert len(netmesh.persist(given, "rips").intervals(0)) == len(given)
+    with pytest.warns(UserWarning, match="looks like distances"), pytest.raises(errors.InvalidArgument):
+        netmesh.persist(distances)
+    distances[2, 1] += 1e-15
+    raised(errors.InvalidArgument, netmesh.rips, distances)
     distances[2, 1] += 1e-9
-    assert len(netmesh.rips(distances).intervals(0)) == 9  # nothing that is a matrix of distances
-    assert len(netmesh.rips([[0, 1], [1, 0]]).intervals(0)) == 2
+    with pytest.warns(UserWarning, match="nearly equal halves looks like distances.*take the noise off"):
+        assert len(netmesh.rips(distances).intervals(0)) == 9
+    with warnings.catch_warnings():
+        warnings.simplefilter("error")
+        distances[2, 1] += 1
+        assert len(netmesh.rips(distances).intervals(0)) == 9  # nothing that is a matrix of distances
+        assert len(netmesh.rips([[0, 1], [1, 0]]).intervals(0)) == 2
+        netmesh.persist(-np.eye(3), "rips")
+
+
+def test_names_that_are_nearly_right():
+    def said(call, **options):
+        return str(raised((TypeError, errors.InvalidArgument), call, POINTS, **options))
+    for call in (netmesh.persist, netmesh.rips):
+        assert said(call, maxdim=1).endswith("argument 'maxdim'; did you mean max_degree?")
+        assert said(call, treshold=1).endswith("did you mean threshold?")
+        assert said(call, thresh=1).endswith("did you mean threshold? It is a radius, half of what ripser takes")
+        assert said(call, quux=1).endswith("argument 'quux'")
+    assert said(netmesh.vineyard, domain_facter=1).endswith("did you mean domain_factor?")
+    assert said(netmesh.persist, filter="rip").endswith("did you mean rips?")
+    assert said(netmesh.persist, filter="complete", method="Refine").endswith("did you mean refine?")
+
+
+def test_dimensions_that_are_not_there():
+    wide = uniform(9, 20)
+    for call in (netmesh.persist, netmesh.delaunay, netmesh.mesh, netmesh.vineyard):
+        assert str(raised(errors.InvalidArgument, call, wide)) == (
+            "points: the dimension is not 2..6, but 9; rips(points) takes any number of coordinates")
+    assert str(raised(errors.InvalidArgument, netmesh.persist, POINTS.T)).endswith("is points.T meant?")
+    assert "rips(points) takes numbers on a line" in str(raised(errors.InvalidArgument, netmesh.persist, POINTS[:, :1]))
 
 
 def test_a_k_that_is_given_or_not():
@@ -134,8 +172,8 @@ def test_mesh_refuses(options, argument):
     ((), {}, "points", None), ((POINTS,), dict(distances=[[0]]), "points", None),
     ((POINTS, "far"), {}, "threshold", None), ((POINTS, -1), {}, "threshold", None),
     ((), dict(distances=[[0, 1]]), "distances", None), ((), dict(distances=[1, 2]), "distances", None),
-    ((), dict(distances=[[0, 1], [2, 0]]), "distances", 1), ((), dict(distances=[[0, -1], [-1, 0]]), "distances", 1),
-    ((), dict(distances=[[0, np.nan], [np.nan, 0]]), "distances", 1),
+    ((), dict(distances=[[0, 1], [2, 0]]), "distances", 1), ((), dict(distances=[[0, -1], [-1, 0]]), "distances", 0),
+    ((), dict(distances=[[0, np.nan], [np.nan, 0]]), "distances", 0),
     ((), dict(distances=[[0, 1], [1, 3]]), "distances", 1), ((POINTS,), dict(max_degree=31), "max_degree", None),
     ((), dict(distances=np.eye(3) * 0, max_degree=31), "max_degree", None)])
 def test_rips_refuses(arguments, options, argument, row):
@@ -202,6 +240,29 @@ def test_out_of_memory():
     raised(errors.OutOfMemory, netmesh.persist, points, memory=100)
     raised(errors.OutOfMemory, netmesh.persist, points, memory=1 << 61)
     assert netmesh.persist(points, memory="64M") == netmesh.persist(points)
+
+
+@pytest.mark.parametrize("call, options", [
+    (netmesh.persist, dict(memory=5000)), (netmesh.persist, dict(filter="complete", memory="12K")),
+    (netmesh.rips, dict(memory="5K")), (netmesh.mesh, dict(memory="5K")), (netmesh.delaunay, dict(memory="5K"))])
+def test_memory_to_plan_for(call, options):
+    error = raised(errors.OutOfMemory, call, POINTS, **options)
+    planned = re.search(r'; plan for (\d+): memory="(\d+)K"\Z', str(error))
+    assert planned and int(planned.group(1)) == error.bytes_planned <= 1024 * int(planned.group(2))
+    call(POINTS, **dict(options, memory=planned.group(2) + "K"))
+
+
+@pytest.mark.parametrize("memory", ["65536", "64K", "64k", "2M", "1G", "14.2M", "2MB", "2MiB", "2 M", "0K", "K", "-1M",
+                                    "\u0663K"])
+def test_memory_as_the_tool_takes_it(tool, memory, tmp_path):
+    (tmp_path / "p.csv").write_text("0,0\n1,0\n0,2\n")
+    done = subprocess.run([tool, "persist", str(tmp_path / "p.csv"), "--memory", memory, "-q"],
+                          stdout=subprocess.DEVNULL, stderr=subprocess.DEVNULL)
+    assert done.returncode in (0, 2)
+    if done.returncode:
+        assert raised(errors.InvalidArgument, netmesh.persist, POINTS[:3], memory=memory).argument == "memory"
+    else:
+        netmesh.persist(POINTS[:3], memory=memory)
 
 
 def test_check_failed():

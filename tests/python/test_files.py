@@ -89,8 +89,8 @@ def test_other_formats(tmp_path):
     assert rows[0] == "degree,birth,death" and len(rows) == len(diagram) + 1
     assert [tuple(map(float, row.split(","))) for row in rows[1:]] == list(diagram)
     with pytest.raises(errors.InvalidArgument) as raised:
-        diagram.save(tmp_path / "d.txt")
-    assert raised.value.argument == "path"
+        diagram.save(tmp_path / "d.png")
+    assert raised.value.argument == "path" and "diagram.plot().figure.savefig(path)" in str(raised.value)
 
 
 @pytest.mark.parametrize("line", ["0 1", "0 1 0.5", "x 0 1", "0 inf inf", "-1 0 1", "0 nan 1", "0 0 1 2"])

@@ -94,3 +94,80 @@ def test_matrices_that_are_no_distances_are_told_both_values():
         netmesh.rips(distances=square)
     with pytest.raises(errors.InvalidArgument, match="of similarities S give 1 - S"):
         netmesh.rips(distances=np.eye(3))
+
+
+def test_matrices_that_are_no_distances_are_told_the_worst_fault_and_what_helps():
+    clean = np.abs(np.subtract.outer(np.arange(6.0), np.arange(6.0)))
+    noise = 1e-4 * np.random.default_rng(1).normal(size=(6, 6))
+
+    def said(matrix, row):
+        with pytest.raises(errors.InvalidArgument) as raised:
+            netmesh.rips(distances=matrix)
+        assert raised.value.argument == "distances" and raised.value.row == row
+        return str(raised.value)
+    assert said(clean + noise, 0) == ("distances, row 0: the distance to itself is %r, not 0; D = (D + D.T) / 2 and "
+                                      "numpy.fill_diagonal(D, 0) take noise off" % float(noise[0, 0]))
+    assert said(clean + 1e-4 * np.diag([0, 0, 1, 1, 0, 0]), 2).endswith(
+        "to itself is 0.0001, not 0; numpy.fill_diagonal(D, 0) takes noise off")
+    broken = clean + noise
+    broken[3, 4] = np.nan
+    assert said(broken, 3) == ("distances, row 3: the distance to 4 is nan, not a number; numpy.inf stands for pairs "
+                               "that are never joined")
+    broken = clean.copy()
+    broken[1, 5] = broken[5, 1] = -2
+    assert said(broken, 1).endswith("the distance to 5 is -2.0, and below 0")
+    mended = (clean + noise + (clean + noise).T) / 2
+    np.fill_diagonal(mended, 0)
+    assert len(netmesh.rips(distances=mended).intervals(0)) == 6
+
+
+def test_what_is_no_array_is_told_what_helps(tmp_path):
+    def said(points):
+        with pytest.raises(errors.InvalidArgument) as raised:
+            netmesh.persist(points)
+        return str(raised.value)
+    (tmp_path / "p.csv").write_text("x,y\n1,2\n3,5\n4,4\n")
+    assert said(netmesh.read_table(tmp_path / "p.csv")).endswith("a netmesh.Table; its numbers are .points")
+    for path in ("p.csv", tmp_path / "p.csv"):
+        assert "netmesh.read_table(path).points" in said(path) and "netmesh.load(path)" in said(path)
+    assert said(np.array([[1, 2], ["a", 3]], dtype=object)).endswith("'a' in row 1")
+    assert said([[1, 2], [3, "b"]]).endswith("'b' in row 1")
+    assert said([[1, 2], [3]]).endswith("row 1 has 1, row 0 has 2")
+    assert "for name in ['x', 'y']" in said(np.zeros(3, dtype=[("x", "f8"), ("y", "f8")]))
+    assert "netmesh.delay(x, lag)" in said(POINTS[:, 0]) and "rips(x[:, None])" in said(POINTS[:, 0])
+
+
+class Frame:
+    """As far as pandas's is looked at."""
+    columns = ["name", "x", "y"]
+    dtypes = [np.dtype(object), np.dtype(float), np.dtype(int)]
+
+    def __array__(self, dtype=None):
+        return np.array([["a", 1.5, 2], ["b", 3.5, 4]], dtype=object)
+
+
+def test_frames_with_words_are_told_the_columns():
+    with pytest.raises(errors.InvalidArgument, match=r"no numbers in column 'name'; df\[\['x', 'y'\]\] leaves such"):
+        netmesh.persist(Frame())
+    pandas = pytest.importorskip("pandas")
+    frame = pandas.DataFrame({"name": list("abc"), "x": [1.0, 2, 5], "y": [1, 3, 1]})
+    with pytest.raises(errors.InvalidArgument, match=r"df\[\['x', 'y'\]\]"):
+        netmesh.persist(frame)
+    assert len(netmesh.persist(frame[["x", "y"]]).intervals(0)) == 3
+
+
+def test_delays():
+    series = np.array([3, 1, 4, 1, 5, 9])
+    assert netmesh.delay(series, 2).tolist() == [[3, 4], [1, 1], [4, 5], [1, 9]]
+    assert netmesh.delay(series.tolist(), 1, 3).tolist() == [[3, 1, 4], [1, 4, 1], [4, 1, 5], [1, 5, 9]]
+    assert netmesh.delay(series, 5).tolist() == [[3, 9]] and netmesh.delay(series, 1, 1).shape == (6, 1)
+    sine = np.sin(2 * np.pi * np.arange(100) / 20)
+    (birth, death), = netmesh.persist(netmesh.delay(sine, 5)).longest(1)  # a quarter of the period: a circle
+    assert birth < 0.2 and death == pytest.approx(1, abs=0.02)
+    for arguments, argument in (((series, 0), "lag"), ((series, 1.5), "lag"), ((series, 1, 0), "dimension"),
+                                ((series, 6), "x"), ((POINTS, 1), "x"), (("abc", 1), "x")):
+        with pytest.raises(errors.InvalidArgument) as raised:
+            netmesh.delay(*arguments)
+        assert raised.value.argument == argument
+    with pytest.raises(errors.InvalidArgument, match="6 numbers; 3 coordinates with a lag of 3 take 7 at least"):
+        netmesh.delay(series, 3, 3)

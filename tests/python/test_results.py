@@ -92,6 +92,7 @@ def test_bounds():
     assert bounds.death[at, 0] <= longest[1] <= bounds.death[at, 1]
     assert bounds.birth.shape == (len(diagram), 2) and bounds.certain.dtype == bool and bounds.steps.shape[1] == 6
     assert (bounds.certain_after >= bounds.birth[:, 1]).all()
+    assert repr(bounds) == "<netmesh.Bounds of %d bars, %d certified to exist>" % (len(diagram), bounds.certain.sum())
     assert 1 <= diagram.certified_ratio <= 1.7
 
 
@@ -198,6 +199,22 @@ def test_plot(kind, tmp_path):
 def test_examples_in_docstrings():
     failed, tried = doctest.testmod(netmesh)
     assert tried > 3 and not failed
+
+
+def test_the_rule_of_the_guide_for_bars_to_report():
+    """Of clouds without a hole: what tools/docs/guide.md says of halves, and of subsamples of four fifths."""
+    rng = np.random.default_rng(7)
+    reported = {}
+    for share in (0.5, 0.8):
+        reported[share] = 0
+        for seed in range(100):
+            points = np.random.default_rng(seed).uniform(0, 10, size=(284, 2))
+            diagram = netmesh.persist(points)
+            parts = [points[rng.choice(284, int(284 * share), replace=False)] for _ in range(20)]
+            apart = max(netmesh.bottleneck(diagram, netmesh.persist(part), degree=1) for part in parts)
+            birth, death = diagram.longest(1)[0]
+            reported[share] += death - birth > 2 * apart
+    assert reported == {0.5: 1, 0.8: 55}
 
 
 @pytest.mark.parametrize("name", netmesh.__all__)

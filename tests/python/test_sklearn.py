@@ -1,4 +1,6 @@
 """The transformer for scikit-learn."""
+import warnings
+
 import numpy as np
 import pytest
 
@@ -8,6 +10,7 @@ from sklearn.pipeline import make_pipeline  # noqa: E402
 from sklearn.preprocessing import StandardScaler  # noqa: E402
 from sklearn.utils.estimator_checks import check_estimator  # noqa: E402
 
+import netmesh  # noqa: E402
 from netmesh.sklearn import PersistenceFeatures  # noqa: E402
 
 from conftest import circle  # noqa: E402
@@ -74,6 +77,58 @@ def test_series_that_repeat_are_circles():
     model = make_pipeline(features, StandardScaler(), LogisticRegression())
     model.fit(X[::2], y[::2])
     assert model.score(X[1::2], y[1::2]) >= 0.9
+
+
+def test_series_are_embedded_as_delay_does():
+    series = np.random.default_rng(1).normal(size=(2, 30))
+    made = PersistenceFeatures(delay=4, dimension=3, filter="rips")
+    clouds = [netmesh.delay(row, 4, 3) for row in series]
+    assert (made.fit_transform(series) == made.fit_transform(clouds)).all()
+    for options in (dict(delay=0), dict(dimension=0), dict(delay=1.5)):
+        with pytest.raises(ValueError):
+            PersistenceFeatures(**options).fit(series)
+
+
+@pytest.mark.filterwarnings("ignore:points")
+def test_one_cloud_is_not_taken_for_series_without_a_word():
+    cloud = circle(20)
+    for given in (cloud, cloud.tolist()):
+        with pytest.warns(UserWarning, match=r"rows are taken as series, here of 2 numbers; of one cloud give \[cloud"):
+            assert PersistenceFeatures().fit_transform(given).shape == (20, 80)
+    with warnings.catch_warnings():
+        warnings.simplefilter("error")
+        assert PersistenceFeatures().fit_transform([cloud]).shape == (1, 80)
+        PersistenceFeatures().fit(np.random.default_rng(1).normal(size=(3, 30)))
+
+
+def test_clouds_have_the_same_number_of_coordinates():
+    space = np.random.default_rng(1).normal(size=(20, 3))
+    with pytest.raises(ValueError, match=r"X\[1\]: 3 coordinates, where X\[0\] has 2"):
+        PersistenceFeatures().fit([circle(20), space])
+    made = PersistenceFeatures().fit([circle(20)])
+    assert made.n_coordinates_ == 2
+    with pytest.raises(ValueError, match=r"X\[0\]: 3 coordinates, where the clouds of fit had 2"):
+        made.transform([space])
+    assert made.fit([space]).transform([space]).shape == (1, 80)  # anew
+
+
+def test_arrays_of_objects():
+    for clouds in ([circle(20), circle(30)], [circle(20), circle(20, 0.1)]):
+        due = PersistenceFeatures().fit_transform(clouds)
+        objects = np.empty(2, dtype=object)
+        objects[0], objects[1] = clouds
+        for given in (objects, np.array(clouds, dtype=object), tuple(clouds), [cloud.tolist() for cloud in clouds]):
+            assert (PersistenceFeatures().fit_transform(given) == due).all()
+
+
+def test_frames_out():
+    pytest.importorskip("pandas")
+    clouds = [circle(20), circle(30)]
+    made = PersistenceFeatures("statistics").set_output(transform="pandas")
+    for frame in (made.fit_transform(clouds), made.fit(clouds).transform(tuple(clouds))):
+        assert list(frame.columns) == list(made.get_feature_names_out())
+        assert (frame.to_numpy() == PersistenceFeatures("statistics").fit_transform(clouds)).all()
+    assert list(made.fit_transform(np.eye(8).tolist()).index) == list(range(8))
 
 
 def test_refusals():

@@ -122,7 +122,7 @@ def test_a_file(tmp_path):
     with pytest.raises(errors.InvalidArgument, match="drop_missing=True leaves such rows out, 1 of 3") as raised:
         netmesh.read_table(path, ["x [mm]", "y"])
     assert raised.value.row == 2
-    with pytest.raises(errors.InvalidArgument, match=r"columns=\[3, 4\]"):
+    with pytest.raises(errors.InvalidArgument, match=r"columns=\['x \[mm\]', 'y'\]"):
         netmesh.read_table(path)
     table = netmesh.read_table(path, ["x [mm]", 4], drop_missing=True)
     assert table.points.tolist() == [[0, 0], [1, 2]] and table.lines == [2, 5]
@@ -133,6 +133,40 @@ def test_a_file(tmp_path):
     assert netmesh.read_table(path).points.tolist() == [[1, 2]]
     path.write_text("x,y\n1.5,-0.0\n2.5,1e-400\n")
     assert not np.signbit(netmesh.read_table(path).points).any()
+
+
+def test_what_helps_is_said_with_the_place_in_the_file(tmp_path):
+    path = tmp_path / "messy.csv"
+
+    def said(content, *arguments, **options):
+        path.write_text(content)
+        with pytest.raises(errors.InvalidArgument) as raised:
+            netmesh.read_table(path, *arguments, **options)
+        assert str(raised.value).startswith(str(path) + ":")
+        return str(raised.value)[len(str(path)):]
+    text = "id,city,x,y,note\n1,NA,1.5,2,ok\n2,Bonn,3,na,\n3,,4,7,bad\n"
+    assert said(text) == (":2: \"NA\" is not a number; columns=['x', 'y'] leaves columns of words out, and "
+                          "drop_missing=True rows that lack a value, 1 of 3")
+    assert said(text.replace("na", "5")).endswith("; columns=['x', 'y'] leaves columns of words out")
+    assert said("a,1,2\nb,3,4\n") == ':1: "a" is not a number; columns=[2, 3] leaves columns of words out'
+    assert said("a,1\nb,3\n") == ':1: "a" is not a number'  # no columns that leave a single one
+    assert said("x,y\n1,2\n3,z\n4,5\n") == ':3: "z" is not a number'
+    assert said(text, "x,y") == (':3: "na" is not a number; a row with a missing value has to be left out or filled '
+                                 "in: drop_missing=True leaves such rows out, 1 of 3")
+    header = 'the header names "id", "city", "x", "y", "note"'
+    assert said(text, ["x", "z"]) == ': columns: there is no column "z"; ' + header
+    assert said(text, ["x", "notes"]) == ': columns: there is no column "notes"; %s; did you mean note?' % header
+    assert said("1,2\n3,4\n", ["x"]) == ': columns: there is no column "x"; there is no header'
+    assert said(text, [0, 1]) == ": columns: 0, where there are columns 1 to 5"
+    assert said("", "x") == ": the table ends without a row"
+    assert said(text, "") == said(text, []) == ": columns: none is named"
+    path.write_text(text)
+    for columns in ("x,y", "x, y", '"x",y', "3-4", ["x", 4], "3,y"):
+        assert netmesh.read_table(path, columns, drop_missing=True).points.tolist() == [[1.5, 2], [4, 7]]
+    path.write_text('"x,y",z\n1,2\n3,4\n')
+    assert netmesh.read_table(path, "x,y").points.tolist() == [[1], [3]]
+    assert netmesh.read_table(path, '"x,y",z').points.tolist() == [[1, 2], [3, 4]]
+    assert repr(netmesh.read_table(path)) == "<netmesh.Table: 2 points in R^2; notes: 1>"
 
 
 def test_what_may_be_no_coordinate_is_warned_of(tmp_path):

@@ -1,4 +1,4 @@
-"""platform/python/windows.py prints what windows.c prints on every machine, and draws what the gallery has."""
+"""platform/python/examples/windows.py prints what windows.c prints on every machine, and draws what the gallery has."""
 import importlib.util
 import pathlib
 import subprocess
@@ -13,7 +13,7 @@ if not importlib.util.find_spec("numpy"):
 with tempfile.TemporaryDirectory() as folder:
     for dim in 2, 3:
         made = pathlib.Path(folder) / ("windows-%d.svg" % dim)
-        ran = subprocess.run([sys.executable, str(ROOT / "platform/python/windows.py"), str(dim), str(made)],
+        ran = subprocess.run([sys.executable, str(ROOT / "platform/python/examples/windows.py"), str(dim), str(made)],
                              capture_output=True, text=True)
         assert ran.returncode == 0, ran.stderr
         assert ran.stdout == (ROOT / ("platform/cortexm/windows-%d.txt" % dim)).read_text(), ran.stdout

@@ -19,9 +19,10 @@ from ._files import load
 from ._library import VERSION as __version__
 from ._mesh import Mesh, delaunay, mesh
 from ._persist import homology, persist, rips
+from ._series import delay
 from ._table import Table, read_table
 from ._vineyard import Vineyard, vineyard
 
 __all__ = ["Bounds", "Diagram", "Mesh", "Representatives", "Table", "Transport", "Vineyard", "bottleneck", "check",
-           "delaunay", "errors", "homology", "load", "mesh", "persist", "persist_all", "read_table", "rips", "vineyard",
-           "wasserstein", "__version__"]
+           "delay", "delaunay", "errors", "homology", "load", "mesh", "persist", "persist_all", "read_table", "rips",
+           "vineyard", "wasserstein", "__version__"]

@@ -4,6 +4,7 @@ import math
 import numpy as np
 
 from . import _declarations as c
+from ._hints import did_you_mean, of_no_numbers
 from .errors import InvalidArgument
 
 _FORMATS = {np.dtype(np.float64): c.NETMESH_POINTS_FLOAT64, np.dtype(np.float32): c.NETMESH_POINTS_FLOAT32}
@@ -34,7 +35,8 @@ def _array(values, argument):
                 raise TypeError
             array = array.astype(np.float64)
     except (TypeError, ValueError):
-        raise InvalidArgument("%s: not numbers in rows of equal length" % argument, argument) from None
+        raise InvalidArgument("%s: not numbers in rows of equal length%s" % (argument, of_no_numbers(values)),
+                              argument) from None
     return array
 
 
@@ -42,6 +44,9 @@ def points_of(points, argument="points"):
     """Points as the library reads them: the array that is to be kept alive, its shape, format and stride. float32 and
     float64 are read where they lie as long as the numbers of a row are neighbours; anything else is copied."""
     array = _array(points, argument)
+    if array.ndim == 1 and len(array) > 1:
+        raise InvalidArgument("%s: one axis; an array [n, D] is due: netmesh.delay(x, lag) makes points of a series, "
+                              "rips(x[:, None]) takes numbers on a line" % argument, argument)
     if array.ndim != 2:
         raise InvalidArgument("%s: %d axes; an array [n, D] is due" % (argument, array.ndim), argument)
     count, dim = array.shape
@@ -155,5 +160,6 @@ def whole(value, argument, least=0, most=2 ** 32 - 1):
 def choice(value, argument, choices):
     """The number of a name."""
     if not isinstance(value, str) or value not in choices:
-        raise InvalidArgument("%s: %r is none of %s" % (argument, value, ", ".join(choices)), argument)
+        raise InvalidArgument("%s: %r is none of %s%s" % (argument, value, ", ".join(choices),
+                                                          did_you_mean(value, choices)), argument)
     return choices[value]

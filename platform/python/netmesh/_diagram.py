@@ -20,6 +20,9 @@ class Bounds(NamedTuple):
     #: float64 [s, 6]: the certificate by scale, from, low, high, reach, ratio, error (netmesh_scale_step)
     steps: np.ndarray
 
+    def __repr__(self) -> str:
+        return "<netmesh.Bounds of %d bars, %d certified to exist>" % (len(self.certain), self.certain.sum())
+
 
 class Representatives:
     """A cycle for each bar, in the order of the diagram: ``representatives[i]`` is an array int32
@@ -76,8 +79,8 @@ class Diagram:
         return self._intervals[self._starts[degree]:self._starts[degree + 1]]
 
     def longest(self, degree: int = 1, count: int = 1) -> np.ndarray:
-        """The longest bars of one degree, the longest first: float64 [at most count, 2]. What never dies is longer than
-        all others; of bars as long as each other the first in the diagram comes first."""
+        """The longest bars of one degree by death - birth, the longest first: float64 [at most count, 2]. What never
+        dies is longer than all others; of bars as long as each other the first in the diagram comes first."""
         bars = self.intervals(degree)
         count = whole(count, "count", 1)
         with np.errstate(over="ignore"):

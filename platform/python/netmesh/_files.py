@@ -148,7 +148,8 @@ def save(diagram, path):
     elif ending == ".svg":
         text = _svg.barcode(diagram)
     else:
-        raise InvalidArgument("path: ends in none of .pers, .csv, .npy, .svg", "path")
+        raise InvalidArgument("path: ends in none of .pers, .csv, .npy, .svg, the last of which is a picture; for "
+                              "others diagram.plot().figure.savefig(path), by matplotlib", "path")
     with open(path, "w", encoding="ascii", newline="\n") as file:
         file.write(text)
 

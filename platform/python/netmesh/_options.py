@@ -1,8 +1,10 @@
 """Python's arguments as a request, by the library's table of options."""
 import ctypes
+import inspect
 
 from . import _declarations as c
 from ._arrays import choice, number, put_points, whole
+from ._hints import unknown_argument
 from ._library import FILTER_NAMES, FILTERS, OPTIONS, lib, sized
 from .errors import ARGUMENTS, InvalidArgument
 
@@ -11,11 +13,12 @@ from .errors import ARGUMENTS, InvalidArgument
 _OTHERS = set(OPTIONS) - set(ARGUMENTS) - {"vines", "weighting", "periods"}
 
 
-def known(call, others):
+def known(call, others, taken=_OTHERS):
     """Other keyword arguments of a call, which all have to be options of the table."""
     for name in others:
-        if name not in _OTHERS:
-            raise TypeError("%s() got an unexpected keyword argument %r" % (call, name))
+        if name not in taken:
+            named = {name for name, row in inspect.signature(call).parameters.items() if row.kind != row.VAR_KEYWORD}
+            raise unknown_argument(call.__name__, name, named | taken)
     return others
 
 

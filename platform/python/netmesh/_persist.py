@@ -97,7 +97,7 @@ def persist(points, filter: str = "auto", max_degree: Optional[int] = None, *, k
     given = dict(filter=filter, max_degree=max_degree, k=k, ratio=ratio, longer_than=longer_than, eps=eps, theta=theta,
                  values=values, tau=tau, method=method, finish=finish, whole_cells=whole_cells, error=error,
                  keep_zero_pairs=keep_zero_pairs, bounds=bounds, cycles=representatives, seed=seed, fit=fit,
-                 squares=squares, **known("persist", others))
+                 squares=squares, **known(persist, others))
     if k is not None and filter == "auto":
         raise InvalidArgument('k: of the distance to the k-th nearest point: filter="knn" or "kdistance"', "k")
     if k is None and filter in ("knn", "kdistance"):
@@ -105,6 +105,9 @@ def persist(points, filter: str = "auto", max_degree: Optional[int] = None, *, k
                       "ones" % filter, stacklevel=2)
     balls = weights_of(radii, weights)
     points, cell, pbc = atoms_of(points, cell, pbc)
+    likeness = _likeness_to_distances(points_of(points)[0]) if _is_square(points) else ""
+    if likeness:
+        _warn_of_distances(likeness)
     if pieces is None and (executor is not None or scratch is not None):
         argument = "executor" if executor is not None else "scratch"
         raise InvalidArgument('%s: goes with pieces, as with pieces="auto"' % argument, argument)
@@ -190,7 +193,7 @@ def _made(session, request):
 
 def rips(points=None, threshold: float = math.inf, max_degree: int = 1, *, distances=None,
          keep_zero_pairs: bool = False, representatives: bool = False, memory: Union[int, str, None] = None,
-         progress: Union[bool, Callable, None] = None) -> Diagram:
+         progress: Union[bool, Callable, None] = None, **unknown) -> Diagram:
     """The Vietoris-Rips diagram of points, or of anything that is known by its distances.
 
     points: [n, D], any D; Euclidean distances.
@@ -203,15 +206,19 @@ def rips(points=None, threshold: float = math.inf, max_degree: int = 1, *, dista
 
     Births and deaths are radii, half of the distances at which GUDHI and ripser have them.
     """
+    known(rips, unknown, set())
     if (points is None) == (distances is None):
         raise InvalidArgument("points: give points or distances", "points")
     given = dict(filter="rips", threshold=threshold, max_degree=max_degree, keep_zero_pairs=keep_zero_pairs,
                  cycles=representatives)
     if points is not None:
         read = points_of(points)
-        if _looks_like_distances(read[0]):
+        likeness = _likeness_to_distances(read[0])
+        if likeness == "same":
             raise InvalidArgument("points: a square with 0 on its diagonal and equal halves looks like distances: "
                                   'rips(distances=...); persist(points, "rips") takes it for points', "points")
+        if likeness:
+            _warn_of_distances(likeness)
         if read[2] == 1:  # the library's points have two coordinates at least
             points = np.column_stack((read[0], np.zeros(read[1])))
         return diagram_of_points(points, given, memory, progress)
@@ -224,10 +231,36 @@ def rips(points=None, threshold: float = math.inf, max_degree: int = 1, *, dista
     return _made(session, request)
 
 
-def _looks_like_distances(array):
-    count = array.shape[0]
-    return (count >= 3 and array.shape[1] == count and not np.diagonal(array).any() and
-            np.array_equal(array, array.T) and bool((array >= 0).all()))
+LIKENESS = 2.0 ** -10  # over the largest entry: how near a matrix is to one of distances that looks like it
+
+
+def _is_square(points):
+    """Whether there are as many points as coordinates; no where that is not to be seen."""
+    shape = getattr(points, "shape", None)
+    try:
+        return len(points) == len(points[0]) if shape is None else len(set(shape)) == 1
+    except (TypeError, LookupError):
+        return False
+
+
+def _likeness_to_distances(array):
+    """Of points: "same" of a square with 0 on its diagonal and equal halves but for rounding noise, none below 0;
+    "near" where it is that but for more noise; else nothing."""
+    if array.ndim != 2 or array.shape[0] < 3 or array.shape[0] != array.shape[1] or not np.isfinite(array).all():
+        return ""
+    most = np.abs(array).max()
+    if most == 0:
+        return ""
+    off = max(np.abs(array / 2 - array.T / 2).max() * 2, np.abs(np.diagonal(array)).max(), -array.min())
+    return "same" if off <= NOISE_SHARE * most else "near" if off <= LIKENESS * most else ""
+
+
+def _warn_of_distances(likeness):
+    nearly, before = "", ""
+    if likeness == "near":
+        nearly, before = "nearly ", "; before that D = (D + D.T) / 2 and numpy.fill_diagonal(D, 0) take the noise off"
+    warnings.warn("points: a square with %s0 on its diagonal and %sequal halves looks like distances, and is taken for "
+                  "coordinates; rips(distances=D) takes it for distances%s" % (nearly, nearly, before), stacklevel=3)
 
 
 def _put_matrix(made, distances):
@@ -248,18 +281,31 @@ NOISE_SHARE = 2.0 ** -36  # as of the tool
 
 
 def _refuse_matrix(array, noise, off):
+    """What is wrong with a matrix, the first place of the worst fault: its values, and what helps."""
     diagonal = np.diagonal(array)
     if (diagonal == 1).all():
         raise InvalidArgument("distances: the distance of a point to itself is 1, not 0; of similarities S give 1 - S",
                               "distances", 0)
-    if not (np.isfinite(diagonal).all() and (np.abs(diagonal) <= noise).all()):
-        return
-    if np.isnan(array).any() or (np.minimum(array, array.T) < -noise).any() or (off <= noise).all():
-        return
-    i, j = next((i, j) for i, j in np.argwhere(~(off <= noise)) if j < i)
-    raise InvalidArgument("distances, row %d: the distance to %d is %r, and %r the other way round; (D + D.T) / 2 "
-                          "makes a matrix symmetric" % (i, j, float(array[i, j]), float(array[j, i])),
-                          "distances", int(i))
+
+    def refuse(where, words):
+        i, j = map(int, where[0])
+        raise InvalidArgument("distances, row %d: the distance to %s is %r%s" % (
+            i, "itself" if i == j else j, float(array[i, j]), words), "distances", i)
+
+    places = np.argwhere(np.isnan(array))
+    if len(places):
+        refuse(places, ", not a number; numpy.inf stands for pairs that are never joined")
+    places = np.argwhere(np.diag(~(np.abs(diagonal) <= noise)))
+    if len(places):
+        is_even = (off == 0).all()
+        refuse(places, ", not 0; " + ("numpy.fill_diagonal(D, 0) takes" if is_even else
+                                      "D = (D + D.T) / 2 and numpy.fill_diagonal(D, 0) take") + " noise off")
+    places = np.argwhere(array < -noise)
+    if len(places):
+        refuse(places, ", and below 0")
+    places = [(i, j) for i, j in np.argwhere(~(off <= noise)) if j < i]
+    i, j = places[0]
+    refuse(places, ", and %r the other way round; (D + D.T) / 2 makes a matrix symmetric" % float(array[j, i]))
 
 
 def _evened(array):
@@ -274,7 +320,6 @@ def _evened(array):
     mean = np.where(off == 0, array, array / 2 + array.T / 2)
     if (np.abs(diagonal) > noise).any() or not (off <= noise).all() or (mean < -noise).any():
         _refuse_matrix(array, noise, off)
-        return array  # which the library refuses, by its place
     np.fill_diagonal(mean, 0)
     mean = np.maximum(mean, 0)
     warnings.warn("distances: took rounding noise off, at most %.3g" % np.abs(mean - array)[finite].max(initial=0),

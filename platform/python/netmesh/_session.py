@@ -14,6 +14,7 @@ from .errors import InvalidArgument, NoResult, OutOfMemory, error_of
 SMALL_BYTES = 1 << 20   # blocks of small jobs are kept for the next one
 LEAST_BYTES = 1 << 30   # of address space for larger ones
 HUGE_BYTES = 4 << 20    # from plans of so many bytes on, large pages pay
+MOST_BYTES = 1 << 62    # of memory=
 
 
 class Block:
@@ -45,22 +46,29 @@ def physical_bytes():
 
 
 def bytes_of(memory):
-    """Bytes of ``memory=``: None, a number, or a text such as "64M"."""
+    """Bytes of ``memory=``: None, a number, or a text such as "64M", as the tool takes them."""
     if memory is None:
         return None
     size = memory
     if isinstance(memory, str):
-        found = re.fullmatch(r"(\d+(?:\.\d+)?) *([KMGT]?)(?:i?B)?", memory.strip(), re.I)
+        found = re.fullmatch(r"(\d+)([KMGT]?)", memory, re.I | re.A)
         if not found:
-            raise InvalidArgument('memory: "%s" is neither a number of bytes nor such as "64M"' % memory, "memory")
-        size = float(found.group(1)) * 1024 ** " KMGT".index(found.group(2).upper() or " ")
+            raise InvalidArgument('memory: "%s" is neither a whole number of bytes nor such as "64K", "512M", "2G"' %
+                                  memory, "memory")
+        size = int(found.group(1)) << 10 * " KMGT".index(found.group(2).upper() or " ")
     try:
         size = int(size)
     except (TypeError, ValueError, OverflowError):
         raise InvalidArgument("memory: not a number of bytes", "memory") from None
-    if not 0 < size < 1 << 62:
+    if not 0 < size < MOST_BYTES:
         raise InvalidArgument("memory: not a number of bytes above 0", "memory")
     return size
+
+
+def _memory_text(size):
+    """At least so many bytes, as ``memory=`` takes them."""
+    shift = 20 if size >= 10 << 20 else 10
+    return '"%d%s"' % (-(-size >> shift), " KM"[shift // 10])
 
 
 _pythonapi = ctypes.pythonapi
@@ -184,7 +192,16 @@ class Session:
         error = error_of(status, detail, self.rows, self.renamed)
         if status == c.NETMESH_OUT_OF_MEMORY and self.bytes is not None:
             error.args = ("memory: %d bytes are too few; %s" % (self.bytes, error.args[0]),)
+        if detail.field == c.NETMESH_FIELD_DIM and self.rows == "points" and self.request is not None:
+            error.args = (error.args[0] + self._remedy_of_dimension(),)
         raise error
+
+    def _remedy_of_dimension(self):
+        count, dim = self.request.points.count, self.request.points.dim
+        if dim <= 6:
+            return "; rips(points) takes numbers on a line" if dim == 1 else ""
+        turned = "; points are rows: is points.T meant?" if 2 <= count <= 6 else ""
+        return ", but %d; rips(points) takes any number of coordinates%s" % (dim, turned)
 
     def _begin(self, block):
         context = ctypes.c_void_p()
@@ -197,8 +214,14 @@ class Session:
         """Calls ``work()`` with a context, in a larger block when the block was too small. ``keep``: the context is
         wanted afterwards; else :meth:`end` gives it back."""
         if self.bytes is not None:
-            self._begin(_reserve(self.bytes, self.bytes >= HUGE_BYTES))
-            return work()
+            try:
+                self._begin(_reserve(self.bytes, self.bytes >= HUGE_BYTES))
+                return work()
+            except OutOfMemory as error:
+                if max(self.bytes, error.bytes_wanted) < plan < MOST_BYTES:
+                    error.bytes_planned = plan
+                    error.args = ("%s; plan for %d: memory=%s" % (error.args[0], plan, _memory_text(plan)),)
+                raise
         if plan < SMALL_BYTES // 2 and not keep:
             self._begin(_spare.pop() if _spare else Block(SMALL_BYTES))
             try:

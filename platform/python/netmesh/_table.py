@@ -1,5 +1,6 @@
 """Tables of numbers in text, read as the program netmesh reads them (tools/io/table.hpp has the rules): what it takes
 here is what it takes there. What that one decides by other options is refused here, with the line."""
+import csv
 import gzip
 import os
 import re
@@ -10,6 +11,7 @@ from typing import NamedTuple, Optional, Sequence, Union
 import numpy as np
 
 from ._foreign import foreign
+from ._hints import did_you_mean
 from ._slips import slips_of
 from .errors import InvalidArgument
 
@@ -31,6 +33,9 @@ class Table(NamedTuple):
     lines: list         #: of each row the line of the text, from 1
     notes: list         #: what was left out or understood
 
+    def __repr__(self) -> str:
+        return "<netmesh.Table: %d points in R^%d; notes: %d>" % (*self.points.shape, len(self.notes))
+
 
 class _Line(NamedTuple):
     text: str
@@ -43,12 +48,12 @@ class _Field(NamedTuple):
     quoted: bool
 
 
-def read_table(path: Union[str, os.PathLike], columns: Optional[Sequence[Union[str, int]]] = None, *,
+def read_table(path: Union[str, os.PathLike], columns: Union[str, int, Sequence[Union[str, int]], None] = None, *,
                delimiter: Optional[str] = None, skip: int = 0, drop_missing: bool = False) -> Table:
     """Reads a table of numbers in text as the program ``netmesh`` does: in the dialects of spreadsheets, with a header
     or an index column or without, cells as RFC 4180 has them.
 
-    columns: names of the header, numbers from 1, ranges "2-4"; by default all.
+    columns: names of the header, numbers from 1, ranges "2-4", a list or "x,y" as the tool has them; by default all.
     delimiter: what stands between columns, " " for blanks; by default what fits all lines.
     skip: lines left out at the top.
     drop_missing: rows that lack a value in a column that is taken are left out; else they are refused.
@@ -62,17 +67,26 @@ def read_table(path: Union[str, os.PathLike], columns: Optional[Sequence[Union[s
         try:
             content = gzip.decompress(content)
         except (OSError, EOFError, zlib.error) as error:
-            raise InvalidArgument("path: %s: packed by gzip, and cut off or damaged: %s" % (path, error),
-                                  "path") from None
+            raise InvalidArgument("%s: packed by gzip, and cut off or damaged: %s" % (path, error), "path") from None
     other = foreign(content) if not skip else ""
     if other:
-        raise InvalidArgument("path: %s: %s" % (path, other), "path")
+        raise InvalidArgument("%s: %s" % (path, other), "path")
     if content[:2] in (b"\xff\xfe", b"\xfe\xff"):
         text = content.decode("utf-16")
     else:
         text = content.decode("utf-8", "surrogateescape")
-    return parse_table(text, columns, delimiter, skip, drop_missing,
-                       lambda slip: warnings.warn("%s: %s" % (path, slip), stacklevel=4))
+    try:
+        return parse_table(text, columns, delimiter, skip, drop_missing,
+                           lambda slip: warnings.warn("%s: %s" % (path, slip), stacklevel=4))
+    except InvalidArgument as error:
+        error.args = (_of_file(path, error.args[0]),)
+        raise
+
+
+def _of_file(path, message):
+    """What is said of a text, as the tool says it of a file: its name first, then the line."""
+    return re.sub(r"\Apath(?:, line (\d+))?: |\A", lambda found: "%s%s: " % (
+        path, ":" + found.group(1) if found.group(1) else ""), message, count=1)
 
 
 def _refuse(line, words):
@@ -350,7 +364,10 @@ class _Finder:
 def _choose(wanted, width, names):
     """Columns from 0 out of numbers from 1, ranges and names."""
     chosen = []
-    for item in [wanted] if isinstance(wanted, (str, int)) else wanted:
+    if isinstance(wanted, (str, int)):  # "x,y" as the tool takes it, where no column is called so
+        is_list = isinstance(wanted, str) and wanted not in names
+        wanted = next(csv.reader([wanted], skipinitialspace=True), []) if is_list else [wanted]
+    for item in wanted:
         item = str(item)
         if item in names and (names.count(item) > 1 or len(names) < width):
             raise InvalidArgument("columns: %s, %s; numbers from 1 say which are meant" % (
@@ -361,14 +378,22 @@ def _choose(wanted, width, names):
             continue
         found = re.match(r"([0-9]+)(?:-([0-9]+))?\Z", item)
         if found is None:
-            raise InvalidArgument("columns: there is no column %r" % item, "columns")
+            header = "; the header names %s" % ", ".join(map(_quoted, names)) if names else "; there is no header"
+            raise InvalidArgument("columns: there is no column %s%s%s" % (_quoted(item), header,
+                                                                          did_you_mean(item, names)), "columns")
         first, last = int(found.group(1)), int(found.group(2) or found.group(1))
         if not 1 <= first <= last <= width:
             raise InvalidArgument("columns: %s, where there are columns 1 to %d" % (item, width), "columns")
         chosen += range(first - 1, last)
+    if not chosen:
+        raise InvalidArgument("columns: none is named", "columns")
     if len(set(chosen)) != len(chosen):
         raise InvalidArgument("columns: one stands there twice", "columns")
     return chosen
+
+
+def _quoted(name):
+    return '"%s"' % name
 
 
 class _Rows:
@@ -387,6 +412,10 @@ class _Rows:
         if not all(re.match(r"[0-9]+\Z", text) for text in texts):
             return False
         return all(step(int(a), int(b)) for a, b in zip(texts[1:], texts))
+
+    def lacking(self, chosen):
+        """How many rows lack a value."""
+        return sum(self.lacks(fields, chosen) for fields, _ in self.rows)
 
     def lacks(self, fields, chosen):
         return len(fields) == self.width + self.dropped and any(fields[k].text.lower() in MISSING for k in chosen)
@@ -521,19 +550,32 @@ def _numbers(table, chosen, names, top, notes, drop_missing):
             elif whole or value is not None:
                 _refuse(line, ("nothing in column %d" % (k + 1) if value is None else '"%s" is not a %s' % (
                     fields[k].text[:40], "number" if value is WORD else "finite double")) +
-                    _remedy(table, chosen, fields, k, len(kept)))
+                    _remedy(table, chosen, names, fields, k))
         if not whole:
             _refuse(line, "%d column%s where line %d has %d" % (
                 len(fields), "" if len(fields) == 1 else "s", top.number, table.width + table.dropped))
     return Table(points, names, [line.number for _, line in taken], notes)
 
 
-def _remedy(table, chosen, fields, k, kept):
-    count = len(table.rows)
-    if table.lacks(fields, chosen):
-        leaves = ": drop_missing=True leaves such rows out, %d of %d" % (count - kept, count)
-        return "; a row with a missing value has to be left out or filled in" + (leaves if kept else "")
-    if not table.is_word_column(k):
+def _remedy(table, chosen, names, fields, k):
+    """What helps where column k has no number: columns of words are left out before rows that lack a value."""
+    others = [c for c in chosen if not table.is_word_column(c)]
+    is_wordy = len(others) < len(chosen)
+    if is_wordy and (table.is_word_column(k) or table.lacks(fields, chosen)):
+        if len(others) < 2:
+            return ""
+        lacking = table.lacking(others)
+        rows = ", and drop_missing=True rows that lack a value, %d of %d" % (lacking, len(table.rows))
+        return "; columns=%s leaves columns of words out%s" % (_chosen_text(others, names), rows if lacking else "")
+    if not table.lacks(fields, chosen):
         return ""
-    others = [str(c + 1) for c in chosen if not table.is_word_column(c)]
-    return "; columns=[%s] leaves such columns out" % ", ".join(others) if others else ""
+    count, lacking = len(table.rows), table.lacking(chosen)
+    leaves = ": drop_missing=True leaves such rows out, %d of %d" % (lacking, count)
+    return "; a row with a missing value has to be left out or filled in" + (leaves if lacking < count else "")
+
+
+def _chosen_text(columns, names):
+    """Columns from 0 as ``columns=`` takes them: their names, where each has one of its own, or numbers."""
+    called = [names[c] if c < len(names) else "" for c in columns]
+    is_named = all(name and names.count(name) == 1 for name in called)
+    return repr(called if is_named else [c + 1 for c in columns])

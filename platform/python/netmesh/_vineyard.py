@@ -111,11 +111,11 @@ def vineyard(points=None, k: Tuple[int, int] = (1, 2), filter: str = "knn", max_
         session = Session(memory, progress)
         read = points_of(points)
         request = request_of(session, read)
-        fill(session, dict(asked(k, filter, max_degree, values), tau=tau, seed=seed, **known("vineyard", others)))
+        fill(session, dict(asked(k, filter, max_degree, values), tau=tau, seed=seed, **known(vineyard, others)))
     else:
         session = Session(memory, progress, rows="simplices", renamed={"entries": "steps", "step_count": "steps"})
         request = request_of(session)
-        fill(session, dict(filter="simplices", max_degree=max_degree, vines=True, **known("vineyard", others)))
+        fill(session, dict(filter="simplices", max_degree=max_degree, vines=True, **known(vineyard, others)))
         put_simplices(session, simplices, doubles(steps, "steps", 2), by_vertex)
     at = ctypes.addressof(request)
     try:

@@ -27,9 +27,11 @@ class InvalidArgument(Error, ValueError):
 
 
 class OutOfMemory(Error, MemoryError):
-    """The block is too small; ``bytes_wanted``: at least so many are needed, 0 where nothing is known."""
+    """The block is too small; ``bytes_wanted``: at least so many are needed, 0 where nothing is known;
+    ``bytes_planned``: so many are enough for points like uniform ones, 0 where that is not known."""
 
     bytes_wanted = 0
+    bytes_planned = 0
 
 
 class Cancelled(Error):

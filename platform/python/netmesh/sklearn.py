@@ -1,9 +1,14 @@
 """Diagrams as features, for scikit-learn."""
+import functools
+import warnings
+
 import numpy as np
 from sklearn.base import BaseEstimator, TransformerMixin
 from sklearn.utils.validation import check_array, check_is_fitted
 
+from ._arrays import whole
 from ._persist import persist, rips
+from ._series import delay
 from .errors import InvalidArgument
 
 try:  # scikit-learn 1.6
@@ -19,9 +24,12 @@ _STATISTICS = ("bars", "longest", "total", "entropy", "mean birth", "mean death"
 class PersistenceFeatures(TransformerMixin, BaseEstimator):
     """Turns each sample into numbers that describe the persistence diagram of its points.
 
-    X is either a sequence of samples, each an array [m, D] of points, D from 2 to 6, m of its own; or an array
-    [samples, m] whose rows are series of numbers. A series x is taken as the points (x[i], x[i + delay], ...,
-    x[i + (dimension - 1) * delay]), its delay embedding: a periodic series is a circle.
+    X is either a sequence of samples, each an array [m, D] of points, D from 2 to 6 and the same for all, m of its own;
+    or an array [samples, m] whose rows are series of numbers. One cloud is ``[cloud]``. A series x is taken as the
+    points (x[i], x[i + delay], ..., x[i + (dimension - 1) * delay]), its delay embedding (:func:`netmesh.delay`): a
+    periodic series is a circle.
+
+    The grid of radii is that of the clouds that ``fit`` saw: of others what lies beyond its last radius is cut off.
 
     Parameters
     ----------
@@ -50,6 +58,8 @@ class PersistenceFeatures(TransformerMixin, BaseEstimator):
         The radii of the grid.
     n_features_in_ : int
         m, of series.
+    n_coordinates_ : int
+        D, of point clouds.
     """
 
     def __init__(self, features="landscape", max_degree=1, filter="auto", layers=2, resolution=20, dimension=2,
@@ -113,16 +123,29 @@ class PersistenceFeatures(TransformerMixin, BaseEstimator):
         return [self._diagram(points) for points in self._clouds(X, reset)]
 
     def _clouds(self, X, reset):
-        is_list = isinstance(X, (list, tuple)) and len(X) and np.ndim(X[0]) == 2
-        if is_list or (isinstance(X, np.ndarray) and X.ndim == 3):
-            return [check_array(points) for points in X]
+        if _is_of_clouds(X):
+            clouds = [check_array(points) for points in X]
+            self._check_coordinates([points.shape[1] for points in clouds], reset)
+            return clouds
         series = validate_data(self, X, dtype=np.float64, reset=reset)
-        count = series.shape[1] - (self.dimension - 1) * self.delay
+        if 2 <= series.shape[1] <= 6:
+            warnings.warn("X: rows are taken as series, here of %d numbers; of one cloud give [cloud]" %
+                          series.shape[1])
+        whole(self.delay, "delay", 1)
+        count = series.shape[1] - (whole(self.dimension, "dimension", 1) - 1) * self.delay
         if count < 1:
             raise ValueError("X: a series has %d feature(s), while a minimum of %d is required by the embedding."
                              % (series.shape[1], series.shape[1] + 1 - count))
-        starts = np.arange(count)[:, None] + self.delay * np.arange(self.dimension)
-        return series[:, starts]
+        return [delay(row, self.delay, self.dimension) for row in series]
+
+    def _check_coordinates(self, numbers, reset):
+        if reset:
+            self.n_coordinates_ = numbers[0]
+        due = getattr(self, "n_coordinates_", numbers[0])
+        for i, number in enumerate(numbers):
+            if number != due:
+                raise InvalidArgument("X[%d]: %d coordinates, where %s %d" % (
+                    i, number, "X[0] has" if reset else "the clouds of fit had", due), "X")
 
     def _diagram(self, points):
         if self.filter == "rips":
@@ -153,6 +176,35 @@ class PersistenceFeatures(TransformerMixin, BaseEstimator):
         shown = min(self.layers, len(tents))
         layers[:shown] = -np.sort(-tents, axis=0)[:shown]
         return layers.ravel()
+
+
+def _is_of_clouds(X):
+    """Whether the items of X are clouds: of a list, an array [clouds, m, D], or one of objects, as of ragged clouds."""
+    if isinstance(X, np.ndarray):
+        return X.ndim == 3 or (X.ndim == 1 and X.dtype == object and len(X) > 0 and np.ndim(X[0]) == 2)
+    return isinstance(X, (list, tuple)) and len(X) > 0 and np.ndim(X[0]) == 2
+
+
+def _of_lists(method):
+    """A method of X, called with an array in place of a list: scikit-learn 1.2 takes the method ``index`` of a list for
+    the index of a frame where ``set_output`` asks for frames."""
+    @functools.wraps(method)
+    def call(self, X, *others, **named):
+        if isinstance(X, (list, tuple)):
+            X = _array_of_clouds(X) if _is_of_clouds(X) else np.asarray(X)
+        return method(self, X, *others, **named)
+    return call
+
+
+def _array_of_clouds(X):
+    clouds = np.empty(len(X), dtype=object)
+    for i, points in enumerate(X):
+        clouds[i] = np.asarray(points)
+    return clouds
+
+
+PersistenceFeatures.transform = _of_lists(PersistenceFeatures.transform)
+PersistenceFeatures.fit_transform = _of_lists(PersistenceFeatures.fit_transform)
 
 
 def _image(bars, radii):

@@ -19,7 +19,7 @@ matplotlib.use("Agg")  # pictures go to files; leave this out in a notebook
 import matplotlib.pyplot as plt  # noqa: E402
 
 here = pathlib.Path(__file__).resolve().parent
-data = pathlib.Path(sys.argv[1]) if len(sys.argv) > 1 else here.parents[1] / "tests" / "data"
+data = pathlib.Path(sys.argv[1]) if len(sys.argv) > 1 else here.parents[2] / "tests" / "data"
 out = pathlib.Path(sys.argv[2]) if len(sys.argv) > 2 else pathlib.Path(".")
 
 
