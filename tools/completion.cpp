@@ -63,7 +63,8 @@ std::string bash_text() {
            "        COMPREPLY=($(compgen -W \"$words\" -- \"$current\"))\n"
            "    fi\n"
            "    if [[ ${#COMPREPLY[@]} == 0 && -n $command && $current != -* ]]; then\n"
-           "        while IFS= read -r word; do COMPREPLY+=(\"$word\"); done < <(compgen -f -- \"$current\")\n"
+           "        while IFS= read -r word; do [ -z \"$word\" ] || COMPREPLY+=(\"$word\"); done "
+           "<<<\"$(compgen -f -- \"$current\")\"\n"
            "    fi\n"
            "}\n"
            "complete -o filenames -F _netmesh netmesh\n";

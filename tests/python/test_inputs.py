@@ -1,4 +1,6 @@
 """Arrays in: what is read where it lies, what is copied, what is refused."""
+import warnings
+
 import numpy as np
 import pytest
 
@@ -78,7 +80,7 @@ def test_results_own_their_memory():
 
 def test_flat_points_are_told_what_is_exact():
     flat = np.c_[np.random.default_rng(1).random((20, 2)), np.full(20, 5.0)]
-    with pytest.warns(UserWarning, match=r"points\[:, \[0, 1\]\] have an exact diagram"):
+    with pytest.warns(UserWarning, match=r"left out: the diagram is that of points\[:, \[0, 1\]\]"):
         netmesh.persist(flat)
     assert netmesh.persist(flat[:, [0, 1]]).certified_ratio == 1
     with pytest.warns(UserWarning, match='filter="cech" is exact'):
@@ -171,3 +173,21 @@ def test_delays():
         assert raised.value.argument == argument
     with pytest.raises(errors.InvalidArgument, match="6 numbers; 3 coordinates with a lag of 3 take 7 at least"):
         netmesh.delay(series, 3, 3)
+
+
+def test_constant_coordinates_are_left_out():
+    square = np.array([[0.0, 0, 5], [1, 0, 5], [1, 1, 5], [0, 1, 5]])
+    for filter in ("auto", "alpha"):
+        with pytest.warns(UserWarning, match=r"coordinate 2 is the same in all of them, left out.*points\[:, \[0, 1\]\]"):
+            assert netmesh.persist(square, filter=filter).longest(1).tolist() == [[0.5, np.sqrt(0.5)]]
+    with pytest.warns(UserWarning, match="coordinates 0, 2 are the same"):
+        assert len(netmesh.persist(np.insert(square, 0, 7, axis=1)[:, [0, 1, 3, 2]]).intervals(1)) == 1
+    with pytest.warns(UserWarning, match="lie in a hyperplane"):  # one coordinate would be left
+        netmesh.persist([[0.0, 5, 5], [1, 5, 5], [2, 5, 5]])
+    with pytest.warns(UserWarning, match="coordinate 2 is the same"):
+        assert len(netmesh.persist(square, radii=[1, 1, 1, 1]).intervals(1)) == 1
+    with pytest.raises(errors.Flat):
+        netmesh.persist([[0.0, 0, 0], [1, 0, 1], [1, 1, 2], [0, 1, 1]], filter="alpha")
+    with warnings.catch_warnings():
+        warnings.simplefilter("error")
+        assert netmesh.persist(square, filter="rips").intervals(1).shape == (1, 2)

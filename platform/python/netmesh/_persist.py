@@ -117,6 +117,8 @@ def persist(points, filter: str = "auto", max_degree: Optional[int] = None, *, k
         if cell is not None:
             raise InvalidArgument("cell: does not go with pieces, which are of points alone", "cell")
         return _in_pieces(points, given, pieces, executor, scratch, memory, (focus, function, progress))
+    if filter in ("auto", "alpha") and cell is None:
+        points = _without_constant(points)
     is_auto = isinstance(focus, str) and focus == "auto"
     if is_auto:
         given.update(fit=True, bounds=True, longer_than=LONGER_THAN if longer_than is None else longer_than)
@@ -129,14 +131,25 @@ def persist(points, filter: str = "auto", max_degree: Optional[int] = None, *, k
     return diagram
 
 
+def _without_constant(points):
+    """The points without coordinates that are the same in all of them: an isometric copy, which has an exact diagram."""
+    array = np.asarray(points)
+    if array.ndim != 2 or array.shape[0] < 2 or array.shape[1] < 3 or array.dtype.kind not in "fiu":
+        return points
+    others = (array != array[:1]).any(axis=0)
+    if others.all() or others.sum() < 2:
+        return points
+    warnings.warn("points: coordinate%s the same in all of them, left out: the diagram is that of points[:, %s]"
+                  % (" %d is" % np.flatnonzero(~others)[0] if (~others).sum() == 1 else
+                     "s %s are" % ", ".join(str(k) for k in np.flatnonzero(~others)),
+                     [int(k) for k in np.flatnonzero(others)]), stacklevel=3)
+    return array[:, others]
+
+
 def _warn_of_flat(points):
     """Points in a plane have no exact diagram as they are: what makes it exact."""
     dim = points.shape[1]
-    other = [k for k in range(dim) if (points[:, k] != points[0, k]).any()]
-    if 1 < len(other) < dim:
-        remedy = "the other coordinates are the same in all points, and points[:, %s] have an exact diagram" % other
-    else:
-        remedy = 'filter="%s" is exact, for few points' % ("rips" if dim == 2 else "cech")
+    remedy = 'filter="%s" is exact, for few points' % ("rips" if dim == 2 else "cech")
     warnings.warn("points: they lie in a hyperplane, where their diagram is that of the filter complete; " + remedy,
                   stacklevel=3)
 
