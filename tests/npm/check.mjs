@@ -89,6 +89,14 @@ assert.equal(cheap.why, 'the exact alpha complex would take more work than a mes
 assert.equal(cheap.fingerprint, netmesh.persist(curve, { filter: 'complete' }).fingerprint);
 assert.equal(diagram.filter, 'alpha');
 assert.equal(netmesh.persist(circle, { ratio: 2, bounds: false }).filter, 'complete');
+for (const filter of ['auto', 'alpha']) {
+    for (const [points, dim] of [[[[0, 0, 5], [1, 0, 5], [1, 1, 5], [0, 1, 5]]],
+        [new Float32Array([7, 0, 5, 0, 7, 1, 5, 0, 7, 1, 5, 1, 7, 0, 5, 1]), 4]]) {
+        const bar = netmesh.persist(points, { filter, dim }).intervals(1);
+        assert.deepEqual([...bar], [0.5, Math.SQRT1_2]);
+    }
+}
+assert.equal(netmesh.persist([[0, 5, 5], [1, 5, 5], [2, 5, 5]]).filter, 'complete');
 const line = [[0, 0], [1, 0], [3, 0]];
 const flat = netmesh.persist(line, { bounds: true, representatives: true });
 assert.equal(flat.filter, 'complete');

@@ -237,6 +237,20 @@ function pointsOf(points, dim) {
     return { array, count: points.length, dim: width };
 }
 
+// Without coordinates that are the same in all points, where two others are left: an isometric copy.
+function withoutConstant(read) {
+    const { array, count, dim } = read, kept = [];
+    for (let k = 0; k < dim && count > 1; ++k) {
+        let i = k;
+        while (i < array.length && array[i] === array[k]) i += dim;
+        if (i < array.length) kept.push(k);
+    }
+    if (kept.length < 2 || kept.length === dim) return read;
+    const copy = new array.constructor(count * kept.length);
+    for (let i = 0; i < count; ++i) kept.forEach((k, j) => { copy[i * kept.length + j] = array[i * dim + k]; });
+    return { array: copy, count, dim: kept.length };
+}
+
 // A square of at least three rows, 0 on its diagonal, with equal halves, none below 0.
 function looksLikeDistances({ array, count, dim }) {
     if (count < 3 || dim !== count) return false;
@@ -573,7 +587,10 @@ export class Netmesh {
         const given = known('persist', options, this.#library.table);
         if ('k' in given && (given.filter ?? 'auto') === 'auto')
             refuse('k', "of the distance to the k-th nearest point: filter: 'knn' or 'kdistance'");
-        return this.#persist(pointsOf(points, given.dim), { ...given, ...focusOf(given) });
+        // An alpha complex is intrinsic, and flat points have none in more dimensions than they need.
+        const read = pointsOf(points, given.dim), { filter = 'auto', lattice } = given;
+        const isIntrinsic = ['auto', 'alpha'].includes(filter) && !isGiven(lattice);
+        return this.#persist(isIntrinsic ? withoutConstant(read) : read, { ...given, ...focusOf(given) });
     }
     #persist(read, given) {
         const job = this.#job(read, given), { filter = 'auto' } = given;
