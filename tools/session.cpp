@@ -178,8 +178,8 @@ Outcome Session::explain(netmesh_status status, const PointCloud& cloud, std::si
             detail.index_b,
             "this point and the one of " + cloud.place(detail.index_a) +
                 " are distinct but closer than coordinates resolve for this mesh: 64 units in the "
-                "last place, more when tau is near 2 or the ratio below 2; persist --filter alpha has no mesh and takes "
-                "any points",
+                "last place, more when tau is near 2 or the ratio below 2; persist --filter alpha makes no mesh and "
+                "takes any points",
             Exit::degenerate);
     case NETMESH_CHECK_FAILED: return {Exit::check, "netmesh: check failed: " + said};
     default: return {Exit::internal, "netmesh: internal error: " + said};

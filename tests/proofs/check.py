@@ -219,7 +219,8 @@ def verifiers():
     """Other programs of that name, and none."""
     words = ["check", "p.pers", "--points", "p.txt"]
     alone = script("alone", None)
-    none = "there is no netmesh-verify beside netmesh, nor in a folder of PATH; it is built with GMP: cmake --build build"
+    none = ("there is no netmesh-verify beside netmesh, nor in a folder of PATH; it is built with GMP: "
+            "cmake --build build")
     done = run(*words, program=alone, path="/nowhere")
     expect("no program", done, 0, "no proof verified: p.proof is not verified", none, never=["every bar is true"])
     done = run(*words, "-q", program=alone, path="/nowhere")

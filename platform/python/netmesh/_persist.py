@@ -132,7 +132,7 @@ def persist(points, filter: str = "auto", max_degree: Optional[int] = None, *, k
 
 
 def _without_constant(points):
-    """The points without coordinates that are the same in all of them: an isometric copy, which has an exact diagram."""
+    """The points without coordinates that are the same in all of them: an isometric copy."""
     array = np.asarray(points)
     if array.ndim != 2 or array.shape[0] < 2 or array.shape[1] < 3 or array.dtype.kind not in "fiu":
         return points
