@@ -164,9 +164,11 @@ void complete(Options* options) {
     const bool is_open = options->command == Command::persist || options->command == Command::size;
     if (is_open && (r.filter == nullptr || r.filter == &netmesh_filter_auto)) {
         r.filter = &netmesh_filter_auto;
-        // Weights and periods are alpha's, whatever else is asked for.
-        if (options->table.weights.empty() && options->table.lattice.kind == Lattice::none)
-            options->implies_mesh = option_against_auto(*options);
+        options->implies_mesh = option_against_auto(*options);
+        // Weights and periods are alpha's, which says itself what is not wanted of it.
+        const bool is_alpha = !options->table.weights.empty() || options->table.lattice.kind != Lattice::none;
+        for (const char* const want : {"--bounds", "--representatives"})
+            if (is_alpha && options->implies_mesh.rfind(want, 0) == 0) options->implies_mesh.clear();
         if (!options->implies_mesh.empty()) r.filter = &netmesh_filter_complete;
     }
     if (options->command == Command::size && is_of_eps(*options)) take_eps_as_goal(options);

@@ -133,7 +133,10 @@ def persist(points, filter: str = "auto", max_degree: Optional[int] = None, *, k
 
 def _without_constant(points):
     """The points without coordinates that are the same in all of them: an isometric copy."""
-    array = np.asarray(points)
+    try:
+        array = np.asarray(points)
+    except ValueError:  # ragged: said where points are read
+        return points
     if array.ndim != 2 or array.shape[0] < 2 or array.shape[1] < 3 or array.dtype.kind not in "fiu":
         return points
     others = (array != array[:1]).any(axis=0)

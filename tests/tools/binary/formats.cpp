@@ -280,7 +280,7 @@ TEST_CASE("what may be a slip is said with --quiet, too; balls have neither boun
         folder.run("persist balls.txt --radii 3 --representatives c.txt").says("with weights there are cycles where"));
     folder.write("line.txt", "0 0 1\n3 0 1\n");
     CHECK(folder.run("persist line.txt --radii 3").says("there is no other filter of balls"));
-    CHECK(folder.run("persist balls.txt --columns 1 2").says("2: No such file or directory; names of columns are"));
+    CHECK(folder.run("persist balls.txt --columns 1 2").says("2: no such file or folder; names of columns are"));
 }
 
 TEST_CASE("what is said of k, of points on a line, and of the whole process") {
@@ -302,7 +302,7 @@ TEST_CASE("what is said of k, of points on a line, and of the whole process") {
     CHECK(folder.run("persist flat.csv --filter complete").says("coordinate 3 is 5 in all points; without it, by"));
     CHECK(folder.run("persist flat.csv --proof p.proof -o p.pers").exit != 0);
     CHECK(folder.run("persist flat.csv --pieces 2 -o p.pers").exit == 5);
-    CHECK(folder.run("persist flat.csv --mesh-out m.ply -o m.pers").says("by --columns, the same"));
+    CHECK(folder.run("persist flat.csv --mesh m.ply -o m.pers").says("by --columns, the same"));
     folder.write("axis.csv", "0,5,5\n1,5,5\n2,5,5\n");  // one coordinate would be left: a mesh
     CHECK(folder.run("persist axis.csv").says("in a hyperplane"));
     folder.write("slope.csv", "0,0,0\n1,0,1\n1,1,2\n0,1,1\n");
