@@ -59,12 +59,12 @@ constexpr int begun = 3000, begun_each = 2000;  // and by the dimension
     for (int i = 0; i <= D / 2; ++i) made *= n + 1;
     // Runs of points of one key are given keys anew, each of which splits the run: less than n times, of n^2 / 2 points
     // in all (delaunay/spatial_order.cpp). A point takes D / 2 + 4 units, most of them to be sorted.
-    double units = n * n * ((D + 7) / 2) + n * (130 * D + 700);
+    double units = n * n * (D + 7) / 2 + n * (130 * D + 700);
     // Kernels report making and linking of many cells as well. From R^4 on they report tests that doubles do not
     // decide: of cells in conflict and, once for each of their facets, of those about them.
     units += 2 * n + (D - 1) * (D == 2 ? 1 : 3) * made + (D > 3 ? n * (D + 2) * cells * 2 * D : 0);
-    // A walk comes to no cell twice.
-    units += n * cells * (5 * D) / 32;
+    // A walk comes to no cell twice; in the plane it reports its steps.
+    if (D == 2) units += n * cells * (5 * D) / 32;
     units += begun + begun_each * D + linear * D * (n + cells);
     if (!with_diagram) return units;
 

@@ -318,7 +318,7 @@ template <int D, class W> CellId Kernel<D, W>::locate(const double* q, VertexId 
         }
         if (next == none) break;
         c = next;
-        if (++steps_ % 32 == 0) store_.arena.pass(5 * D);  // points on a curve take as many as there are
+        ++steps_;
     }
     if (in_conflict(c, q, id)) return c;
     const CellId end = walk(q, c);
