@@ -295,11 +295,7 @@ const paths = {
         check(!(await text(page, '#read')).includes('merged'), 'no duplicates');
     },
     async 'cancel'(page) {
-        await page.run(`document.querySelector('#text').value = ${JSON.stringify(cube(20000, 3))}`);
-        await choose(page, '#filter', '1');
-        await choose(page, '#memory', '1024');
-        await page.click('#run');
-        await page.until("/vertices, in a block/.test(document.querySelector('#status').textContent)", 'progress');
+        await states['a computation'](page);
         equal(await page.run("document.querySelector('#progress').hidden"), false, 'a bar of progress');
         await page.click('#cancel');
         equal(await status(page), 'cancelled', 'status');
@@ -309,11 +305,7 @@ const paths = {
         await done(page);
     },
     async 'short of memory'(page) {
-        await page.run(`document.querySelector('#text').value = ${JSON.stringify(cube(3000, 4))}`);
-        await choose(page, '#filter', '3');
-        await choose(page, '#memory', '16');
-        await page.click('#run');
-        await bad(page);
+        await states['advice'](page);
         equal(await page.run("document.querySelector('#advice').hidden"), false, 'advice');
         check((await text(page, '#advice')).includes('were not enough'), 'what was not enough');
         check((await text(page, '#advice button')).includes('try again with 64 MiB'), 'the first advice');

@@ -46,18 +46,18 @@ std::string PointCloud::leave_out_constant() {
     std::string said;
     for (std::size_t k = 0; rows() > 1 && k < dim; ++k) {
         if (is_constant(*this, k))
-            said += (said.empty() ? "coordinate " : ", ") + std::to_string(k + 1) + ", " + number_text(coordinates[k]);
+            said += (said.empty() ? "" : ", ") + ("coordinate " + std::to_string(k + 1)) + " is " +
+                    number_text(coordinates[k]);
         else
             kept.push_back(k);
     }
     if (said.empty() || kept.size() < dim_min) return {};
-    const bool several = dim - kept.size() > 1;
     std::size_t end = 0;
     for (std::size_t i = 0; i < coordinates.size(); i += dim)
         for (const std::size_t k : kept) coordinates[end++] = coordinates[i + k];
     coordinates.resize(end);
     dim = static_cast<std::uint32_t>(kept.size());
-    return said + " in all points, " + (several ? "are" : "is") + " left out";
+    return "left out what is the same in all points: " + said;
 }
 
 std::string ending_of(const std::string& path) {

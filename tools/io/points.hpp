@@ -29,8 +29,8 @@ struct PointCloud {
     // Which coordinate is the same in all of at least two points: "coordinate 3 is 0 in all points; without it, by
     // --columns, ..."; empty where none is, and where two coordinates would not be left.
     std::string constant_coordinate() const;
-    // Leaves such coordinates out, all of them, where two others are left: an isometric copy. "coordinate 3, 0 in all
-    // points, is left out"; empty where there is nothing to leave out.
+    // Leaves such coordinates out, all of them, where two others are left: an isometric copy. "left out what is
+    // the same in all points: coordinate 3 is 0"; empty where there is nothing to leave out.
     std::string leave_out_constant();
     // FILE:LINE of a row, or "FILE: row N" (counted from 1) where rows are not lines.
     std::string where(std::uint64_t row) const;

@@ -291,13 +291,16 @@ TEST_CASE("what is said of k, of points on a line, and of the whole process") {
     for (const char* const given : {"", " --filter alpha", " --columns 1,2 -q"})
         CHECK(folder.run("persist flat.csv" + std::string(given)).out.find("1 0.5 0.7071067811865476") !=
               std::string::npos);
-    CHECK(folder.run("persist flat.csv -o flat.pers").says("coordinate 3, 5 in all points, is left out"));
+    CHECK(
+        folder.run("persist flat.csv -o flat.pers").says("left out what is the same in all points: coordinate 3 is 5"));
     CHECK(folder.run("check flat.pers --points flat.csv").exit == 0);
-    CHECK(folder.run("check flat.pers --points flat.csv").says("coordinate 3, 5 in all points, is left out"));
+    CHECK(folder.run("check flat.pers --points flat.csv")
+              .says("left out what is the same in all points: coordinate 3 is 5"));
     folder.write("other.csv", "0,0,5\n1,0,5\n1,1,5\n0,1,6\n");
     CHECK(folder.run("check flat.pers --points other.csv").exit == 7);
     folder.write("thin.csv", "7,0,5,0,3\n7,1,5,0,3\n7,1,5,1,3\n7,0,5,1,3\n");
-    CHECK(folder.run("persist thin.csv -o thin.pers").says("coordinate 1, 7, 3, 5, 5, 3 in all points, are left out"));
+    CHECK(folder.run("persist thin.csv -o thin.pers")
+              .says("points: coordinate 1 is 7, coordinate 3 is 5, coordinate 5 is 3"));
     CHECK(folder.run("check thin.pers --points thin.csv").exit == 0);
     CHECK(folder.run("persist flat.csv --filter complete").says("coordinate 3 is 5 in all points; without it, by"));
     CHECK(folder.run("persist flat.csv --proof p.proof -o p.pers").exit != 0);
