@@ -85,8 +85,12 @@ def decide(signal, dim):
     """Of each window what is decided, and low and high, None where it has no diagram; and one word of all diagrams."""
     decided, word = [], 0
     for i in range(WINDOWS):
+        points = points_of(signal, i * HOP, dim)
+        if (points == points[0]).all(axis=0).any():  # persist would leave the coordinate out; the call in C does not
+            decided.append(("flat", None))
+            continue
         try:
-            diagram = netmesh.persist(points_of(signal, i * HOP, dim), filter="alpha", memory=MEMORY[dim])
+            diagram = netmesh.persist(points, filter="alpha", memory=MEMORY[dim])
         except Flat:
             decided.append(("flat", None))
         except OutOfMemory:
