@@ -13,6 +13,7 @@
 #include "api/settle.hpp"
 #include "filtration/filters.hpp"
 #include "numerics/minors.hpp"
+#include "predicates/predicates.hpp"
 #include "vocabulary/dimension.hpp"
 #include "vocabulary/monitor.hpp"
 
@@ -20,7 +21,7 @@ namespace netmesh {
 namespace {
 
 // Units of 1,000 planned bytes, as measured on uniform points: of triangulations, of meshes by tau, of these with their
-// diagram, of scales by a ratio. From D = 4 on those of 4.
+// diagram, of scales by a ratio. From D = 4 on those of 4. Of triangulations in short words (delaunay_small).
 struct WorkFigures {
     int triangulation, mesh, filtered, scales_by_ratio;
 };
@@ -29,7 +30,8 @@ constexpr WorkFigures work_figures(std::uint32_t dim) {
            : dim == 3 ? WorkFigures{85, 170, 220, 350}
                       : WorkFigures{200, 220, 330, 350};
 }
-constexpr int alpha_units = 270, scales_units = 250, cech_units = 160, barycentric_units = 350, rips_units = 80;
+constexpr int few_units = 165, alpha_units = 270, scales_units = 250, cech_units = 160, barycentric_units = 350,
+              rips_units = 80;
 // Tenths of what other meshes take: of the cages of the thesis, and VoronoiRefine.
 constexpr int thesis_share = 40, refine_share = 13;
 // By how many units the report that leads to a poll is late in the mean.
@@ -60,11 +62,14 @@ constexpr int begun = 3000, begun_each = 2000;  // and by the dimension
     // Runs of points of one key are given keys anew, each of which splits the run: less than n times, of n^2 / 2 points
     // in all (delaunay/spatial_order.cpp). A point takes D / 2 + 4 units, most of them to be sorted.
     double units = n * n * (D + 7) / 2 + n * (130 * D + 700);
-    // Kernels report making and linking of many cells as well. From R^4 on they report tests that doubles do not
-    // decide: of cells in conflict and, once for each of their facets, of those about them.
-    units += 2 * n + (D - 1) * (D == 2 ? 1 : 3) * made + (D > 3 ? n * (D + 2) * cells * 2 * D : 0);
-    // A walk comes to no cell twice; in the plane it reports its steps.
-    if (D == 2) units += n * cells * (5 * D) / 32;
+    // Kernels report making and linking of many cells as well.
+    units += 2 * n + (D - 1) * (D == 2 ? 1 : 3) * made;
+    // Tests that doubles do not decide: a few as a point is located, and of cells in conflict and, once for each of
+    // their facets, of those about them. No more cells come in conflict than are made. In the plane there are as many
+    // facets about them as cells are made.
+    units += undecided_units * (3 * n + (D == 2 ? 2 : D + 2) * made);
+    // A walk comes to no cell twice. One by exact signs may follow one by doubles.
+    units += n * cells * (5.0 * D / 32 + exact_step_units);
     units += begun + begun_each * D + linear * D * (n + cells);
     if (!with_diagram) return units;
 
@@ -120,7 +125,7 @@ bool is_bounded(const netmesh_request& r) {
         r.cycles = nullptr;
         bytes = whole_bytes(plan_of_alpha(r));
     } else if (!has_diagram && (method->keeps_few || method->triangulates())) {
-        each = figures.triangulation;
+        each = method->keeps_few ? few_units : figures.triangulation;
     } else {
         has_bound = false;
         if (method != nullptr && method->id == NETMESH_METHOD_THESIS) tenths = thesis_share;

@@ -222,8 +222,8 @@ template <int D> void make_first_ghost(const CellId* made, const VertexId* v, st
 
 template <int D, class W>
 [[gnu::noinline]] bool Kernel<D, W>::undecided_conflict(CellId c, const double* q, VertexId id) {
-    if constexpr (D > 3) store_.arena.pass(2 * D);  // of thousands of ghosts, about a hull
     const int infinite = store_.ghost_position(c);
+    store_.arena.pass(infinite < 0 ? undecided_units : 2 * D);  // of thousands of ghosts, about a hull
     return infinite < 0 ? exact_conflict(c, q, id) : ghost_in_conflict(c, infinite, q, id);
 }
 
@@ -318,7 +318,7 @@ template <int D, class W> CellId Kernel<D, W>::locate(const double* q, VertexId 
         }
         if (next == none) break;
         c = next;
-        ++steps_;
+        if (++steps_ % 32 == 0) store_.arena.pass(5 * D);  // points on a curve take as many as there are
     }
     if (in_conflict(c, q, id)) return c;
     const CellId end = walk(q, c);
@@ -333,6 +333,7 @@ template <int D, class W> CellId Kernel<D, W>::locate(const double* q, VertexId 
 template <int D, class W> CellId Kernel<D, W>::walk(const double* q, CellId from) {
     CellId c = from;
     for (;;) {
+        store_.arena.pass(exact_step_units);
         const Cell<D>& cell = store_.cell(c);
         if (store_.is_ghost(c)) return c;
         const double* p[D + 1];

@@ -279,6 +279,7 @@ int PlaneRun<D, W, Words>::collect(CellId c, const double** p, VertexId* ids) co
 
 // As Kernel::in_conflict.
 template <int D, class W, class Words> [[gnu::noinline]] bool PlaneRun<D, W, Words>::undecided_conflict(CellId c) {
+    arena_.pass(undecided_units);
     const double* p[3];
     VertexId ids[3];
     const int infinite = collect(c, p, ids);
@@ -349,6 +350,7 @@ template <int D, class W, class Words> CellId PlaneRun<D, W, Words>::locate() {
 template <int D, class W, class Words> [[gnu::noinline]] CellId PlaneRun<D, W, Words>::walk(CellId from) {
     CellId c = from;
     for (;;) {
+        arena_.pass(exact_step_units);
         const double* p[3];
         VertexId ids[3];
         if (collect(c, p, ids) >= 0) return c;

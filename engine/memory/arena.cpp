@@ -2,11 +2,11 @@
 
 namespace netmesh {
 
-#ifdef __OPTIMIZE_SIZE__
 void Arena::pass(std::uint32_t work) const {
     if (monitor_ != nullptr) monitor_->pass(work);
 }
 
+#ifdef __OPTIMIZE_SIZE__
 void Arena::tick(std::uint32_t cost) const {
     if (monitor_ != nullptr) monitor_->tick(cost);
 }

@@ -48,13 +48,7 @@ public:
     // there (Monitor::pass), so these loops go on to their end and leave nothing half done.
     void watch(Monitor* monitor) { monitor_ = monitor; }
     // Reports work that has been done, in units of roughly 100 ns.
-#ifdef __OPTIMIZE_SIZE__
     void pass(std::uint32_t work) const;
-#else
-    void pass(std::uint32_t work) const {
-        if (monitor_ != nullptr) monitor_->pass(work);
-    }
-#endif
     // For a loop over [from, to), in pieces: reports the piece that begins at `from`, and returns where it ends. cost:
     // instructions of one step, or so.
     //     for (std::uint32_t i = 0; i < count;)

@@ -12,6 +12,9 @@ namespace netmesh {
 
 enum class Sign : int { negative = -1, zero = 0, positive = 1 };
 
+// What callers report to Monitor: of a test that doubles do not decide, of a step of a walk by exact signs.
+constexpr std::uint32_t undecided_units = 20, exact_step_units = 10;
+
 // Calls by the stage that decided: cached, float, integer, exact, tie. Same numbering as netmesh_predicate_stage.
 struct PredicateCounts {
     std::uint64_t calls[5];
