@@ -3,6 +3,9 @@
 #include <fcntl.h>
 #include <sys/stat.h>
 #include <unistd.h>
+#ifdef __linux__
+#include <sys/auxv.h>
+#endif
 #if !defined(__EMSCRIPTEN__) && !defined(__wasi__)
 #include <spawn.h>
 #include <sys/wait.h>
@@ -37,11 +40,15 @@ bool is_program(const std::string& path) {
     return stat(path.c_str(), &about) == 0 && S_ISREG(about.st_mode) && access(path.c_str(), X_OK) == 0;
 }
 
-// With a slash at its end; empty where the system does not say.
+// With a slash at its end; empty where the system does not say. A container may have no /proc.
 std::string own_folder() {
     char path[PATH_MAX];
     const ssize_t length = readlink("/proc/self/exe", path, sizeof path);
-    const std::string name(path, length > 0 ? static_cast<std::size_t>(length) : 0);
+    std::string name(path, length > 0 ? static_cast<std::size_t>(length) : 0);
+#ifdef __linux__
+    const auto* const started = reinterpret_cast<const char*>(getauxval(AT_EXECFN));
+    if (name.empty() && started != nullptr && realpath(started, path) != nullptr) name = path;
+#endif
     return name.substr(0, name.rfind('/') + 1);
 }
 

@@ -15,20 +15,17 @@ public:
     Status tighten(VertexId v, Interval* interval);
 
 private:
-    // A range of the tree and a box that holds it.
-    struct Part {
-        TreeRange range;
-        double low[dimension_max], high[dimension_max];
-    };
     bool gather(VertexId v, bool* known);
     double input_distance_low(VertexId v, double least);
     double input_distance_high(VertexId v);
     void from_vertex(std::uint32_t input, double* q) const {
-        for (int k = 0; k < dim; ++k) q[k] = store_.point(input)[k] - at_[k];
+        const double *const point = store_.point(input), *const at = at_;
+        for (int k = 0; k < dim; ++k) q[k] = point[k] - at[k];
     }
-    void bound_input(std::uint32_t input);
-    double box_distance(const Part& part) const;
-    double farthest_corner(const double* mean, double square, std::uint32_t* corner) const;
+    PointColumns corners() const { return {corner_, corners_most_, corners_, dim}; }
+    bool is_beyond(const double* q, double reach) const;
+    void bound_input(const double* q);
+    double farthest_corner(const double* mean, double square, std::uint32_t* corner);
 
     const int dim;
     const AnyStore& store_;
@@ -37,8 +34,9 @@ private:
     Arena& arena_;
 
     const double* at_ = nullptr;  // the vertex; lengths and points are relative to it
-    double* corner_ = nullptr;    // [corners_][dim]
-    std::uint32_t corners_ = 0;
+    double* corner_ = nullptr;    // coordinate k of corner i at [k * corners_most_ + i]
+    double *square_ = nullptr, *excess_ = nullptr, *slope_ = nullptr;  // by corners: see input_distance_high
+    std::uint32_t corners_ = 0, corners_most_ = 0;
     std::uint32_t* degree_ = nullptr;    // [vertex] corners of its cell, 0 on the hull
     double out_radius_ = 0, doubt_ = 0;  // largest distance and error of a corner
 
@@ -66,13 +64,17 @@ Status CellTightener::open() {
                 for (int j = 0; j <= dim && store_.cell(c).neighbour[i] == none; ++j)
                     if (j != i) degree_[store_.cell(c).vertex[j]] = 0;
         }
-    std::uint32_t most = 0;
     for (VertexId v(0); v < count;)
         for (const std::uint64_t piece = arena_.piece(v, count, 5); v < piece; ++v) {
-            if (store_.vertex(v).marker == Marker::steiner && degree_[v] > most) most = degree_[v];
+            if (store_.vertex(v).marker == Marker::steiner && degree_[v] > corners_most_) corners_most_ = degree_[v];
         }
-    corner_ = arena_.take_low<double>(most * static_cast<std::size_t>(dim));
-    return corner_ == nullptr ? Status::out_of_memory : Status::ok;
+    const std::size_t most = corners_most_;
+    corner_ = arena_.take_low<double>(most * static_cast<std::size_t>(dim + 3));
+    if (corner_ == nullptr) return Status::out_of_memory;
+    square_ = corner_ + most * static_cast<std::size_t>(dim);
+    excess_ = square_ + most;
+    slope_ = excess_ + most;
+    return Status::ok;
 }
 
 // The corners of v's cell. False: no room to visit the star.
@@ -86,29 +88,35 @@ bool CellTightener::gather(VertexId v, bool* known) {
         if (!(error <= doubt_)) doubt_ = error;
         if (!(radius <= out_radius_)) out_radius_ = radius;
         for (int k = 0; k < dim; ++k)
-            corner_[corners_ * static_cast<std::size_t>(dim) + static_cast<std::size_t>(k)] = cell.centre[k] - at_[k];
+            corner_[static_cast<std::size_t>(k) * corners_most_ + corners_] = cell.centre[k] - at_[k];
         ++corners_;
     });
+    constexpr double origin[dimension_max] = {};
+    corners().distances2(origin, square_);
     out_radius_ = (out_radius_ + doubt_) * up;
     *known = corners_ > 0 && is_finite(out_radius_);
     return room;
 }
 
-// Lowers least_ to what is known of this input, where that is less.
-void CellTightener::bound_input(std::uint32_t input) {
-    double q[dimension_max];
-    from_vertex(input, q);
+// Is no input within `reach` of q nearer to the cell than what is known?
+bool CellTightener::is_beyond(const double* q, double reach) const {
     const double d = square_root(dot(dim, q, q));
-    double bound = least_distance(d, out_radius_, 1);
-    const double slack = sum_slack * (d + out_radius_);
-    for (std::uint32_t i = 0; i < half_spaces_ && bound < least_; ++i) {
-        const double b = half_space_[i].distance(q) - slack;
-        if (b > bound) bound = b;
-    }
-    if (!(bound < least_)) return;
+    const double far = least_ + reach + sum_slack * (d + out_radius_ + reach);
+    // Without a reach half of the distance will do: the cell is nearer to its vertex than to any input.
+    if (d - out_radius_ >= far || (reach == 0 && 0.5 * d >= far)) return true;
+    for (std::uint32_t i = 0; i < half_spaces_; ++i)
+        if (half_space_[i].distance(q) >= far) return true;
+    return false;
+}
+
+// Lowers least_ to what is known of this input, q from the vertex, where that is less.
+void CellTightener::bound_input(const double* q) {
+    if (is_beyond(q, 0)) return;
     arena_.pass(60 + 4 * corners_);
     HalfSpace best;
-    NearestInHull(dim).run(corner_, corners_, q, &best);
+    const double d = square_root(dot(dim, q, q)), slack = sum_slack * (d + out_radius_);
+    NearestInHull(dim).run(corners(), q, excess_, &best);
+    double bound = least_distance(d, out_radius_, 1);
     const double b = best.distance(q) - slack;
     if (b > bound) bound = b;
     if (bound < least_) least_ = bound;
@@ -116,73 +124,46 @@ void CellTightener::bound_input(std::uint32_t input) {
     if (b > 0) half_space_[half_spaces_ < kept ? half_spaces_++ : kept - 1] = best;
 }
 
-// No input in the box is nearer to the cell than this.
-double CellTightener::box_distance(const Part& part) const {
-    double away2 = 0, size = out_radius_;
-    for (int k = 0; k < dim; ++k) {
-        const double outside = part.low[k] > 0 ? part.low[k] : part.high[k] < 0 ? -part.high[k] : 0;
-        away2 += outside * outside;
-        const double far = -part.low[k] > part.high[k] ? -part.low[k] : part.high[k];
-        if (is_finite(far)) size += far;
-    }
-    double best = square_root(away2) - out_radius_;
-    for (std::uint32_t i = 0; i < half_spaces_; ++i) {
-        double reach = -half_space_[i].height;
-        for (int k = 0; k < dim; ++k) {
-            const double w = half_space_[i].w[k];
-            if (w != 0) reach += w * (w > 0 ? part.low[k] : part.high[k]);
-        }
-        if (reach > best) best = reach;
-    }
-    return best - sum_slack * size;
-}
-
 // At most the least distance of an input from v's cell; `least` is known already.
 double CellTightener::input_distance_low(VertexId v, double least) {
     half_spaces_ = 0;
     least_ = 2 * cut_;
-    bound_input(nearest_input(store_, v));
-    Part stack[40];
+    double q[dimension_max];
+    from_vertex(nearest_input(store_, v), q);
+    bound_input(q);
+    TreeRange stack[40];
     int depth = 0;
-    stack[depth].range = tree_.root();
-    for (int k = 0; k < dim; ++k) {
-        stack[depth].low[k] = -infinity;
-        stack[depth].high[k] = infinity;
-    }
-    ++depth;
+    stack[depth++] = tree_.root();
     while (depth > 0 && least_ > least) {
-        const Part part = stack[--depth];
-        arena_.pass(1);
-        if (!(box_distance(part) < least_)) continue;
-        if (part.range.is_leaf()) {
-            arena_.pass(part.range.end - part.range.begin);
-            for (std::uint32_t i = part.range.begin; i < part.range.end; ++i) bound_input(tree_.item(i));
+        const TreeRange range = stack[--depth];
+        if (range.is_leaf()) {
+            arena_.pass(range.end - range.begin);
+            for (std::uint32_t i = range.begin; i < range.end; ++i) {
+                from_vertex(tree_.item(i), q);
+                bound_input(q);
+            }
             continue;
         }
-        const std::uint32_t middle = part.range.middle();
-        const int axis = tree_.axis(middle);
-        const double split = store_.point(tree_.item(middle))[axis] - at_[axis];
-        bound_input(tree_.item(middle));
+        arena_.pass(1);
+        const std::uint32_t middle = range.middle();
+        from_vertex(tree_.item(middle), q);
+        if (is_beyond(q, tree_.reach(middle))) continue;
+        bound_input(q);
         // The side of v last: it is searched first.
-        const bool side = split > 0;
-        for (int turn = 0; turn < 2; ++turn) {
-            const bool below = side == (turn == 1);
-            Part& half = stack[depth++];
-            half = part;
-            half.range = below ? part.range.below() : part.range.above();
-            (below ? half.high : half.low)[axis] = split;
-        }
+        const bool is_above = q[tree_.axis(middle)] > 0;
+        stack[depth++] = is_above ? range.above() : range.below();
+        stack[depth++] = is_above ? range.below() : range.above();
     }
     return (least_ - doubt_) * down;
 }
 
-// The largest |y|^2 - 2 y.mean + square over the corners.
-double CellTightener::farthest_corner(const double* mean, double square, std::uint32_t* corner) const {
+// The largest |y|^2 - 2 y.mean + square over the corners, and excess_ of each.
+double CellTightener::farthest_corner(const double* mean, double square, std::uint32_t* corner) {
     arena_.pass(corners_ / 8);
+    corners().dots(mean, excess_);
     double worst = -infinity;
     for (std::uint32_t i = 0; i < corners_; ++i) {
-        const double* const y = corner_ + i * static_cast<std::size_t>(dim);
-        const double d2 = dot(dim, y, y) - 2 * dot(dim, y, mean) + square;
+        const double d2 = excess_[i] = square_[i] - 2 * excess_[i] + square;
         if (!(d2 > worst)) continue;
         worst = d2;
         *corner = i;
@@ -191,10 +172,11 @@ double CellTightener::farthest_corner(const double* mean, double square, std::ui
 }
 
 // At least the largest distance of a point of v's cell to its nearest input. A mixture of inputs is known by the mean
-// of its points and of their squares.
+// of its points and of their squares. Mixed with a share t of another input, the excess of a corner is excess_ + t
+// slope_.
 double CellTightener::input_distance_high(VertexId v) {
-    constexpr int rounds = 8;
-    static constexpr double steps[] = {1, 0.7, 0.5, 0.35, 0.25, 0.15, 0.08};
+    constexpr int rounds = 8, shares = 7;
+    static constexpr double share[shares] = {1, 0.7, 0.5, 0.35, 0.25, 0.15, 0.08};
     std::uint32_t near = nearest_input(store_, v);
     double mean[dimension_max];
     from_vertex(near, mean);
@@ -203,29 +185,35 @@ double CellTightener::input_distance_high(VertexId v) {
     double worst = farthest_corner(mean, square, &corner);
     for (int round = 0; round < rounds; ++round) {
         double x[dimension_max], q[dimension_max], d2;
-        for (int k = 0; k < dim; ++k)
-            x[k] = corner_[corner * static_cast<std::size_t>(dim) + static_cast<std::size_t>(k)] + at_[k];
+        for (int k = 0; k < dim; ++k) x[k] = corners().coordinate(corner, k) + at_[k];
         near = tree_.nearest(x, near, none, &d2);
         if (d2 > reached2) reached2 = d2;
         if (worst <= reached2 * (1 + 0x1p-6)) break;
         from_vertex(near, q);
         const double q2 = dot(dim, q, q);
         if (q2 > largest) largest = q2;
-        double best = worst, best_step = 0;
-        for (const double step : steps) {
-            double trial[dimension_max];
-            for (int k = 0; k < dim; ++k) trial[k] = mean[k] + step * (q[k] - mean[k]);
-            std::uint32_t at = 0;
-            const double d = farthest_corner(trial, square + step * (q2 - square), &at);
-            if (!(d < best)) continue;
-            best = d;
-            best_step = step;
-            corner = at;
+        for (int k = 0; k < dim; ++k) q[k] -= mean[k];
+        arena_.pass(corners_ / 8);
+        corners().dots(q, slope_);
+        double most[shares];
+        for (double& m : most) m = -infinity;
+        for (std::uint32_t i = 0; i < corners_; ++i) {
+            const double slope = q2 - square - 2 * slope_[i];
+            for (int k = 0; k < shares; ++k) {
+                const double d = excess_[i] + share[k] * slope;
+                most[k] = d > most[k] ? d : most[k];
+            }
         }
-        if (best_step == 0) break;
-        for (int k = 0; k < dim; ++k) mean[k] += best_step * (q[k] - mean[k]);
-        square += best_step * (q2 - square);
-        worst = best;
+        double best = worst, step = 0;
+        for (int k = 0; k < shares; ++k) {
+            if (!(most[k] < best)) continue;
+            best = most[k];
+            step = share[k];
+        }
+        if (step == 0) break;
+        for (int k = 0; k < dim; ++k) mean[k] += step * q[k];
+        square += step * (q2 - square);
+        worst = farthest_corner(mean, square, &corner);
     }
     return (square_root(worst + sum_slack * (largest + out_radius_ * out_radius_)) + doubt_) * up;
 }
@@ -246,7 +234,7 @@ Status CellTightener::tighten(VertexId v, Interval* interval) {
 Status tighten_cell_bounds(const AnyMesh& mesh, const Work& work, Interval* interval) {
     const ArenaScope scope(work.arena);
     AnyInputTree tree;
-    if (tree.build(mesh.store, work.arena, mesh.inputs) != Status::ok) return Status::out_of_memory;
+    if (tree.build(mesh.store, work.arena, mesh.inputs, true) != Status::ok) return Status::out_of_memory;
     CellTightener tightener(mesh.store, tree, mesh.cut, work.arena);
     Status status = tightener.open();
     const std::uint32_t vertices = mesh.vertices();

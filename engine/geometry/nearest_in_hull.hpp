@@ -14,15 +14,42 @@ struct HalfSpace {
     double distance(const double* q) const { return dot(dim, w, q) - height; }
 };
 
+// Points by their coordinates: number k of point i is at[k * stride + i].
+struct PointColumns {
+    const double* at;
+    std::size_t stride;
+    std::uint32_t count;
+    int dim;
+
+    double coordinate(std::uint32_t i, int k) const { return at[static_cast<std::size_t>(k) * stride + i]; }
+    // out[i]: point i times x, and the square of point i less x, as dot and distance2 have them.
+    void dots(const double* x, double* __restrict out) const {
+        each(x, out, [](double y, double c) { return y * c; });
+    }
+    void distances2(const double* x, double* __restrict out) const {
+        each(x, out, [](double y, double c) { return (y - c) * (y - c); });
+    }
+
+private:
+    template <class Term> void each(const double* x, double* __restrict out, Term&& term) const {
+        for (std::uint32_t i = 0; i < count; ++i) out[i] = term(at[i], x[0]);
+        for (int k = 1; k < dim; ++k) {
+            const double* const column = at + static_cast<std::size_t>(k) * stride;
+            const double c = x[k];
+            for (std::uint32_t i = 0; i < count; ++i) out[i] += term(column[i], c);
+        }
+    }
+};
+
 // The point of conv Y nearest to q by Wolfe's algorithm: at most dim + 1 of the points, affinely independent, carry it.
 class NearestInHull {
 public:
     explicit NearestInHull(int d) : dim(d) {}
 
-    // y[count][dim], count >= 1. *best: the half-space that bounds the distance of q best of all met on the way; w = 0
-    // where q seems to be inside. O(count dim) a step, a few steps.
-    [[gnu::noinline]] void run(const double* y, std::uint32_t count, const double* q, HalfSpace* best) {
-        start(y, count, q);
+    // y.count >= 1, scratch[y.count]. *best: the half-space that bounds the distance of q best of all met on the way;
+    // w = 0 where q seems to be inside. O(count dim) a step, a few steps.
+    [[gnu::noinline]] void run(const PointColumns& y, const double* q, double* scratch, HalfSpace* best) {
+        start(y, q, scratch);
         *best = HalfSpace{};
         best->dim = dim;
         double bound = 0;
@@ -31,10 +58,10 @@ public:
             if (!(length > 0)) return;
             std::uint32_t at = 0;
             double least = infinity;
-            for (std::uint32_t i = 0; i < count; ++i) {
-                const double s = dot(dim, y + i * static_cast<std::size_t>(dim), x_);
-                if (s < least) {
-                    least = s;
+            y.dots(x_, scratch);
+            for (std::uint32_t i = 0; i < y.count; ++i) {
+                if (scratch[i] < least) {
+                    least = scratch[i];
                     at = i;
                 }
             }
@@ -45,8 +72,7 @@ public:
                 best->height = -least / length;
             }
             if (bound >= length * (1 - 0x1p-10) || members_ > dim) return;
-            for (int k = 0; k < dim; ++k)
-                member_[members_][k] = y[at * static_cast<std::size_t>(dim) + static_cast<std::size_t>(k)] - q[k];
+            for (int k = 0; k < dim; ++k) member_[members_][k] = y.coordinate(at, k) - q[k];
             weight_[members_++] = 0;
             if (!descend()) return;
         }
@@ -54,19 +80,14 @@ public:
 
 private:
     static constexpr int most = dimension_most();
-    void start(const double* y, std::uint32_t count, const double* q) {
-        double best2 = infinity;
+    void start(const PointColumns& y, const double* q, double* scratch) {
+        y.distances2(q, scratch);
+        std::uint32_t nearest = 0;
+        for (std::uint32_t i = 1; i < y.count; ++i)
+            if (scratch[i] < scratch[nearest]) nearest = i;
         members_ = 1;
         weight_[0] = 1;
-        for (std::uint32_t i = 0; i < count; ++i) {
-            double z[most];
-            for (int k = 0; k < dim; ++k)
-                z[k] = y[i * static_cast<std::size_t>(dim) + static_cast<std::size_t>(k)] - q[k];
-            const double d2 = dot(dim, z, z);
-            if (!(d2 < best2)) continue;
-            best2 = d2;
-            for (int k = 0; k < dim; ++k) member_[0][k] = x_[k] = z[k];
-        }
+        for (int k = 0; k < dim; ++k) member_[0][k] = x_[k] = y.coordinate(nearest, k) - q[k];
     }
     // To the nearest point of the members' affine hull, leaving behind those that the way there passes. False: they are
     // not affinely independent.

@@ -3,14 +3,23 @@
 #include "homology/lower_star/lower_star.hpp"
 #include "jobs/join_shift.hpp"
 #include "jobs/value_table.hpp"
+#include "numerics/sort.hpp"
 
 namespace netmesh {
 namespace {
 
 constexpr int sequences_max = 8;
 // By the spacing: as a factor, or a quarter of its difference.
-constexpr double shortest = 1.25;  // from birth to death of a bar worth a sequence
-constexpr double stride = 1.25;    // between scales of a sequence where no cell lies across
+constexpr double shortest = 1.25;       // from birth to death of a bar worth a sequence
+constexpr double stride = 1.25;         // between scales of a sequence where no cell lies across
+constexpr double between_ends = 1.125;  // of a window
+
+// Around a scale b: least <= b = end[0] <= .. <= end[ends - 1], and each cell with hi <= end[k] has lo <= least.
+struct Window {
+    static constexpr int ends = 5;
+
+    double least, end[ends];
+};
 
 // The scales b_0 < b_1 < ... of a sequence of covers.
 class CoverSequence {
@@ -20,7 +29,7 @@ public:
     explicit CoverSequence(Spacing spacing) : spacing_(spacing) {}
     Status open(const FilterBounds& filter, Arena& arena);
     // A sequence through scale s.
-    void go_through(double s);
+    void go_through(double s, const FilterBounds& filter, const Arena& arena);
     int scales() const { return scales_; }
     // -1: before all births, scales(): after all finite deaths; of a function of any sign where its values begin and
     // end.
@@ -28,16 +37,30 @@ public:
         if (i < 0) return spacing_.is_difference() ? by_low_.first() : 0;
         return i < scales_ ? scale_[i] : spacing_.is_difference() ? by_high_.last() : infinity;
     }
-    // 2 i: in X_i, 2 i + 1: in Y_i, and in nothing before.
+    // Of each scale the levels are X_i, X at the other ends of its window, Y where that begins, Y_i.
+    static constexpr int levels = Window::ends + 2;
+    // In nothing before this one.
     int level(const Interval& cell) const {
-        int y = 0;
-        while (y < scales_ && scale_[y] < cell.lo) ++y;
-        return y < scales_ && cell.hi <= scale_[y] ? 2 * y : y < scales_ ? 2 * y + 1 : 2 * scales_;
+        const int y = scales_until(cell.lo);
+        if (y == scales_) return levels * scales_;
+        int k = 0;
+        while (k < Window::ends && cell.hi > window_[y].end[k]) ++k;
+        return levels * y + k + (k == Window::ends && cell.lo > window_[y].least ? 1 : 0);
     }
+    const Window& window(int i) const { return window_[i]; }
 
 private:
+    // How many scales are before x.
+    int scales_until(double x) const {
+        int y = 0;
+        while (y < scales_ && scale_[y] < x) ++y;
+        return y;
+    }
+    void find_windows(const FilterBounds& filter, const Arena& arena);
+
     ValueTable by_low_, by_high_;  // largest hi up to a lo, least lo from a hi on
     double scale_[scales_max];
+    Window* window_ = nullptr;  // [scales_max]
     int scales_ = 0;
     Spacing spacing_;
 };
@@ -47,10 +70,11 @@ Status CoverSequence::open(const FilterBounds& filter, Arena& arena) {
     const auto hi = [&](std::uint32_t v) { return filter.interval[v].hi; };
     const bool room =
         by_low_.open_largest(filter.count, lo, hi, arena) && by_high_.open_least(filter.count, hi, lo, arena);
-    return room ? Status::ok : Status::out_of_memory;
+    window_ = arena.take_high<Window>(scales_max);
+    return room && window_ != nullptr ? Status::ok : Status::out_of_memory;
 }
 
-void CoverSequence::go_through(double s) {
+void CoverSequence::go_through(double s, const FilterBounds& filter, const Arena& arena) {
     constexpr int half = scales_max / 2;
     double below[half];
     int count = 0;
@@ -72,7 +96,70 @@ void CoverSequence::go_through(double s) {
         const double next = most > b ? most : b;
         scale_[scales_++] = next < top ? next : top;
     }
+    find_windows(filter, arena);
 }
+
+// From a stride below the scale to some places above it and as far as cells allow; where one is in the way, to the
+// scale, from as far as cells allow.
+void CoverSequence::find_windows(const FilterBounds& filter, const Arena& arena) {
+    double least[scales_max], largest[scales_max];
+    for (int i = 0; i < scales_; ++i) least[i] = spacing_.least(), largest[i] = infinity;
+    // The largest lo of cells up to this hi; the least hi of those whose lo is past the scale less a stride.
+    for (std::uint32_t v = 0; v < filter.count;)
+        for (const std::uint64_t piece = arena.piece(v, filter.count, 60); v < piece; ++v) {
+            const Interval cell = filter.interval[v];
+            const int y = scales_until(cell.hi);
+            if (y < scales_ && cell.lo > least[y]) least[y] = cell.lo;
+            int last = scales_until(spacing_.after(cell.lo, stride));
+            while (last > 0 && !(spacing_.before(scale_[last - 1], stride) < cell.lo)) --last;
+            if (last > 0 && cell.hi < largest[last - 1]) largest[last - 1] = cell.hi;
+        }
+    for (int i = 1; i < scales_; ++i)
+        if (least[i - 1] > least[i]) least[i] = least[i - 1];
+    for (int i = scales_ - 1; i-- > 0;)
+        if (largest[i + 1] < largest[i]) largest[i] = largest[i + 1];
+    for (int i = 0; i < scales_; ++i) {
+        const double most = -next_up(-largest[i]);
+        Window& window = window_[i];
+        const bool is_free = most >= scale_[i];
+        window.least = is_free ? spacing_.before(scale_[i], stride) : least[i];
+        double end = scale_[i];
+        for (int k = 0; k < Window::ends; ++k) {
+            window.end[k] = !is_free ? scale_[i] : k + 1 < Window::ends && end < most ? end : most;
+            end = spacing_.after(end, between_ends);
+        }
+    }
+}
+
+double length_of(const Pair& bar, Spacing spacing) {
+    return spacing.is_difference() ? bar.death - bar.birth : bar.death / bar.birth;
+}
+double least_length(Spacing spacing) { return spacing.after(spacing.is_difference() ? 0 : 1, shortest); }
+bool is_worth(const Pair& bar, Spacing spacing) {
+    return bar.death < infinity && (spacing.is_difference() || bar.birth > 0) &&
+           length_of(bar, spacing) > least_length(spacing);
+}
+
+// The scales that a sequence for a bar may go through: its middle, then its quarters.
+struct Tries {
+    static constexpr int count = 3;
+
+    Tries(const Pair& bar, Spacing spacing) {
+        if (spacing.is_difference()) {
+            const double quarter = 0.25 * (bar.death - bar.birth);
+            scale[0] = bar.birth + 2 * quarter;
+            scale[1] = bar.birth + 3 * quarter;
+            scale[2] = bar.birth + quarter;
+        } else {
+            const double from = square_root(bar.birth), to = square_root(bar.death);
+            scale[0] = from * to;
+            scale[1] = square_root(scale[0]) * to;
+            scale[2] = from * square_root(scale[0]);
+        }
+    }
+
+    double scale[count];
+};
 
 // What a bar of a sequence says about a true bar.
 struct Claim {
@@ -92,10 +179,11 @@ struct Claim {
 bool claim_of(const CoverSequence& covers, const JoinShift* join, const Pair& bar, int number, Claim* claim) {
     if (!(bar.death < infinity)) return false;
     const int born = static_cast<int>(bar.birth), dies = static_cast<int>(bar.death);
-    const int first = (born + 1) / 2, last = dies / 2 - 1;
+    constexpr int levels = CoverSequence::levels;
+    const int first = (born + levels - 1) / levels, last = dies / levels - 1;
     if (first > last) return false;
     if (join != nullptr && !(join->after(covers.scale(first)) <= covers.scale(last))) return false;
-    const int before = born / 2 - 1, after = (dies + 1) / 2;
+    const int before = born / levels - 1, after = (dies + levels - 1) / levels;
     *claim = {covers.scale(before), covers.scale(first), covers.scale(last), covers.scale(after), number};
     return true;
 }
@@ -111,6 +199,9 @@ public:
         arena_->step(bar, 60);
         return now_[bar].sequence != 0;
     }
+    // Then: notes the scales that further sequences need not go through for bars of that degree.
+    void rule_out(const CoverSequence& covers, const PairList& list, std::uint32_t degree, Spacing spacing);
+    bool rules_out(std::uint64_t bar, int attempt) const { return (ruled_out_[bar] >> attempt & 1) != 0; }
     void conclude(BarBounds* bounds) const;
 
 private:
@@ -131,6 +222,8 @@ private:
     const BarBounds* bounds_ = nullptr;              // by interleaving
     std::uint64_t count_ = 0, begin_ = 0, end_ = 0;  // the degree's bars
     Claim *now_ = nullptr, *first_ = nullptr, *second_ = nullptr;
+    double *births_ = nullptr, *deaths_ = nullptr;  // of claims
+    std::uint8_t* ruled_out_ = nullptr;             // by the bar: a bit for each of its tries
 };
 
 Status Ledger::open(const BarList& bars, const BarBounds* bounds, Arena& arena) {
@@ -142,11 +235,17 @@ Status Ledger::open(const BarList& bars, const BarBounds* bounds, Arena& arena) 
     now_ = arena.take_high<Claim>(static_cast<std::size_t>(count));
     first_ = arena.take_high<Claim>(static_cast<std::size_t>(count));
     second_ = arena.take_high<Claim>(static_cast<std::size_t>(count));
-    if (now_ == nullptr || first_ == nullptr || second_ == nullptr) return Status::out_of_memory;
+    births_ = arena.take_high<double>(static_cast<std::size_t>(count));
+    deaths_ = arena.take_high<double>(static_cast<std::size_t>(count));
+    ruled_out_ = arena.take_high<std::uint8_t>(static_cast<std::size_t>(count));
+    const void* const taken[] = {now_, first_, second_, births_, deaths_, ruled_out_};
+    for (const void* const p : taken)
+        if (p == nullptr) return Status::out_of_memory;
     for (std::uint64_t i = 0; i < count;)
         for (const std::uint64_t piece = arena.piece(i, count, 15); i < piece; ++i) {
             now_[i] = {bounds[i].birth_low, bounds[i].birth_high, bounds[i].death_low, bounds[i].death_high,
                        bounds[i].certain ? 1 : 0};
+            ruled_out_[i] = 0;
         }
     return Status::ok;
 }
@@ -230,6 +329,61 @@ void Ledger::consider(const CoverSequence& covers, const PairList& list, std::ui
         }
 }
 
+void Ledger::rule_out(const CoverSequence& covers, const PairList& list, std::uint32_t degree, Spacing spacing) {
+    constexpr int levels = CoverSequence::levels, ends = Window::ends;
+    if (begin_ == end_) return;
+    // How many bars are alive from the end of a window to where it begins.
+    std::uint64_t alive[CoverSequence::scales_max][ends];
+    for (int i = 0; i < covers.scales(); ++i)
+        for (std::uint64_t& count : alive[i]) count = 0;
+    for (std::uint64_t i = 0; i < list.count;)
+        for (const std::uint64_t piece = arena_->piece(i, list.count, 40); i < piece; ++i) {
+            const Pair& bar = list.pairs[i];
+            if (bar.degree != degree) continue;
+            const int born = static_cast<int>(bar.birth),
+                      dies = bar.death < infinity ? static_cast<int>(bar.death) : levels * covers.scales();
+            for (int at = born / levels; at < covers.scales() && levels * at + ends < dies; ++at)
+                for (int k = 0; k < ends; ++k) alive[at][k] += born <= levels * at + k ? 1 : 0;
+        }
+    std::uint64_t claims = 0;
+    for (std::uint64_t i = begin_; i < end_;)
+        for (const std::uint64_t piece = arena_->piece(i, end_, 12); i < piece; ++i) {
+            if (now_[i].sequence == 0) continue;
+            births_[claims] = now_[i].birth_high;
+            deaths_[claims++] = now_[i].death_low;
+        }
+    sort_alike(births_, claims, Ascending{}, *arena_);
+    sort_alike(deaths_, claims, Ascending{}, *arena_);
+    const auto count_before = [claims](const double* list, double s, bool or_at) {
+        std::uint64_t first = 0, last = claims;
+        while (first < last) {
+            const std::uint64_t middle = first + (last - first) / 2;
+            if (list[middle] < s || (or_at && list[middle] == s)) {
+                first = middle + 1;
+            } else {
+                last = middle;
+            }
+        }
+        return first;
+    };
+    for (std::uint64_t i = begin_; i < end_; ++i) {
+        arena_->step(i, 400);
+        if (!is_worth(bars_[i], spacing)) continue;
+        const Tries tries(bars_[i], spacing);
+        for (int t = 0; t < Tries::count; ++t) {
+            const double s = tries.scale[t];
+            const std::uint64_t known = count_before(births_, s, true) - count_before(deaths_, s, false);
+            for (int at = 0; at < covers.scales(); ++at) {
+                const Window& window = covers.window(at);
+                int k = 0;
+                while (k < ends && window.end[k] < s) ++k;
+                if (k < ends && window.least <= s && alive[at][k] <= known)
+                    ruled_out_[i] = static_cast<std::uint8_t>(ruled_out_[i] | 1u << t);
+            }
+        }
+    }
+}
+
 void Ledger::conclude(BarBounds* bounds) const {
     for (std::uint64_t i = 0; i < count_; ++i) {
         BarBounds& b = bounds[i];
@@ -242,22 +396,21 @@ void Ledger::conclude(BarBounds* bounds) const {
     }
 }
 
-// Where the next sequence goes through: the middle, then the quarters, of the longest bar worth it that has no claim,
-// as far as no sequence went near there.
+// Where the next sequence goes through: the first try of the longest bar worth it that has no claim, as far as no
+// sequence went near there and none is ruled out there.
 class NextScale {
 public:
     explicit NextScale(Spacing spacing) : spacing_(spacing) {}
 
     // False: nowhere.
     bool find(const Ledger& ledger, const BarList& bars, std::uint32_t least_degree, double* scale) {
-        double best = spacing_.after(spacing_.is_difference() ? 0 : 1, shortest);
+        double best = least_length(spacing_);
         bool found = false;
         for (std::uint64_t i = 0; i < bars.count; ++i) {
             const Pair bar = bars[i];
-            if (bar.degree < least_degree || ledger.claims(i) || !(bar.death < infinity)) continue;
-            if (!spacing_.is_difference() && !(bar.birth > 0)) continue;
-            const double length = spacing_.is_difference() ? bar.death - bar.birth : bar.death / bar.birth;
-            if (!(length > best) || !find_in(bar, scale)) continue;
+            if (bar.degree < least_degree || ledger.claims(i) || !is_worth(bar, spacing_)) continue;
+            const double length = length_of(bar, spacing_);
+            if (!(length > best) || !find_in(ledger, i, bar, scale)) continue;
             best = length;
             found = true;
         }
@@ -266,20 +419,11 @@ public:
     }
 
 private:
-    bool find_in(const Pair& bar, double* scale) const {
-        double tries[3];
-        if (spacing_.is_difference()) {
-            const double quarter = 0.25 * (bar.death - bar.birth);
-            tries[0] = bar.birth + 2 * quarter;
-            tries[1] = bar.birth + 3 * quarter;
-            tries[2] = bar.birth + quarter;
-        } else {
-            const double from = square_root(bar.birth), to = square_root(bar.death);
-            tries[0] = from * to;
-            tries[1] = square_root(tries[0]) * to;
-            tries[2] = from * square_root(tries[0]);
-        }
-        for (const double s : tries) {
+    bool find_in(const Ledger& ledger, std::uint64_t i, const Pair& bar, double* scale) const {
+        const Tries tries(bar, spacing_);
+        for (int k = 0; k < Tries::count; ++k) {
+            const double s = tries.scale[k];
+            if (ledger.rules_out(i, k)) continue;
             bool near = false;
             for (int k = 0; k < count_; ++k)
                 near = near || (s < spacing_.after(gone_[k], 1.05) && gone_[k] < spacing_.after(s, 1.05));
@@ -321,8 +465,8 @@ class CertifiedSearch {
 public:
     CertifiedSearch(const FilterBounds& filter, Spacing spacing, const BarList& bars, bool has_zero_born,
                     const JoinShift* join, const Arena& arena)
-        : filter_(filter), bars_(bars), arena_(arena), least_degree_(has_zero_born ? 1 : 0), covers_(spacing),
-          ledger_(join), next_(spacing), share_(filter, spacing, arena) {}
+        : filter_(filter), bars_(bars), arena_(arena), least_degree_(has_zero_born ? 1 : 0), spacing_(spacing),
+          covers_(spacing), ledger_(join), next_(spacing), share_(filter, spacing, arena) {}
 
     Status open(const BarBounds* bounds, Arena& arena);
     // Another sequence: the level at which each vertex enters. False: there is none.
@@ -331,8 +475,10 @@ public:
     std::uint32_t top_degree() const { return bars_[bars_.count - 1].degree; }
     // Its diagram.
     void consider(const PairList& pairs) {
-        for (std::uint32_t degree = least_degree_; degree <= top_degree(); ++degree)
+        for (std::uint32_t degree = least_degree_; degree <= top_degree(); ++degree) {
             ledger_.consider(covers_, pairs, degree, number_ + 1);
+            ledger_.rule_out(covers_, pairs, degree, spacing_);
+        }
     }
     void conclude(BarBounds* bounds) const { ledger_.conclude(bounds); }
 
@@ -341,6 +487,7 @@ private:
     const BarList& bars_;
     const Arena& arena_;
     const std::uint32_t least_degree_;
+    const Spacing spacing_;
     CoverSequence covers_;
     Ledger ledger_;
     NextScale next_;
@@ -360,7 +507,7 @@ bool CertifiedSearch::next() {
     double scale;
     if (number_ == sequences_max || !next_.find(ledger_, bars_, least_degree_, &scale)) return false;
     ++number_;
-    covers_.go_through(scale);
+    covers_.go_through(scale, filter_, arena_);
     // The filter's values order the simplices of a level, which keeps the reduction short.
     for (std::uint32_t v = 0; v < filter_.count;)
         for (const std::uint64_t piece = arena_.piece(v, filter_.count, 30); v < piece; ++v) {

@@ -70,6 +70,18 @@ void sample_cells(const inputs::Points& points, double tau, int samples, double 
     }
 }
 
+// Points one after the other in columns, with room to spare.
+HalfSpace nearest(int dim, const double* points, std::uint32_t count, const double* q) {
+    const std::size_t stride = count + 3;
+    std::vector<double> y(stride * static_cast<std::size_t>(dim)), scratch(count);
+    for (std::uint32_t i = 0; i < count; ++i)
+        for (int k = 0; k < dim; ++k)
+            y[static_cast<std::size_t>(k) * stride + i] = points[static_cast<int>(i) * dim + k];
+    HalfSpace best;
+    NearestInHull(dim).run({y.data(), stride, count, dim}, q, scratch.data(), &best);
+    return best;
+}
+
 // Never above the distance to a point of the hull.
 template <int D> void random_hulls() {
     CAPTURE(D);
@@ -81,8 +93,7 @@ template <int D> void random_hulls() {
             for (int k = 0; k < D; ++k) x[k] += weight[j] / sum * (y[j][k] = random.uniform());
         const bool inside = i % 4 == 0;
         for (int k = 0; k < D; ++k) q[k] = inside ? x[k] : 3 * random.uniform() - 1;
-        HalfSpace best;
-        NearestInHull(D).run(y[0], 12, q, &best);
+        const HalfSpace best = nearest(D, y[0], 12, q);
         CHECK(best.distance(q) <= distance<D>(x, q) * (1 + 1e-12) + 1e-12);
         for (const auto& corner : y) CHECK(best.distance(corner) <= 1e-12);
     }
@@ -185,9 +196,7 @@ TEST_CASE("the nearest point of a hull, from below") {
     const double square[] = {1, 1, 1, -1, -1, 1, -1, -1};
     const auto bound = [&](double x, double y) {
         const double q[] = {x, y};
-        HalfSpace best;
-        NearestInHull(2).run(square, 4, q, &best);
-        return best.distance(q);
+        return nearest(2, square, 4, q).distance(q);
     };
     CHECK(bound(3, 0.5) == doctest::Approx(2));
     CHECK(bound(2, 3) == doctest::Approx(std::sqrt(5)));
@@ -207,8 +216,7 @@ TEST_CASE_TEMPLATE_DEFINE("hulls that are flat, and points on them", T, hulls) {
         y[3 * a + 2][a] = 1;
     }
     const auto bound = [&](const double* q) {
-        HalfSpace best;
-        NearestInHull(D).run(y[0], count, q, &best);
+        const HalfSpace best = nearest(D, y[0], count, q);
         for (const auto& corner : y) CHECK(best.distance(corner) <= 1e-12);
         return best.distance(q);
     };
