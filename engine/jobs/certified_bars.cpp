@@ -140,22 +140,24 @@ bool is_worth(const Pair& bar, Spacing spacing) {
            length_of(bar, spacing) > least_length(spacing);
 }
 
-// The scales that a sequence for a bar may go through: its middle, then its quarters.
+// The scales that a sequence for a bar may go through: its middle and its quarters, then its eighths.
 struct Tries {
-    static constexpr int count = 3;
+    static constexpr int count = 7, first_count = 3;
 
     Tries(const Pair& bar, Spacing spacing) {
-        if (spacing.is_difference()) {
-            const double quarter = 0.25 * (bar.death - bar.birth);
-            scale[0] = bar.birth + 2 * quarter;
-            scale[1] = bar.birth + 3 * quarter;
-            scale[2] = bar.birth + quarter;
-        } else {
-            const double from = square_root(bar.birth), to = square_root(bar.death);
-            scale[0] = from * to;
-            scale[1] = square_root(scale[0]) * to;
-            scale[2] = from * square_root(scale[0]);
-        }
+        static constexpr double eighth[count] = {4, 6, 2, 5, 3, 7, 1};
+        const double middle = square_root(bar.birth) * square_root(bar.death);
+        const auto between = [](double a, double b) { return square_root(a) * square_root(b); };
+        const double lower = between(bar.birth, middle), upper = between(middle, bar.death);
+        const double by_factor[count] = {middle,
+                                         upper,
+                                         lower,
+                                         between(middle, upper),
+                                         between(lower, middle),
+                                         between(upper, bar.death),
+                                         between(bar.birth, lower)};
+        for (int k = 0; k < count; ++k)
+            scale[k] = spacing.is_difference() ? bar.birth + 0.125 * eighth[k] * (bar.death - bar.birth) : by_factor[k];
     }
 
     double scale[count];
@@ -397,40 +399,44 @@ void Ledger::conclude(BarBounds* bounds) const {
 }
 
 // Where the next sequence goes through: the first try of the longest bar worth it that has no claim, as far as no
-// sequence went near there and none is ruled out there.
+// sequence went near there and it is not ruled out. Eighths come when no bar has another try.
 class NextScale {
 public:
     explicit NextScale(Spacing spacing) : spacing_(spacing) {}
 
     // False: nowhere.
     bool find(const Ledger& ledger, const BarList& bars, std::uint32_t least_degree, double* scale) {
+        const bool found = find_among(ledger, bars, least_degree, 0, Tries::first_count, scale) ||
+                           find_among(ledger, bars, least_degree, Tries::first_count, Tries::count, scale);
+        if (found) gone_[count_++] = *scale;
+        return found;
+    }
+
+private:
+    // Tries first..last-1 of the bars.
+    bool find_among(const Ledger& ledger, const BarList& bars, std::uint32_t least_degree, int first, int last,
+                    double* scale) const {
         double best = least_length(spacing_);
         bool found = false;
         for (std::uint64_t i = 0; i < bars.count; ++i) {
             const Pair bar = bars[i];
             if (bar.degree < least_degree || ledger.claims(i) || !is_worth(bar, spacing_)) continue;
             const double length = length_of(bar, spacing_);
-            if (!(length > best) || !find_in(ledger, i, bar, scale)) continue;
-            best = length;
-            found = true;
+            if (!(length > best)) continue;
+            const Tries tries(bar, spacing_);
+            for (int k = first; k < last; ++k) {
+                if (ledger.rules_out(i, k) || was_near(tries.scale[k])) continue;
+                *scale = tries.scale[k];
+                best = length;
+                found = true;
+                break;
+            }
         }
-        if (found) gone_[count_++] = *scale;
         return found;
     }
-
-private:
-    bool find_in(const Ledger& ledger, std::uint64_t i, const Pair& bar, double* scale) const {
-        const Tries tries(bar, spacing_);
-        for (int k = 0; k < Tries::count; ++k) {
-            const double s = tries.scale[k];
-            if (ledger.rules_out(i, k)) continue;
-            bool near = false;
-            for (int k = 0; k < count_; ++k)
-                near = near || (s < spacing_.after(gone_[k], 1.05) && gone_[k] < spacing_.after(s, 1.05));
-            if (near) continue;
-            *scale = s;
-            return true;
-        }
+    bool was_near(double s) const {
+        for (int i = 0; i < count_; ++i)
+            if (s < spacing_.after(gone_[i], 1.05) && gone_[i] < spacing_.after(s, 1.05)) return true;
         return false;
     }
 

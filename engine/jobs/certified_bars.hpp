@@ -46,9 +46,9 @@ struct CertifiedBarsRequest {
 };
 
 // Marks more of the bars as certain, with bounds[i] as proven, in degrees that have no zero-born classes. Sequences of
-// covers go through the middles and quarters of the longest bars not yet marked, as far as these are not ruled out: at
-// most eight, each the cost of a diagram. Scratch: 36 bytes a vertex, 144 a bar, and what persist_lower_star needs.
-// out_of_memory, cancelled.
+// covers go through the middles, quarters and eighths of the longest bars not yet marked, as far as these are not ruled
+// out: at most eight, each the cost of a diagram. Scratch: 36 bytes a vertex, 144 a bar, and what persist_lower_star
+// needs. out_of_memory, cancelled.
 Status find_certified_bars(const CertifiedBarsRequest& request, const Work& work, BarBounds* bounds);
 
 }  // namespace netmesh

@@ -1,4 +1,6 @@
 """What the tests of the Python package share: where things are, point sets, and the golden files."""
+import concurrent.futures
+import multiprocessing
 import os
 import sys
 
@@ -9,6 +11,21 @@ ROOT = os.path.normpath(os.path.join(os.path.dirname(os.path.abspath(__file__)),
 sys.path.insert(0, os.path.join(ROOT, "platform", "python"))
 
 MASK = 2 ** 64 - 1
+
+
+def processes(count):
+    """An executor; the test is skipped where the system has no locks between processes, as without /dev/shm."""
+    context = multiprocessing.get_context("spawn")
+    try:
+        context.Lock()
+    except OSError as why:
+        pytest.skip("no locks between processes: %s" % why)
+    return concurrent.futures.ProcessPoolExecutor(count, mp_context=context)
+
+
+def needs_proc():
+    if not os.path.exists("/proc/self/statm"):
+        pytest.skip("no /proc")
 
 
 class Random:

@@ -1,6 +1,5 @@
 """Many clouds over one executor: the diagrams of each, whoever makes them."""
 import concurrent.futures
-import multiprocessing
 import os
 import pickle
 import signal
@@ -9,6 +8,7 @@ import numpy as np
 import pytest
 
 import netmesh
+from conftest import processes
 from netmesh import _clouds
 
 
@@ -17,13 +17,9 @@ def clouds(count=12):
     return [random.normal(size=(30 + 7 * i, 2 + i % 2)) for i in range(count)]
 
 
-def pool():
-    return concurrent.futures.ProcessPoolExecutor(2, mp_context=multiprocessing.get_context("spawn"))
-
-
 def test_same_diagrams(tmp_path):
     due = [netmesh.persist(cloud) for cloud in clouds()]
-    with pool() as executor, concurrent.futures.ThreadPoolExecutor(3) as threads:
+    with processes(2) as executor, concurrent.futures.ThreadPoolExecutor(3) as threads:
         for made in (netmesh.persist_all(clouds()), netmesh.persist_all(clouds(), executor=executor),
                      netmesh.persist_all(iter(clouds()), executor=threads)):
             assert made == due and [d.fingerprint for d in made] == [d.fingerprint for d in due]
@@ -37,7 +33,7 @@ def test_same_diagrams(tmp_path):
 def test_options():
     given = dict(filter="complete", max_degree=1, ratio=2.5, bounds=True, representatives=True, memory="64M")
     due = [netmesh.persist(cloud, **given) for cloud in clouds(3)]
-    with pool() as executor:
+    with processes(2) as executor:
         made = netmesh.persist_all(clouds(3), executor=executor, **given)
     assert made == due
     for one, other in zip(made, due):
@@ -61,7 +57,7 @@ def test_a_failure_names_its_cloud():
     many[7] = many[7].copy()
     many[7][5, 1] = np.nan
     many[9] = np.zeros((40, 3)) + np.arange(40)[:, None]
-    with pool() as executor:
+    with processes(2) as executor:
         for arguments in (dict(), dict(executor=executor)):
             with pytest.raises(netmesh.errors.NotFinite, match=r"^clouds\[7\]: ") as error:
                 netmesh.persist_all(many, "alpha", **arguments)
@@ -85,7 +81,7 @@ class Dies:
 
 
 def test_a_killed_process_names_a_cloud():
-    with concurrent.futures.ProcessPoolExecutor(1, mp_context=multiprocessing.get_context("spawn")) as executor:
+    with processes(1) as executor:
         with pytest.raises(RuntimeError, match=r"^clouds\[2\]: its task has not ended well") as error:
             netmesh.persist_all(clouds(), executor=Dies(executor))
     assert error.value.cloud == 2

@@ -13,12 +13,13 @@ import pytest
 import netmesh
 from netmesh import errors
 
-from conftest import ROOT, uniform
+from conftest import ROOT, needs_proc, uniform
 
 LARGE = 60000  # points in space that take seconds
 
 
 def resident_bytes():
+    needs_proc()
     with open("/proc/self/statm", encoding="ascii") as file:
         return int(file.read().split()[1]) * os.sysconf("SC_PAGE_SIZE")
 
@@ -223,6 +224,7 @@ def test_large_blocks_are_given_back():
 
 def test_limited_address_space():
     """A limit on address space: what is reserved is less, the result the same; where it does not fit, MemoryError."""
+    needs_proc()
     program = (
         "import resource, sys; sys.path[:0] = [%r, %r]\n"
         "import numpy as np, netmesh\n"

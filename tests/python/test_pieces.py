@@ -1,6 +1,5 @@
 """Diagrams in pieces: the same bars, whoever runs the tasks."""
 import concurrent.futures
-import multiprocessing
 import os
 import shutil
 import signal
@@ -9,19 +8,15 @@ import sys
 import time
 
 import numpy as np
-import numpy as np
 import pytest
 
 import netmesh
+from conftest import needs_proc, processes
 from netmesh import _pieces
 
 
 def cloud(n=2000, dim=3, seed=4):
     return np.random.default_rng(seed).normal(size=(n, dim))
-
-
-def pool():
-    return concurrent.futures.ProcessPoolExecutor(2, mp_context=multiprocessing.get_context("spawn"))
 
 
 @pytest.mark.parametrize("dim, n", [(2, 3000), (3, 2000), (4, 300), (5, 60)])
@@ -45,7 +40,7 @@ def test_options():
 def test_processes_and_threads():
     points = cloud()
     whole = netmesh.persist(points, "alpha")
-    with pool() as executor:
+    with processes(2) as executor:
         assert netmesh.persist(points, pieces=8, executor=executor).fingerprint == whole.fingerprint
     with concurrent.futures.ThreadPoolExecutor(3) as executor:
         assert netmesh.persist(points, pieces="auto", executor=executor).fingerprint == whole.fingerprint
@@ -108,10 +103,10 @@ class Killed:
 def test_killed_worker(tmp_path):
     points = cloud()
     folder = str(tmp_path / "scratch")
-    with pool() as executor:
+    with processes(2) as executor:
         with pytest.raises(RuntimeError, match="the same call goes on"):
             netmesh.persist(points, pieces=8, executor=Killed(executor), scratch=folder)
-    with pool() as executor:
+    with processes(2) as executor:
         parts = netmesh.persist(points, pieces=8, executor=executor, scratch=folder)
     assert parts == netmesh.persist(points, "alpha")
 
@@ -181,6 +176,7 @@ def test_bad_points():
 
 
 def test_dask():
+    needs_proc()  # the package reads it
     distributed = pytest.importorskip("distributed")
     points = cloud()
     with distributed.LocalCluster(n_workers=2, threads_per_worker=1, dashboard_address=None) as cluster:
@@ -190,6 +186,7 @@ def test_dask():
 
 
 def test_dask_loses_a_worker(tmp_path):
+    needs_proc()  # the package reads it
     distributed = pytest.importorskip("distributed")
     points, folder = cloud(20000), str(tmp_path / "scratch")
     with distributed.LocalCluster(n_workers=2, threads_per_worker=1, dashboard_address=None) as cluster:
