@@ -170,7 +170,7 @@ constexpr double mesh_overhead = 6500;
 // What scales take besides the largest mesh: the points with their partition; bounds and cycles.
 template <int D> double scales_block(double vertices, double points, const Planned& planned) {
     double bytes = points * (sizeof(Vertex<D>) + ScalePartition::point_bytes + sizeof(std::uint32_t));
-    constexpr double bars = D < 4 ? 215 : bounds_bar_bytes * D, steps = 16384;
+    constexpr double bars = D < 4 ? 275 : bounds_bar_bytes * D, steps = 16384;
     if (planned.bounds) bytes += (sizeof(Interval) + bounds_vertex_bytes) * vertices + bars * points + steps;
     // Cycles take the place of bounds.
     const double cycles =

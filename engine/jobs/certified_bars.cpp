@@ -14,11 +14,12 @@ constexpr double shortest = 1.25;       // from birth to death of a bar worth a 
 constexpr double stride = 1.25;         // between scales of a sequence where no cell lies across
 constexpr double between_ends = 1.125;  // of a window
 
-// Around a scale b: least <= b = end[0] <= .. <= end[ends - 1], and each cell with hi <= end[k] has lo <= least.
+// Around a scale b: least <= b <= most, and each cell with hi <= most has lo <= least. From b to most it has several
+// ends.
 struct Window {
     static constexpr int ends = 5;
 
-    double least, end[ends];
+    double least, most;
 };
 
 // The scales b_0 < b_1 < ... of a sequence of covers.
@@ -43,11 +44,17 @@ public:
     int level(const Interval& cell) const {
         const int y = scales_until(cell.lo);
         if (y == scales_) return levels * scales_;
-        int k = 0;
-        while (k < Window::ends && cell.hi > window_[y].end[k]) ++k;
+        const int k = end_from(y, cell.hi);
         return levels * y + k + (k == Window::ends && cell.lo > window_[y].least ? 1 : 0);
     }
-    const Window& window(int i) const { return window_[i]; }
+    double window_begin(int i) const { return window_[i].least; }
+    // The first end of window i that is not before x; Window::ends for none.
+    int end_from(int i, double x) const {
+        if (x > window_[i].most) return Window::ends;
+        int k = 0;
+        for (double end = scale_[i]; k < Window::ends - 1 && x > end; ++k) end = spacing_.after(end, between_ends);
+        return k;
+    }
 
 private:
     // How many scales are before x.
@@ -99,8 +106,8 @@ void CoverSequence::go_through(double s, const FilterBounds& filter, const Arena
     find_windows(filter, arena);
 }
 
-// From a stride below the scale to some places above it and as far as cells allow; where one is in the way, to the
-// scale, from as far as cells allow.
+// From a stride below the scale as far above it as cells allow; where one is in the way, to the scale, from as far as
+// cells allow.
 void CoverSequence::find_windows(const FilterBounds& filter, const Arena& arena) {
     double least[scales_max], largest[scales_max];
     for (int i = 0; i < scales_; ++i) least[i] = spacing_.least(), largest[i] = infinity;
@@ -120,14 +127,7 @@ void CoverSequence::find_windows(const FilterBounds& filter, const Arena& arena)
         if (largest[i + 1] < largest[i]) largest[i] = largest[i + 1];
     for (int i = 0; i < scales_; ++i) {
         const double most = -next_up(-largest[i]);
-        Window& window = window_[i];
-        const bool is_free = most >= scale_[i];
-        window.least = is_free ? spacing_.before(scale_[i], stride) : least[i];
-        double end = scale_[i];
-        for (int k = 0; k < Window::ends; ++k) {
-            window.end[k] = !is_free ? scale_[i] : k + 1 < Window::ends && end < most ? end : most;
-            end = spacing_.after(end, between_ends);
-        }
+        window_[i] = most >= scale_[i] ? Window{spacing_.before(scale_[i], stride), most} : Window{least[i], scale_[i]};
     }
 }
 
@@ -224,8 +224,7 @@ private:
     const BarBounds* bounds_ = nullptr;              // by interleaving
     std::uint64_t count_ = 0, begin_ = 0, end_ = 0;  // the degree's bars
     Claim *now_ = nullptr, *first_ = nullptr, *second_ = nullptr;
-    double *births_ = nullptr, *deaths_ = nullptr;  // of claims
-    std::uint8_t* ruled_out_ = nullptr;             // by the bar: a bit for each of its tries
+    std::uint8_t* ruled_out_ = nullptr;  // by the bar: a bit for each of its tries
 };
 
 Status Ledger::open(const BarList& bars, const BarBounds* bounds, Arena& arena) {
@@ -237,10 +236,8 @@ Status Ledger::open(const BarList& bars, const BarBounds* bounds, Arena& arena) 
     now_ = arena.take_high<Claim>(static_cast<std::size_t>(count));
     first_ = arena.take_high<Claim>(static_cast<std::size_t>(count));
     second_ = arena.take_high<Claim>(static_cast<std::size_t>(count));
-    births_ = arena.take_high<double>(static_cast<std::size_t>(count));
-    deaths_ = arena.take_high<double>(static_cast<std::size_t>(count));
     ruled_out_ = arena.take_high<std::uint8_t>(static_cast<std::size_t>(count));
-    const void* const taken[] = {now_, first_, second_, births_, deaths_, ruled_out_};
+    const void* const taken[] = {now_, first_, second_, ruled_out_};
     for (const void* const p : taken)
         if (p == nullptr) return Status::out_of_memory;
     for (std::uint64_t i = 0; i < count;)
@@ -347,15 +344,17 @@ void Ledger::rule_out(const CoverSequence& covers, const PairList& list, std::ui
             for (int at = born / levels; at < covers.scales() && levels * at + ends < dies; ++at)
                 for (int k = 0; k < ends; ++k) alive[at][k] += born <= levels * at + k ? 1 : 0;
         }
+    // Of claims; the lists that consider compares are no longer needed.
+    double *const births = reinterpret_cast<double*>(first_), *const deaths = reinterpret_cast<double*>(second_);
     std::uint64_t claims = 0;
     for (std::uint64_t i = begin_; i < end_;)
         for (const std::uint64_t piece = arena_->piece(i, end_, 12); i < piece; ++i) {
             if (now_[i].sequence == 0) continue;
-            births_[claims] = now_[i].birth_high;
-            deaths_[claims++] = now_[i].death_low;
+            births[claims] = now_[i].birth_high;
+            deaths[claims++] = now_[i].death_low;
         }
-    sort_alike(births_, claims, Ascending{}, *arena_);
-    sort_alike(deaths_, claims, Ascending{}, *arena_);
+    sort_alike(births, claims, Ascending{}, *arena_);
+    sort_alike(deaths, claims, Ascending{}, *arena_);
     const auto count_before = [claims](const double* list, double s, bool or_at) {
         std::uint64_t first = 0, last = claims;
         while (first < last) {
@@ -374,12 +373,10 @@ void Ledger::rule_out(const CoverSequence& covers, const PairList& list, std::ui
         const Tries tries(bars_[i], spacing);
         for (int t = 0; t < Tries::count; ++t) {
             const double s = tries.scale[t];
-            const std::uint64_t known = count_before(births_, s, true) - count_before(deaths_, s, false);
+            const std::uint64_t known = count_before(births, s, true) - count_before(deaths, s, false);
             for (int at = 0; at < covers.scales(); ++at) {
-                const Window& window = covers.window(at);
-                int k = 0;
-                while (k < ends && window.end[k] < s) ++k;
-                if (k < ends && window.least <= s && alive[at][k] <= known)
+                const int k = covers.end_from(at, s);
+                if (k < ends && covers.window_begin(at) <= s && alive[at][k] <= known)
                     ruled_out_[i] = static_cast<std::uint8_t>(ruled_out_[i] | 1u << t);
             }
         }
