@@ -1,9 +1,11 @@
-// Lower-star persistence (surface.cpp does D = 2 where a whole disc is filtered and no cycles are wanted): the links of
-// all vertices tell degree 0 and the stars where more can happen; a sweep over those finds the rest.
+// Lower-star persistence: the links of all vertices tell degree 0 and the stars where more can happen; a sweep over
+// those finds the rest. Of D = 2, where no cycles are wanted, surface.cpp does whole discs, and planar_part.cpp parts
+// where no pairs of zero length are wanted.
 #include "homology/lower_star/lower_star.hpp"
 #include "homology/cycles/cycles.hpp"
 #include "homology/lower_star/link.hpp"
 #include "homology/lower_star/merge_tree.hpp"
+#include "homology/lower_star/planar_part.hpp"
 #include "homology/lower_star/surface.hpp"
 #include "homology/lower_star/sweep_columns.hpp"
 #include "homology/rank.hpp"
@@ -271,6 +273,7 @@ Status persist_lower_star(const LowerStarFiltration<D>& filtration, DiagramReque
     if constexpr (D == 2) {
         if (!built::certificate || filtration.part == nullptr)
             return persist_with<Surface>(filtration, request, work, out);
+        if (!request.keep_zero) return persist_with<PlanarPart>(filtration, request, work, out);
     }
     return with_shared(filtration, [&](const auto& shared) {
         return persist_with<LowerStars<shared_dimension<D>>>(shared, request, work, out);
