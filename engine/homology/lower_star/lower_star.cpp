@@ -16,6 +16,12 @@
 namespace netmesh {
 namespace {
 
+#ifdef __OPTIMIZE_SIZE__
+constexpr bool unites_planar_edges = false;  // stars do, too, and are there for cycles
+#else
+constexpr bool unites_planar_edges = true;
+#endif
+
 template <int D> class LowerStars {
 public:
     LowerStars(const LowerStarFiltration<D>& filtration, DiagramRequest request, const Work& work)
@@ -273,7 +279,9 @@ Status persist_lower_star(const LowerStarFiltration<D>& filtration, DiagramReque
     if constexpr (D == 2) {
         if (!built::certificate || filtration.part == nullptr)
             return persist_with<Surface>(filtration, request, work, out);
-        if (!request.keep_zero) return persist_with<PlanarPart>(filtration, request, work, out);
+        if constexpr (unites_planar_edges) {
+            if (!request.keep_zero) return persist_with<PlanarPart>(filtration, request, work, out);
+        }
     }
     return with_shared(filtration, [&](const auto& shared) {
         return persist_with<LowerStars<shared_dimension<D>>>(shared, request, work, out);
