@@ -21,7 +21,7 @@ namespace netmesh {
 namespace {
 
 // Units of 1,000 planned bytes, as measured on uniform points: of triangulations, of meshes by tau, of these with their
-// diagram, of scales by a ratio. From D = 4 on those of 4. Of triangulations in short words (delaunay_small).
+// diagram, of scales by a ratio. From D = 4 on those of 4.
 struct WorkFigures {
     int triangulation, mesh, filtered, scales_by_ratio;
 };
@@ -30,6 +30,7 @@ constexpr WorkFigures work_figures(std::uint32_t dim) {
            : dim == 3 ? WorkFigures{85, 170, 220, 350}
                       : WorkFigures{200, 220, 330, 350};
 }
+// few: of triangulations in short words (delaunay_small).
 constexpr int few_units = 165, alpha_units = 270, scales_units = 250, cech_units = 160, barycentric_units = 350,
               rips_units = 80;
 // Tenths of what other meshes take: of the cages of the thesis, and VoronoiRefine.

@@ -223,7 +223,7 @@ template <int D> void make_first_ghost(const CellId* made, const VertexId* v, st
 template <int D, class W>
 [[gnu::noinline]] bool Kernel<D, W>::undecided_conflict(CellId c, const double* q, VertexId id) {
     const int infinite = store_.ghost_position(c);
-    store_.arena.pass(infinite < 0 ? undecided_units : 2 * D);  // of thousands of ghosts, about a hull
+    store_.arena.pass(infinite < 0 ? undecided_units : 2 * D);  // there are thousands of ghosts about a hull
     return infinite < 0 ? exact_conflict(c, q, id) : ghost_in_conflict(c, infinite, q, id);
 }
 

@@ -118,6 +118,7 @@ void CoverSequence::find_windows(const FilterBounds& filter, const Arena& arena)
             const int y = scales_until(cell.hi);
             if (y < scales_ && cell.lo > least[y]) least[y] = cell.lo;
             int last = scales_until(spacing_.after(cell.lo, stride));
+            if (last < scales_) ++last;  // both ways are rounded
             while (last > 0 && !(spacing_.before(scale_[last - 1], stride) < cell.lo)) --last;
             if (last > 0 && cell.hi < largest[last - 1]) largest[last - 1] = cell.hi;
         }

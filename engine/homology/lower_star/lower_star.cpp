@@ -16,12 +16,6 @@
 namespace netmesh {
 namespace {
 
-#ifdef __OPTIMIZE_SIZE__
-constexpr bool unites_planar_edges = false;  // stars do, too, and are there for cycles
-#else
-constexpr bool unites_planar_edges = true;
-#endif
-
 template <int D> class LowerStars {
 public:
     LowerStars(const LowerStarFiltration<D>& filtration, DiagramRequest request, const Work& work)

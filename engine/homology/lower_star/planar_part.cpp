@@ -1,18 +1,11 @@
 #include "homology/lower_star/planar_part.hpp"
 
+#ifndef __OPTIMIZE_SIZE__  // see unites_planar_edges
+
 #include "homology/rank.hpp"
 #include "homology/union_find.hpp"
-#include "numerics/real.hpp"
 
 namespace netmesh {
-namespace {
-
-// The lower and the higher of the positions in a triangle that are not i.
-constexpr std::uint32_t next_but(std::uint32_t i, int which) {
-    return which == 0 ? (i == 0 ? 1 : 0) : (i == 2 ? 1 : 2);
-}
-
-}  // namespace
 
 // Which edges of cell c are in the part and no earlier cell's: bit i for the one opposite vertex i.
 std::uint8_t PlanarPart::edges_of(CellId c) const {
@@ -25,7 +18,7 @@ std::uint8_t PlanarPart::edges_of(CellId c) const {
             const bool other_in = has(facet.cell());
             if (other_in == in ? facet.cell() < c : other_in) continue;
         }
-        const std::uint32_t a = p[next_but(i, 0)], b = p[next_but(i, 1)];
+        const std::uint32_t a = p[(i + 1) % 3], b = p[(i + 2) % 3];
         const std::uint32_t edge[] = {a < b ? a : b, a < b ? b : a};
         if (in || part_.faces.contains(edge, 2)) edges = static_cast<std::uint8_t>(edges | 1u << i);
     }
@@ -39,7 +32,7 @@ template <class Act> void PlanarPart::each_edge(CellId c, Act&& act) const {
     const std::uint32_t rank[3] = {rank_[p[0]], rank_[p[1]], rank_[p[2]]};
     for (std::uint32_t i = 0; i < 3; ++i) {
         if ((edges >> i & 1) == 0) continue;
-        const std::uint32_t a = rank[next_but(i, 0)], b = rank[next_but(i, 1)];
+        const std::uint32_t a = rank[(i + 1) % 3], b = rank[(i + 2) % 3];
         act(a > b ? a : b, a > b ? b : a);
     }
 }
@@ -73,8 +66,8 @@ Status PlanarPart::read_vertices() {
         for (std::uint32_t i = 0; i < 3; ++i) {
             flags_[p[i]] |= is_seen;
             if (complex_.facet_beyond(c, i) != none) continue;
-            flags_[p[next_but(i, 0)]] |= is_joined;
-            flags_[p[next_but(i, 1)]] |= is_joined;
+            flags_[p[(i + 1) % 3]] |= is_joined;
+            flags_[p[(i + 2) % 3]] |= is_joined;
         }
         simplex_count_ += has(c) ? 1 : 0;
         edges_[c] = edges_of(c);
@@ -167,3 +160,5 @@ Status PlanarPart::run() {
 }
 
 }  // namespace netmesh
+
+#endif

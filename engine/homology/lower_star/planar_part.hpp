@@ -9,6 +9,13 @@
 
 namespace netmesh {
 
+// Small code goes without: stars tell all of it, and are there for cycles.
+#ifdef __OPTIMIZE_SIZE__
+constexpr bool unites_planar_edges = false;
+#else
+constexpr bool unites_planar_edges = true;
+#endif
+
 class PlanarPart {
 public:
     PlanarPart(const LowerStarFiltration<2>& filtration, DiagramRequest request, const Work& work)
