@@ -10,6 +10,7 @@
 namespace netmesh::platform {
 
 bool Reservation::reserve(std::size_t bytes) {
+    if (base_ != nullptr && bytes_ == bytes) return true;
     release();
     void* base = mmap(nullptr, bytes, PROT_READ | PROT_WRITE, MAP_PRIVATE | MAP_ANONYMOUS | MAP_NORESERVE, -1, 0);
     if (base == MAP_FAILED) return false;

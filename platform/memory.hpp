@@ -12,8 +12,8 @@ public:
     Reservation(const Reservation&) = delete;
     Reservation& operator=(const Reservation&) = delete;
 
-    // Exactly `bytes` (at least 1) without committing a page, in place of what was held. False when the system refuses;
-    // then nothing is held.
+    // Exactly `bytes` (at least 1) without committing a page, in place of what was held; a block of that size is kept,
+    // with what is in it. False when the system refuses; then nothing is held.
     bool reserve(std::size_t bytes);
     void release();
 

@@ -4,6 +4,8 @@
 #include <functional>
 #include <map>
 #include <string>
+#include <utility>
+#include <vector>
 
 namespace netmesh::platform {
 
@@ -28,6 +30,37 @@ public:
 private:
     std::map<int, std::size_t> tasks_;  // by process
     std::map<std::size_t, int> done_;   // what was done at once
+};
+
+// Processes that stay: each does one task after the other, and what one has at hand serves its next task.
+class Crew {
+public:
+    // `work` of a task, in a process of the crew, becomes its code. Without processes it is done at once by start().
+    explicit Crew(std::function<int(std::size_t)> work) : work_(std::move(work)) {}
+    // Ends those that are at work.
+    ~Crew();
+    Crew(const Crew&) = delete;
+    Crew& operator=(const Crew&) = delete;
+
+    // Gives a task to a process that has none, or to a new one. False: the system has no room for a process.
+    bool start(std::size_t task);
+    std::size_t running() const;  // tasks
+    // As Workers::wait.
+    bool wait(std::size_t* task, int* code);
+
+private:
+    struct Member {
+        int process, line;  // line: a socket, by which tasks come and codes go
+        bool busy;
+        std::size_t task;
+    };
+    bool add_member();
+    [[noreturn]] void serve(int line) const;
+    int dismiss(std::size_t at, int signal);  // how its process ended
+
+    std::function<int(std::size_t)> work_;
+    std::vector<Member> members_;
+    std::map<std::size_t, int> done_;  // what was done at once
 };
 
 // What a process says on stdout and stderr, kept in files without a name until it is its turn.

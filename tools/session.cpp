@@ -1,5 +1,7 @@
 #include "tools/session.hpp"
 
+#include <algorithm>
+
 #include "platform/interrupt.hpp"
 #include "tools/io/numbers.hpp"
 #include "tools/memory_advice.hpp"
@@ -20,8 +22,9 @@ std::size_t lazy_bytes(std::size_t plan, std::size_t physical) {
 }
 
 // A request that is refused goes to the engine as it is, which says why.
-Session::Session(const Options& options, std::uint32_t dim)
-    : options_(options), dim_(dim), function_(options), bar_(!options.quiet) {
+Session::Session(const Options& options, std::uint32_t dim, platform::Reservation* block)
+    : options_(options), dim_(dim), block_(block != nullptr ? *block : own_block_), function_(options),
+      bar_(!options.quiet) {
     settle(options, dim, &request_);
     promise_ = promised(request_);
 }
@@ -66,7 +69,7 @@ netmesh_status Session::attempt(std::size_t bytes, const Work& work) {
 Outcome Session::run(std::size_t plan, const PointCloud& cloud, const Work& work) {
     if (options_.memory_bytes != 0) return explain(attempt(options_.memory_bytes, work), cloud, plan);
     const std::size_t physical = platform::physical_memory_bytes();
-    std::size_t bytes = lazy_bytes(plan, physical);
+    std::size_t bytes = std::max(lazy_bytes(plan, physical), block_.bytes());
     while (!block_.reserve(bytes)) {  // a limit on address space, or strict accounting
         if (bytes < least_lazy_bytes / 64) return explain(NETMESH_OUT_OF_MEMORY, cloud, plan);
         bytes /= 2;

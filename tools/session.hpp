@@ -17,12 +17,13 @@ namespace netmesh::tool {
 
 class Session {
 public:
-    Session(const Options& options, std::uint32_t dim);  // the options must outlive it
+    // block: where it is kept for the next session; null: the session's own. Options and block must outlive it.
+    Session(const Options& options, std::uint32_t dim, platform::Reservation* block = nullptr);
     Session(const Session&) = delete;
     Session& operator=(const Session&) = delete;
 
     // Makes a context and runs `work` on it. With --memory the block has exactly that size. Otherwise it is reserved
-    // lazily, by the bytes to plan for, and when that was too little the whole work is done again in a larger one.
+    // lazily, by the bytes to plan for or as large as one that is there, and when that was too little the whole work is done again in a larger one.
     // `cloud` gives messages their lines.
     using Work = std::function<netmesh_status(Session&)>;
     Outcome run(std::size_t plan, const PointCloud& cloud, const Work& work);
@@ -57,7 +58,7 @@ private:
 
     const Options& options_;
     const std::uint32_t dim_;
-    platform::Reservation block_;
+    platform::Reservation own_block_, &block_;
     Engine engine_{nullptr, 0};
     mutable std::optional<netmesh_report> report_;  // none since the last call
     AskedFunction function_;

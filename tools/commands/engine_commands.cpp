@@ -590,7 +590,8 @@ Outcome run_pieces(const Options& options) {
     if (!parse_unsigned(words[2], &node) || node < first || node > last)
         return usage_error("pieces " + task + " " + words[2] + ": nodes of this job are " + std::to_string(first) +
                            " to " + std::to_string(last));
-    return piece_task(options, folder, points.job(), static_cast<std::uint32_t>(node));
+    platform::Reservation block;
+    return piece_task(options, folder, points.job(), static_cast<std::uint32_t>(node), &block);
 }
 
 Outcome run_engine_command(const Options& options) {

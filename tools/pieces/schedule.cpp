@@ -57,26 +57,26 @@ Outcome run_tasks(const Options& options, const PiecesFolder& folder, const Piec
     Options quiet = options;
     quiet.quiet = true;  // a bar for each of several processes is none
     TaskBar bar(!options.quiet, total);
-    platform::Workers workers;
+    platform::Reservation block;  // each process of the crew has its own
+    platform::Crew crew([&](std::size_t node) {
+        const Outcome outcome = piece_task(quiet, folder, job, static_cast<std::uint32_t>(node), &block);
+        if (outcome.exit != Exit::cancelled) tell_error(outcome, options.command, false);
+        return static_cast<int>(outcome.exit);
+    });
     bar.show(0);
     while (left > 0) {
         // The deepest node that can be made; joins before leaves, so that little is waiting.
-        while (workers.running() < jobs) {
+        while (crew.running() < jobs) {
             std::uint32_t next = 0;
             for (std::uint32_t node = 1; node < nodes && next == 0; node++)
                 if (!started[node] && (node >= job.pieces || (done[2 * node] && done[2 * node + 1]))) next = node;
             if (next == 0) break;
             started[next] = true;
-            const auto task = [&, next] {
-                const Outcome outcome = piece_task(quiet, folder, job, next);
-                if (outcome.exit != Exit::cancelled) tell_error(outcome, options.command, false);
-                return static_cast<int>(outcome.exit);
-            };
-            if (!workers.start(next, task)) return {Exit::memory, "netmesh: the system has no room for a process"};
+            if (!crew.start(next)) return {Exit::memory, "netmesh: the system has no room for a process"};
         }
         std::size_t node = 0;
         int code = 0;
-        if (!workers.wait(&node, &code) || code == static_cast<int>(Exit::cancelled))
+        if (!crew.wait(&node, &code) || code == static_cast<int>(Exit::cancelled))
             return {Exit::cancelled, "netmesh: cancelled; pieces that are done stay in " + folder.path()};
         if (code < 0) {
             std::string text = "netmesh: the task of node " + std::to_string(node) +

@@ -40,11 +40,12 @@ bool is_of(const netmesh_piece& piece, const PiecesJob& job, std::uint32_t node,
     return false;
 }
 
-Outcome make_piece(const Options& options, const PiecesFolder& folder, PointsFile& points, std::uint32_t node) {
+Outcome make_piece(const Options& options, const PiecesFolder& folder, PointsFile& points, std::uint32_t node,
+                   platform::Reservation* block) {
     const PiecesJob& job = points.job();
     Options persist = persist_options(options, job);
     persist.pieces = job.pieces;
-    Session session(persist, job.dim);
+    Session session(persist, job.dim, block);
     platform::MappedFile parts[2];
     std::string why;
     const bool is_leaf = node >= job.pieces;
@@ -123,11 +124,12 @@ bool has_piece(const PiecesFolder& folder, const PiecesJob& job, std::uint32_t n
     return is_of(piece_of(file), job, node, true, &info, &why);
 }
 
-Outcome piece_task(const Options& options, const PiecesFolder& folder, const PiecesJob& job, std::uint32_t node) {
+Outcome piece_task(const Options& options, const PiecesFolder& folder, const PiecesJob& job, std::uint32_t node,
+                   platform::Reservation* block) {
     PointsFile points;
     const Outcome outcome = points.open(folder.points(), job);
     if (!outcome.good()) return outcome;
-    return has_piece(folder, job, node) ? Outcome{} : make_piece(options, folder, points, node);
+    return has_piece(folder, job, node) ? Outcome{} : make_piece(options, folder, points, node, block);
 }
 
 Outcome Collection::open(const PiecesFolder& folder, const PiecesJob& job) {

@@ -44,7 +44,9 @@ Outcome split_task(const Options& options, const PiecesFolder& folder, const std
                    PointsFile* points);
 // The piece of a node, of a leaf or a join by its number. One that is there already, whole, is left as it is. Whoever
 // replaces points or pieces in the meantime has them refused: all that is read is of this job.
-Outcome piece_task(const Options& options, const PiecesFolder& folder, const PiecesJob& job, std::uint32_t node);
+// block: where the engine works, for one task after the other.
+Outcome piece_task(const Options& options, const PiecesFolder& folder, const PiecesJob& job, std::uint32_t node,
+                   platform::Reservation* block);
 // Whole, and of this job.
 bool has_piece(const PiecesFolder& folder, const PiecesJob& job, std::uint32_t node);
 // The diagram of all pieces in the session's engine. One file is open at a time.
