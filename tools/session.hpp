@@ -23,8 +23,8 @@ public:
     Session& operator=(const Session&) = delete;
 
     // Makes a context and runs `work` on it. With --memory the block has exactly that size. Otherwise it is reserved
-    // lazily, by the bytes to plan for or as large as one that is there, and when that was too little the whole work is done again in a larger one.
-    // `cloud` gives messages their lines.
+    // lazily, by the bytes to plan for or as large as one that is there, and when that was too little the whole work is
+    // done again in a larger one. `cloud` gives messages their lines.
     using Work = std::function<netmesh_status(Session&)>;
     Outcome run(std::size_t plan, const PointCloud& cloud, const Work& work);
 
