@@ -530,14 +530,14 @@ REPEATED = {
         "question_.extent2 = width * width + height * height; "
         "if constexpr (W::has) question_.extent2 += question_.weights.difference(most[2], least[2]);",
         "question_.underflow = question_.extent2 < 0x1p240 ? 0x1p-790 : infinity;")}
-ARMS = ("struct PlaneArm {", "enum class PlaneEnd {")
+ARMS = ("struct PlaneArm {", "}  // namespace netmesh")
 
 
 def write_arms(engine, scratch):
-    """The part of delaunay/plane.hpp that trace.cpp includes."""
-    with open(os.path.join(engine, "delaunay", "plane.hpp"), encoding="utf-8") as f:
+    """The part of delaunay/plane_question.hpp that trace.cpp includes."""
+    with open(os.path.join(engine, "delaunay", "plane_question.hpp"), encoding="utf-8") as f:
         text = f.read()
-    require(all(text.count(mark) == 1 for mark in ARMS), "delaunay/plane.hpp has no arms")
+    require(all(text.count(mark) == 1 for mark in ARMS), "delaunay/plane_question.hpp has no arms")
     with open(os.path.join(scratch, "arms.hpp"), "w", encoding="utf-8") as f:
         f.write(text[text.index(ARMS[0]):text.index(ARMS[1])])
 
@@ -619,10 +619,10 @@ PLANTS = [
     (2, "undecided.cpp", "second.magnitude * error_factor", "0.5 * second.magnitude * error_factor"),
     (3, "../numerics/minors.hpp", "(J & 1) == 0", "(J & 1) != 0"),
     (2, "../numerics/minors.hpp", "(j & 1) != 0 ? sum - product", "(j & 1) == 0 ? sum - product"),
-    (2, "../delaunay/plane.hpp", "11 * unit_roundoff", "10 * unit_roundoff"),
-    (2, "../delaunay/plane.hpp", "13 * unit_roundoff", "11 * unit_roundoff"),
-    (2, "../delaunay/plane.hpp", "square + __builtin_fabs(less)", "square + less"),
-    (2, "../delaunay/plane.hpp", "a.x * b.y - a.y * b.x", "a.x * b.y + a.y * b.x"),
+    (2, "../delaunay/plane_question.hpp", "11 * unit_roundoff", "10 * unit_roundoff"),
+    (2, "../delaunay/plane_question.hpp", "13 * unit_roundoff", "11 * unit_roundoff"),
+    (2, "../delaunay/plane_question.hpp", "square + __builtin_fabs(less)", "square + less"),
+    (2, "../delaunay/plane_question.hpp", "a.x * b.y - a.y * b.x", "a.x * b.y + a.y * b.x"),
     (2, "../delaunay/plane.hpp", "0x1p-790", "0x1p-850"),
     (2, "../numerics/real.hpp", "unit_roundoff = 0x1p-53", "unit_roundoff = 0x1p-54"),
 ]

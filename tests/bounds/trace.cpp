@@ -89,7 +89,7 @@ int exponent_of(Traced a) { return exponent_of(a.value); }
 #include "predicates/cascade.hpp"
 #include "predicates/power_stage.hpp"
 namespace netmesh {
-#include "arms.hpp"  // a part of delaunay/plane.hpp, written by check.py
+#include "arms.hpp"  // a part of delaunay/plane_question.hpp, written by check.py
 }
 #undef double
 #undef __builtin_fabs
