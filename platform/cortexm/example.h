@@ -73,7 +73,7 @@ static inline uint64_t clock_now(void) {
         count = systick[2];
         __asm__ volatile("isb" ::: "memory"); /* an interrupt that is due comes now */
     } while (before != wraps);
-    return (uint64_t)before * COUNTS_PER_WRAP + (COUNTS_PER_WRAP - 1 - count);
+    return (uint64_t)before * COUNTS_PER_WRAP + (COUNTS_PER_WRAP - count) % COUNTS_PER_WRAP; /* a wrap begins at 0 */
 }
 static inline uint32_t instructions_between(uint64_t earlier, uint64_t later) {
     return (uint32_t)((later - earlier) * INSTRUCTIONS_PER_COUNT);

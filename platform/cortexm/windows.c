@@ -106,8 +106,8 @@ enum { WINDOWS = 1000, HOP = 16, PERIODIC = 67 };
 
 /* From one sample to the next: HOP times that is what a window may take. */
 #define TICK_INSTRUCTIONS (DIM == 2 ? 400000 : 4000000)
-/* No slice takes more: about twice the longest one here. How long slices can be, tools/docs/small-parts.md says. */
-enum { SLICE_INSTRUCTIONS = DIM == 2 ? 1000000 : 4000000 };
+/* No slice of such signals takes more. How long slices can be, tools/docs/small-parts.md says. */
+enum { SLICE_INSTRUCTIONS = DIM == 2 ? 2000000 : 4000000 };
 #define STACK_BYTES 1536
 #include "example.h"
 
@@ -151,10 +151,11 @@ static netmesh_status make_window(uint32_t first, window* found) {
     return status;
 }
 
-typedef enum decision { LOOP, NO_LOOP, UNSURE, FLAT, NO_ROOM, DECISIONS } decision;
+/* LATE: none, as windows before took so long that its samples are gone. */
+typedef enum decision { LOOP, NO_LOOP, UNSURE, FLAT, NO_ROOM, LATE, DECISIONS } decision;
 
 static int program(void) {
-    static const char* const text[DECISIONS] = {"periodic", "not periodic", "unsure", "flat", "out of memory"};
+    static const char* const text[DECISIONS] = {"periodic", "not periodic", "unsure", "flat", "out of memory", "late"};
     static uint32_t count[DECISIONS];
     decision now, last = DECISIONS;
     uint64_t fingerprint = 0;
@@ -171,6 +172,7 @@ static int program(void) {
         case NETMESH_OK: now = found.low >= PERIODIC ? LOOP : found.high < PERIODIC ? NO_LOOP : UNSURE; break;
         case NETMESH_FLAT: now = FLAT; break; /* a constant signal; in space also one whose points lie in a plane */
         case NETMESH_OUT_OF_MEMORY: now = NO_ROOM; break;
+        case NETMESH_CANCELLED: now = LATE; break;
         default: say(netmesh_status_text(status)); return 1;
         }
         if (status == NETMESH_OK) {
@@ -187,9 +189,9 @@ static int program(void) {
         }
         say("\n");
     }
-    for (i = 0; i < DECISIONS; ++i) {
+    for (i = 0; i < LATE; ++i) {
         say(text[i]);
-        say_number(": ", count[i], i + 1 < DECISIONS ? ", " : "\n");
+        say_number(": ", count[i], i + 1 < LATE ? ", " : "\n");
     }
     /* Two halves of one word that is the same on every machine, however it was compiled. */
     say_number("fingerprint ", (uint32_t)(fingerprint >> 32), " ");
@@ -205,6 +207,7 @@ static int program(void) {
     say_number("  instructions: ", (uint32_t)(instructions / WINDOWS), " a window, at most ");
     say_number("", longest_window, "; at most ");
     say_number("", longest_slice, " a slice\n");
+    say_number("  late: ", count[LATE], " windows\n");
     say_number("  samples waiting: at most ", most_waiting, " of ");
     say_number("", RING, "\n");
     if (longest_slice > SLICE_INSTRUCTIONS) say("a slice was too long\n");

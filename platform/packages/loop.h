@@ -6,7 +6,7 @@
 #include <netmesh.h>
 
 /* All memory that netmesh uses; netmesh_plan says how much that is for so many points. Its stack comes on top:
- * NETMESH_STACK_BYTES_ALPHA(2). */
+ * NETMESH_STACK_BYTES_ALPHA(3), or (2) where 2 is the only dimension that is built. */
 static unsigned char block[24 * 1024] __attribute__((aligned(16)));
 
 /* A circle of radius 1; a sensor's points would stand here. */

@@ -638,6 +638,9 @@ def check_jobs(options):
         global RED_ZONE_BYTES
         RED_ZONE_BYTES = 0
     promise = {key: size * options.percent // 100 for key, size in promised(options, dims).items()}
+    for job, dim in list(promise):
+        if options.promise_of and dim in dims:
+            promise[job, dim] = promise[job, options.promise_of]
     print("%-10s %s %10s %10s %10s" % ("job", "D", "bytes", "in slices", "promised"))
     for (job, dim), (plain, sliced, chain) in stack_of_jobs(graph, dims).items():
         print("%-10s %d %10d %10d %10d" % (job, dim, plain, sliced, promise[job, dim]))
@@ -713,6 +716,7 @@ def main():
     jobs = sub.add_parser("jobs")
     jobs.add_argument("--include", required=True)
     jobs.add_argument("--dims", default="2,3,4,5,6")
+    jobs.add_argument("--promise-of", type=int, help="of --dims: the dimension whose promise holds for all")
     jobs.add_argument("--cc", default="cc")
     jobs.add_argument("--nm", default="nm")
     jobs.add_argument("--processor", default="x86_64")

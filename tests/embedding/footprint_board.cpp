@@ -4,12 +4,14 @@
 #include "board.hpp"
 #include "determinism/text.hpp"
 
+extern "C" void footprint_draw();
 extern "C" std::uint64_t footprint_job(void* block, std::size_t block_bytes);
 
 int run() {
     struct Timer {
         std::uint32_t control, value, reload;
     };
+    footprint_draw();
     volatile Timer& timer = *reinterpret_cast<volatile Timer*>(0x40000000u);
     timer.reload = 0xFFFFFFFFu;
     timer.value = 0xFFFFFFFFu;

@@ -6,6 +6,7 @@
 #include <stdio.h>
 #include <string.h>
 
+void footprint_draw(void);
 uint64_t footprint_job(void* block, size_t block_bytes);
 
 static unsigned char block[BLOCK] __attribute__((aligned(16)));
@@ -23,6 +24,7 @@ int main(void) {
     pthread_attr_t attributes;
     pthread_t thread;
     uintptr_t top = 0, lowest = 0;
+    footprint_draw();
     memset(stack, 0x5A, sizeof stack);
     if (pthread_attr_init(&attributes) != 0 || pthread_attr_setstack(&attributes, stack, sizeof stack) != 0 ||
         pthread_create(&thread, &attributes, run, &top) != 0 || pthread_join(thread, NULL) != 0)

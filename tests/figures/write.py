@@ -35,6 +35,7 @@ COVERAGE = os.path.join(TESTS, "coverage", "COVERAGE.md")
 STACK_LEAST = 1024  # calls with less are not listed
 PROMISE_STEP = 64   # what netmesh/job.h promises is a multiple of it
 SMALL_DIMS = [2, 3, 4]
+SMALL_LIBRARIES = [[2], [3], [4], [2, 3]]
 
 
 def put(document, name, lines, mark="<!-- %s -->", space="\n"):
@@ -78,10 +79,12 @@ def stack(build):
 
 
 def promises(graphs):
-    """{(job, dim): bytes}: the most of (graph, dimensions), rounded up, in slices without what a job takes beside."""
+    """{(job, dim): bytes}: the most of (graph, {dimension: whose promise it is}), rounded up, in slices without what a
+    job takes beside."""
     most = {}
     for graph, dims in graphs:
-        for key, (plain, sliced, _) in graph_check.stack_of_jobs(graph, dims).items():
+        for (job, dim), (plain, sliced, _) in graph_check.stack_of_jobs(graph, dims).items():
+            key = job, dims[dim]
             room = (1024 if graph_check.RED_ZONE_BYTES else 512) - graph_check.JOB_RECORD_BYTES
             most[key] = max(most.get(key, 0), plain, sliced - room)
     return {key: -(-n // PROMISE_STEP) * PROMISE_STEP for key, n in most.items()}
@@ -107,13 +110,13 @@ def jobs(build):
     large = graph_in(os.path.join(build, "CMakeFiles", "netmesh_engine.dir"),
                      os.path.join(build, "tests", "archive", "objects.txt"))
     text = ["/* clang-format off */", "#if UINTPTR_MAX > 0xFFFFFFFFu"]
-    text += [*macros(promises([(large, range(2, 7))]), range(2, 7)), "#else"]
+    text += [*macros(promises([(large, {d: d for d in range(2, 7)})]), range(2, 7)), "#else"]
     graph_check.RED_ZONE_BYTES = 0  # of x86-64 alone
     small = []
     for core in stack_run.cores():
-        for dim in SMALL_DIMS:
-            folder = stack_run.build_engine(os.path.abspath(os.path.join(build, "stack")), core, dim)
-            small.append((graph_in(folder, source=os.path.join(folder, "netmesh.cpp")), [dim]))
+        for dims in SMALL_LIBRARIES:
+            folder = stack_run.build_engine(os.path.abspath(os.path.join(build, "stack")), core, dims)
+            small.append((graph_in(folder, source=os.path.join(folder, "netmesh.cpp")), {d: dims[-1] for d in dims}))
     text += [*macros(promises(small), SMALL_DIMS), "#endif", "/* clang-format on */"]
     put(JOB_HEADER, "stack", text, "/* %s */", "")
 

@@ -1,5 +1,6 @@
 // Runs the jobs whose stack is documented (netmesh/job.h) on clouds of every kind, each call on a stack of exactly the
-// documented size with a guard below, all of it painted before. Compiled for one DIM; CLOUDS for each job, from SEED
+// documented size with a guard below, all of it painted before. Compiled for one DIM, and PROMISE, the largest
+// dimension of the library; CLOUDS for each job, from SEED
 // on; PERCENT of the documented sizes are given: less than 100 plants a fault that has to be seen. It prints what each
 // cloud leads to; ON_HOST it does this alone, on any machine: the results that a board has to have.
 #include "board.hpp"
@@ -16,8 +17,8 @@ constexpr std::size_t guard_bytes = 16 << 10, stack_most = NETMESH_STACK_BYTES(D
 
 enum Job { delaunay, alpha, certified, rips, job_count };
 const char* const job_name[] = {"delaunay", "alpha", "certified", "rips"};
-constexpr std::size_t documented[] = {NETMESH_STACK_BYTES_DELAUNAY(DIM), NETMESH_STACK_BYTES_ALPHA(DIM),
-                                      NETMESH_STACK_BYTES_CERTIFIED(DIM), NETMESH_STACK_BYTES_RIPS(DIM)};
+constexpr std::size_t documented[] = {NETMESH_STACK_BYTES_DELAUNAY(PROMISE), NETMESH_STACK_BYTES_ALPHA(PROMISE),
+                                      NETMESH_STACK_BYTES_CERTIFIED(PROMISE), NETMESH_STACK_BYTES_RIPS(PROMISE)};
 // What is refused may be refused by all clouds of a kind, and seven of nine kinds are accepted by every job.
 constexpr std::uint32_t refused_percent_max = 40;
 

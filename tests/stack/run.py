@@ -1,13 +1,14 @@
 #!/usr/bin/env python3
 """Stack of the documented jobs on Cortex-M: no chain of calls, and none that runs, takes more than netmesh/job.h says.
 
-    run.py [--build DIR] [--clouds N] [--seed S] [--dims 2,3] [--planted] [--jobs N] [CORE ...]
+    run.py [--build DIR] [--clouds N] [--seed S] [--dims 2,3,2+3] [--planted] [--jobs N] [CORE ...]
 
-For each core of platform/cortexm/cores.txt and each dimension: the engine as two files for that dimension alone, -Os,
-without a warning. The object and its call graph go through tests/archive/check.py, its jobs through board.cpp in qemu,
+For each core of platform/cortexm/cores.txt and each library, of one dimension or, as 2+3, of several: the engine as two
+files for its dimensions alone, -Os, without a warning. The object and its call graph go through tests/archive/check.py, its jobs through board.cpp in qemu,
 on N clouds of nine kinds each, on stacks of the promised size with a guard below. Results have to be those of this
 machine, to the bit. --planted: and once more with half of the stack, which has to be seen for each job. The whole:
-run.py --clouds 500 --dims 2,3,4."""
+run.py --clouds 500 --dims 2,3,4,2+3.
+Clouds have the first dimension of a library, and the promise is that of the last."""
 import argparse
 import concurrent.futures
 import os
@@ -48,13 +49,13 @@ def must(command, cwd):
     return said
 
 
-def build_engine(work, core, dim):
-    """The engine for one core and dimension with its call graph, in a folder of its own."""
-    folder = os.path.join(work, "%s-%d" % (core, dim))
+def build_engine(work, core, dims):
+    """The engine for one core and some dimensions with its call graph, in a folder of its own."""
+    folder = os.path.join(work, "%s-%s" % (core, "+".join(map(str, dims))))
     os.makedirs(folder, exist_ok=True)
     must([sys.executable, os.path.join(ROOT, "tools", "amalgamate"), folder], folder)
     said = must(["arm-none-eabi-g++", "-std=c++17", "-Os", *cores()[core][1], "-ffunction-sections", "-fdata-sections",
-                 "-DNETMESH_EACH_DIMENSION(DO)=DO(%d)" % dim, "-fstack-usage", "-fcallgraph-info=su,da", "-c",
+                 "-DNETMESH_EACH_DIMENSION(DO)=" + " ".join("DO(%d)" % dim for dim in dims), "-fstack-usage", "-fcallgraph-info=su,da", "-c",
                  "netmesh.cpp", "-o", "netmesh.o"], folder)
     if said:
         raise RuntimeError("it does not compile without a warning:\n" + said)
@@ -68,18 +69,19 @@ def check_object(folder):
                 *("--%s=arm-none-eabi-%s" % (name, name) for name in ("nm", "objdump", "readelf", "ld"))], folder)
 
 
-def check_options(folder, core, dim):
+def check_options(folder, core, dims):
     """Options of check.py jobs for an engine that build_engine has built."""
     return ["--records", folder, "--source", os.path.join(folder, "netmesh.cpp"), "--helpers", "--readelf",
-            "arm-none-eabi-readelf", "--nm", "arm-none-eabi-nm", "--include", folder, "--dims", str(dim), "--processor",
-            "arm", "--cc", " ".join(["arm-none-eabi-gcc", *cores()[core][1]])]
+            "arm-none-eabi-readelf", "--nm", "arm-none-eabi-nm", "--include", folder, "--dims",
+            ",".join(map(str, dims)), "--promise-of", str(dims[-1]), "--processor", "arm", "--cc", " ".join(["arm-none-eabi-gcc", *cores()[core][1]])]
 
 
-def run_clouds(folder, core, dim, clouds, seed, percent):
+def run_clouds(folder, core, dims, clouds, seed, percent):
     """Exit code and words of board.cpp, with so much of the promised stack."""
     board, flags, link = cores()[core]
     sources = [(HERE, "board"), (BOARD, "start"), (BOARD, "runtime")]
-    values = ["-DDIM=%d" % dim, "-DCLOUDS=%d" % clouds, "-DSEED=%d" % seed, "-DPERCENT=%d" % percent]
+    values = ["-DDIM=%d" % dims[0], "-DPROMISE=%d" % dims[-1], "-DCLOUDS=%d" % clouds, "-DSEED=%d" % seed,
+              "-DPERCENT=%d" % percent]
     for place, name in sources:
         must(["arm-none-eabi-g++", *PROGRAM_FLAGS, *flags, *values, "-I", ".", "-I", BOARD, "-I",
               os.path.join(ROOT, "tests"), "-c", os.path.join(place, name + ".cpp"), "-o", name + ".o"], folder)
@@ -108,7 +110,8 @@ def results_here(work, dim, clouds, seed):
     os.makedirs(folder, exist_ok=True)
     must([sys.executable, os.path.join(ROOT, "tools", "amalgamate"), folder], folder)
     compiler = ["g++", "-std=c++17", "-O0"]
-    values = ["-DDIM=%d" % dim, "-DCLOUDS=%d" % clouds, "-DSEED=%d" % seed, "-DPERCENT=100", "-DON_HOST"]
+    values = ["-DDIM=%d" % dim, "-DPROMISE=%d" % dim, "-DCLOUDS=%d" % clouds, "-DSEED=%d" % seed, "-DPERCENT=100",
+              "-DON_HOST"]
     must([*compiler, "-DNETMESH_EACH_DIMENSION(DO)=DO(%d)" % dim, "-c", "netmesh.cpp"], folder)
     must([*compiler, "-w", "-ffp-contract=off", *values, "-I", ".", "-I", BOARD, "-I", os.path.join(ROOT, "tests"),
           os.path.join(HERE, "board.cpp"), "netmesh.o", "-o", "clouds"], folder)
@@ -125,18 +128,18 @@ def compare(found, due, clouds):
     return lines or ["%d results are those of this machine" % len(both)]
 
 
-def one(core, dim, options, due):
-    folder = build_engine(options.build, core, dim)
+def one(core, dims, options, due):
+    folder = build_engine(options.build, core, dims)
     unlike, text = check_object(folder)
-    faults, lines = run([sys.executable, CHECK, "jobs", *check_options(folder, core, dim)], folder)
+    faults, lines = run([sys.executable, CHECK, "jobs", *check_options(folder, core, dims)], folder)
     text += lines
-    failed, said = run_clouds(folder, core, dim, options.clouds, options.seed, 100)
+    failed, said = run_clouds(folder, core, dims, options.clouds, options.seed, 100)
     found, lines = results_of(said)
     lines += compare(found, due.result(), options.clouds)
     failed |= "FAULT" in lines[-1]
     text += "\n".join(lines) + "\n"
     if options.planted:
-        _, said = run_clouds(folder, core, dim, PLANTED_CLOUDS, options.seed, PLANTED_PERCENT)
+        _, said = run_clouds(folder, core, dims, PLANTED_CLOUDS, options.seed, PLANTED_PERCENT)
         blind = [job for job in JOBS if "FAULT " + job not in said]
         failed |= bool(blind)
         text += "FAULT not seen: half of the stack of %s\n" % ", ".join(blind) if blind else "half of it is seen\n"
@@ -158,12 +161,13 @@ def main():
     chosen = options.cores or list(cores())
     if not set(chosen) <= set(cores()):
         sys.exit("cores are: " + " ".join(cores()))
-    dims = [int(d) for d in options.dims.split(",")]
+    libraries = [[int(d) for d in dims.split("+")] for dims in options.dims.split(",")]
     print("seed %d" % options.seed)
     failed = False
     with concurrent.futures.ThreadPoolExecutor(options.jobs) as pool:
-        due = {dim: pool.submit(results_here, options.build, dim, options.clouds, options.seed) for dim in dims}
-        for task in [pool.submit(one, core, dim, options, due[dim]) for core in chosen for dim in dims]:
+        due = {dim: pool.submit(results_here, options.build, dim, options.clouds, options.seed)
+               for dim in {dims[0] for dims in libraries}}
+        for task in [pool.submit(one, core, dims, options, due[dims[0]]) for core in chosen for dims in libraries]:
             fault, text = task.result()
             failed |= fault
             print(text, end="", flush=True)

@@ -36,16 +36,16 @@ extern "C" {
  * included, whatever the points are. The same has to be added; and NETMESH_STACK_BYTES_JOB for the stack of
  * netmesh_job_init.
  *
- *   DELAUNAY    netmesh_mesh by the methods delaunay and delaunay_small
- *   ALPHA       netmesh_persist by the filters alpha and alpha_small
- *   CERTIFIED   netmesh_mesh and netmesh_persist by filters on meshes, without wants
+ *   DELAUNAY    netmesh_mesh by the methods delaunay and delaunay_small, without weights
+ *   ALPHA       netmesh_persist by the filters alpha and alpha_small, without weights and periods
+ *   CERTIFIED   netmesh_mesh and netmesh_persist by filters on meshes but scales, without wants
  *   RIPS        netmesh_persist by the filters rips and cech, of points and of distances
  *   RIPS_SMALL  netmesh_persist by the filter rips_small, of points and of distances
  *
- * each with netmesh_init, plans and the calls that read results. They hold with 32-bit pointers for a Cortex-M0, M3,
- * M4, M7 or M33, g++ -Os, a library of the dimension dim alone; with 64-bit pointers for x86-64, g++ -O3, a library of
- * all dimensions. tests/stack and archive.jobs see to both. For what else you build, measure (netmesh_stack_used) or
- * take NETMESH_STACK_BYTES. */
+ * each with netmesh_init, plans and calls that read results. They hold with 32-bit pointers for a Cortex-M0, M3, M4, M7
+ * or M33, g++ -Os, a library of the dimension dim alone; those of 3 for all of a library of 2 and 3. And with 64-bit
+ * pointers for x86-64, g++ -O3, a library of all dimensions. tests/stack and archive.jobs see to both. Of what else you
+ * build or ask for, measure (netmesh_stack_used) or take NETMESH_STACK_BYTES. */
 #define NETMESH_STACK_BYTES_JOB ((size_t)(UINTPTR_MAX > 0xFFFFFFFFu ? 1024 : 512))
 /* figures: stack */
 /* clang-format off */
@@ -67,16 +67,16 @@ extern "C" {
               (dim) == 5 ? 6272 : (dim) == 6 ? 6272 : NETMESH_STACK_BYTES(dim)))
 #else
 #define NETMESH_STACK_BYTES_DELAUNAY(dim) \
-    ((size_t)((dim) == 2 ? 3200 : (dim) == 3 ? 3712 : (dim) == 4 ? 4608 : \
+    ((size_t)((dim) == 2 ? 3200 : (dim) == 3 ? 3840 : (dim) == 4 ? 4608 : \
               NETMESH_STACK_BYTES(dim)))
 #define NETMESH_STACK_BYTES_ALPHA(dim) \
-    ((size_t)((dim) == 2 ? 3584 : (dim) == 3 ? 4096 : (dim) == 4 ? 4928 : \
+    ((size_t)((dim) == 2 ? 3584 : (dim) == 3 ? 4224 : (dim) == 4 ? 4928 : \
               NETMESH_STACK_BYTES(dim)))
 #define NETMESH_STACK_BYTES_CERTIFIED(dim) \
-    ((size_t)((dim) == 2 ? 6208 : (dim) == 3 ? 7552 : (dim) == 4 ? 9088 : \
+    ((size_t)((dim) == 2 ? 6208 : (dim) == 3 ? 7616 : (dim) == 4 ? 9088 : \
               NETMESH_STACK_BYTES(dim)))
 #define NETMESH_STACK_BYTES_RIPS(dim) \
-    ((size_t)((dim) == 2 ? 4416 : (dim) == 3 ? 4928 : (dim) == 4 ? 3904 : \
+    ((size_t)((dim) == 2 ? 4416 : (dim) == 3 ? 4992 : (dim) == 4 ? 3904 : \
               NETMESH_STACK_BYTES(dim)))
 #define NETMESH_STACK_BYTES_RIPS_SMALL(dim) \
     ((size_t)((dim) == 2 ? 3904 : (dim) == 3 ? 3904 : (dim) == 4 ? 3904 : \
