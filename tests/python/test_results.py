@@ -110,6 +110,28 @@ def test_representatives(filter):
         assert cycles[index].shape == ((1 if np.isinf(list(diagram)[index][2]) else 2), 1)
 
 
+@pytest.mark.parametrize("dtype", [np.float64, np.float32])
+def test_representatives_are_rows_of_the_points(dtype):
+    """Also where rows are equal; of equal ones the first."""
+    ring = circle(12)
+    points = np.concatenate(([[5, 5], [5, 5], [0.0, 9], [-0.0, 9], [6, 7]], ring, ring[::-1])).astype(dtype)
+    firsts = [0, 2, 4] + list(range(5, 17))
+    for filter in ("alpha", "rips", "cech", "scales"):
+        diagram = netmesh.persist(points, filter, representatives=True)
+        bars, cycles = diagram.intervals(1), diagram.representatives
+        edges = cycles[diagram.rows(1).start + int(np.argmax(bars[:, 1] - bars[:, 0]))]
+        assert edges.dtype == np.int32 and (np.linalg.norm(points[edges], axis=2) < 1.01).all()
+        assert set(np.concatenate([cycle.ravel() for cycle in cycles])) == set(firsts)
+    line = netmesh.rips(np.array([[0], [0], [3]], dtype=dtype), representatives=True)
+    assert [cycle.ravel().tolist() for cycle in line.representatives] == [[2, 0], [0]]
+
+    def cycles_of(points, filter):
+        return [cycle.tolist() for cycle in netmesh.persist(points, filter, representatives=True).representatives]
+    assert cycles_of(points, "complete") == cycles_of(points[firsts], "complete")  # vertices of the mesh
+    with pytest.warns(UserWarning, match="left out"):
+        assert cycles_of(np.insert(points, 2, 3, axis=1), "alpha") == cycles_of(points, "alpha")
+
+
 def test_mesh():
     points = uniform(2, 100)
     made = netmesh.mesh(points, 2.5)

@@ -61,6 +61,14 @@ def points_of(points, argument="points"):
     return array, count, dim, kind, rows if count > 1 else 0
 
 
+def first_rows(array):
+    """The row of each point that is left after equal rows were merged: the first of each group, ascending."""
+    order = np.lexsort(array.T)
+    ordered = array[order]
+    is_first = np.append(True, (ordered[1:] != ordered[:-1]).any(axis=1))
+    return np.sort(order[is_first]).astype(np.int32)
+
+
 def put_points(request, points):
     """Makes a request read what points_of gave."""
     array, count, dim, kind, stride = points

@@ -4,7 +4,7 @@ from typing import Iterator, List, NamedTuple, Optional, Sequence, Tuple, Union
 
 import numpy as np
 
-from ._arrays import address, whole
+from ._arrays import address, first_rows, whole
 from ._library import FILTER_NAMES, FILTERS, lib
 from ._session import figures
 from .errors import InvalidArgument
@@ -26,12 +26,15 @@ class Bounds(NamedTuple):
 
 class Representatives:
     """A cycle for each bar, in the order of the diagram: ``representatives[i]`` is an array int32
-    [simplices, degree + 1] of vertices, of a mesh by the order of its vertices, of points by their order after
-    duplicates were merged. Of a bar of degree 0: a vertex, and one that it is then connected to.
+    [simplices, degree + 1] of vertices. Of a bar of degree 0: a vertex, and one that it is then connected to.
 
-    With periods vertices are rows of the points, and ``representatives.translations[i]`` is an array int32
-    [simplices, degree + 1, vectors]: a vertex is where its row says, and that often each vector of the cell farther;
-    the first of a simplex is at its own place. Otherwise ``translations`` is None."""
+    Vertices are rows of the points or distances, of equal rows the first: ``points[representatives[i]]`` are the
+    corners. Of filters on meshes, and of :meth:`Mesh.persist`, they are vertices of the mesh, ``Mesh.vertices``: first
+    the points without those that are equal to an earlier one. Of simplices they are these one's labels.
+
+    With periods ``representatives.translations[i]`` is an array int32 [simplices, degree + 1, vectors]: a vertex is
+    where its row says, and that often each vector of the cell farther; the first of a simplex is at its own place.
+    Otherwise ``translations`` is None."""
 
     def __init__(self, cycles: List[np.ndarray], translations: Optional[List[np.ndarray]] = None):
         self._cycles = cycles
@@ -202,8 +205,9 @@ def _alive(bars, radii):
             np.searchsorted(np.sort(bars[:, 1]), radii, side="right"))
 
 
-def read(session):
-    """The diagram that a session's context holds, with what its request wants besides."""
+def read(session, points=None):
+    """The diagram that a session's context holds, with what its request wants besides. Of points whose filter is on no
+    mesh cycles are of their rows."""
     report, request = session.report(), session.request
     part = report.diagram
     degrees = part.max_degree + 1
@@ -228,6 +232,10 @@ def read(session):
     }
     bounds = _read_bounds(session, count, report.bounds.steps) if request.bounds else None
     cycles = _read_cycles(session, starts, report.input.periods) if request.cycles else None
+    is_merged = report.input.duplicates and not report.input.periods  # of which cycles have rows already
+    if cycles is not None and points is not None and is_merged and not FILTERS[name].is_on_mesh:
+        rows = first_rows(points)
+        cycles = Representatives([rows[cycle] for cycle in cycles])
     return Diagram(intervals, starts, facts, report, bounds, cycles)
 
 

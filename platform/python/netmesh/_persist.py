@@ -64,7 +64,8 @@ def persist(points, filter: str = "auto", max_degree: Optional[int] = None, *, k
         deaths may be off; ``distance_factor``: a c with f >= (distance to the second nearest point) / c.
     keep_zero_pairs: pairs of length zero are kept.
     bounds: also where each true birth and death surely is: ``Diagram.bounds``.
-    representatives: also a cycle for each bar: ``Diagram.representatives``.
+    representatives: also a cycle for each bar: ``Diagram.representatives``, by rows of ``points``; of filters on
+        meshes by vertices of the mesh.
     seed: of every random choice; by default 1.
     memory: bytes of the one block that all of it happens in, a number or "64M"; by default as much as it takes.
     fit: the best ratio that ``memory`` holds.
@@ -191,15 +192,15 @@ def diagram_of_points(points, given, memory, progress, function=(), renamed=None
             is_open = False
         if not is_open:
             request.filter = OPTIONS["filter"].words["complete"]
-    return _made(session, request)
+    return _made(session, request, read[0])
 
 
-def _made(session, request):
+def _made(session, request, points=None):
     asked = settled(session, request)
     at = ctypes.addressof(request)
     try:
         session.run(lib.netmesh_plan(at), lambda: session.call(lib.netmesh_persist, session.context, at))
-        diagram = _diagram.read(session)
+        diagram = _diagram.read(session, points)
     finally:
         session.end()
     if asked.points.dim:
@@ -218,7 +219,7 @@ def rips(points=None, threshold: float = math.inf, max_degree: int = 1, *, dista
         ``scipy.spatial.distance.pdist``; or a sparse matrix of scipy, whose missing entries are never joined.
     threshold: a radius, as all values are: points farther apart than twice that are not joined.
     max_degree: the highest degree of homology.
-    representatives: also a cycle for each bar, by the rows of the input (of points: after merging duplicates).
+    representatives: also a cycle for each bar, by rows of the input, of equal points the first.
 
     Births and deaths are radii, half of the distances at which GUDHI and ripser have them.
     """
