@@ -72,7 +72,7 @@ constexpr bool rows_are_in_order() {
         if (static_cast<std::uint32_t>(table[i].id) != i + 1) return false;
     return true;
 }
-static_assert(rows_are_in_order(), "row i is that of filter i + 1");
+static_assert(rows == filter_count && rows_are_in_order(), "row i is that of filter i + 1");
 
 // Where results of jobs are not in its way.
 bool move_high(const StoreState& state, Arena& arena, AnyPart* part) {
@@ -88,8 +88,6 @@ bool move_high(const StoreState& state, Arena& arena, AnyPart* part) {
 }
 
 }  // namespace
-
-const std::uint32_t filter_count = rows;
 
 const Filter& filter_row(std::uint32_t index) { return table[index]; }
 const FilterText& filter_text(std::uint32_t index) { return texts[index]; }

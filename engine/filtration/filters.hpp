@@ -9,7 +9,7 @@
 namespace netmesh {
 
 // Rows in the order of netmesh_filter_id, without NONE.
-extern const std::uint32_t filter_count;
+constexpr std::uint32_t filter_count = NETMESH_FILTER_BARYCENTRIC_RIPS;  // the last one
 const Filter& filter_row(std::uint32_t index);
 const FilterText& filter_text(std::uint32_t index);
 

@@ -100,10 +100,11 @@ Run diagram(const std::function<netmesh::Request(const Calls&, const inputs::Poi
         return count_polls(request, calls.context, netmesh_persist);
     };
 }
-Run alpha(bool keep_mesh) {
-    return diagram([keep_mesh](const Calls& calls, const inputs::Points& points) {
+Run alpha(bool keep_mesh, const netmesh_want* cycles = nullptr) {
+    return diagram([keep_mesh, cycles](const Calls& calls, const inputs::Points& points) {
         netmesh::Request request = calls.alpha_request(points);
         request.keep_mesh = keep_mesh ? 1 : 0;
+        request.cycles = cycles;
         return request;
     });
 }
@@ -129,6 +130,7 @@ const std::vector<Job> jobs = {
     {"delaunay", {0, 0, 0, 0, 0}, 0, {100000, 100000, 3000, 1000, 100}, triangulation()},
     {"delaunay-alpha", {0, 0, 0, 0, 0}, 0, {100000, 100000, 3000, 300, 100}, alpha(true)},
     {"alpha", {0, 0, 0, 0, 0}, 0, {100000, 100000, 3000, 300, 100}, alpha(false)},
+    {"alpha-cycles", {0, 0, 0, 0, 0}, 0, {100000, 100000, 3000, 300, 100}, alpha(false, &netmesh_cycles)},
     {"auto", {0, 0, 0, 0, 0}, 0, {100000, 100000, 3000, 300, 100}, either()},
     {"mesh", meshes, 1.7, {100000, 100000, 3000}, mesh([](auto&) {})},
     {"mesh-tau3.5", meshes, 1.7, {100000, 100000, 3000}, mesh([](auto& r) { r.mesh.tau = 3.5; })},
