@@ -139,6 +139,13 @@ def test_names_that_are_nearly_right():
         assert said(call, quux=1).endswith("argument 'quux'")
     assert said(netmesh.vineyard, domain_facter=1).endswith("did you mean domain_factor?")
     assert said(netmesh.persist, filter="rip").endswith("did you mean rips?")
+    assert said(netmesh.persist, box=[1, 1]).endswith("did you mean cell?")
+    assert said(netmesh.read_table, usecols=(0, 1)).endswith("did you mean columns?")
+    assert said(netmesh.read_table, sep=";").endswith("read_table() got an unexpected keyword argument 'sep'; did you "
+                                                      "mean delimiter?")
+    bars = [[0, 1]]
+    assert str(raised(TypeError, netmesh.wasserstein, bars, bars, p=2)).endswith("did you mean order?")
+    assert str(raised(TypeError, netmesh.bottleneck, bars, bars, degre=0)).endswith("did you mean degree?")
     assert said(netmesh.persist, filter="complete", method="Refine").endswith("did you mean refine?")
 
 
@@ -205,6 +212,39 @@ def test_distances_refuse_options():
     assert raised(errors.InvalidArgument, netmesh.wasserstein, bars, bars, error=0).argument == "error"
     assert raised(errors.InvalidArgument, netmesh.bottleneck, bars, bars, -1).argument == "degree"
     assert raised(errors.InvalidArgument, netmesh.bottleneck, [[-1.0, 1]], bars, log=True).argument == "a"
+
+
+def test_distances_refuse_degrees_that_are_not_there():
+    diagram = netmesh.persist(POINTS)
+    by_degree = [diagram.intervals(0), diagram.intervals(1)]
+    for call in (netmesh.bottleneck, netmesh.wasserstein):
+        for other in (diagram, by_degree):
+            for a, b in ((diagram, other), (other, diagram)):
+                error = raised(errors.InvalidArgument, call, a, b, degree=2)
+                assert error.argument == "degree" and "2 is not from 0 to 1" in str(error)
+        assert "bars [m, 2] are of degree 0" in str(raised(errors.InvalidArgument, call, *by_degree, degree=1))
+        assert call(diagram.pairs, diagram.pairs, degree=2) == 0  # of which nothing says what was computed
+        assert call([], [], degree=1) == 0
+
+
+def test_distances_of_squares_and_radii(tmp_path):
+    radii = np.linspace(0, 0.1, len(POINTS))
+    plain, squared = netmesh.persist(POINTS, radii=radii), netmesh.persist(POINTS, radii=radii, squares=True)
+    (tmp_path / "d.pers").write_text("# netmesh diagram 1: degree birth death\n# filter alpha\n# radii r\n# squares\n"
+                                     "# max-degree 1\n0 -1 inf\n")
+    for call in (netmesh.bottleneck, netmesh.wasserstein):
+        for a, b in ((plain, squared), (squared, netmesh.persist(POINTS)), (netmesh.load(tmp_path / "d.pers"), plain)):
+            error = raised(errors.InvalidArgument, call, a, b)
+            assert error.argument == "b" and "squares of radii" in str(error) and "squares=True" in str(error)
+        assert call(squared, squared) == 0 and call(squared, plain.pairs) > 0
+
+
+def test_distances_name_what_they_take():
+    diagram = netmesh.persist(POINTS)
+    text = str(raised(errors.InvalidArgument, netmesh.bottleneck, diagram, diagram.to_gudhi()))
+    assert "list of arrays [m, 2] by degree" in text and "numpy.array([(k, *bar) for k, bar in b])" in text
+    assert netmesh.bottleneck(diagram, np.array([(k, *bar) for k, bar in diagram.to_gudhi()])) == 0
+    assert "GUDHI" not in str(raised(errors.InvalidArgument, netmesh.bottleneck, diagram, "d.pers"))
 
 
 def test_vineyard_refuses():

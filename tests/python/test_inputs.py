@@ -44,7 +44,6 @@ def test_small_types():
     whole = np.arange(60).reshape(20, 3) ** 2 % 17
     for dtype in (np.int8, np.uint16, np.int64, np.float16):
         assert netmesh.persist(whole.astype(dtype)) == netmesh.persist(whole.astype(float))
-    assert netmesh.persist(whole % 2 == 1, "rips") == netmesh.persist(whole % 2, "rips")
 
 
 def test_input_is_left_alone():
@@ -137,6 +136,30 @@ def test_what_is_no_array_is_told_what_helps(tmp_path):
     assert said([[1, 2], [3]]).endswith("row 1 has 1, row 0 has 2")
     assert "for name in ['x', 'y']" in said(np.zeros(3, dtype=[("x", "f8"), ("y", "f8")]))
     assert "netmesh.delay(x, lag)" in said(POINTS[:, 0]) and "rips(x[:, None])" in said(POINTS[:, 0])
+
+
+def test_bool_complex_and_sparse_are_told_what_they_are():
+    def said(call, *arguments, argument="points", **options):
+        with pytest.raises(errors.InvalidArgument) as raised:
+            call(*arguments, **options)
+        assert raised.value.argument == argument
+        return str(raised.value)
+    mask = POINTS > 0.5
+    for given in (mask, mask.tolist()):
+        for call in (netmesh.persist, netmesh.rips, netmesh.delaunay, netmesh.mesh):
+            assert said(call, given).startswith("points: an array of bool; numpy.argwhere(mask)")
+    assert "an array of bool" in said(netmesh.persist, POINTS, argument="radii", radii=mask[:, 0])
+    assert "an array of bool" in said(netmesh.rips, argument="distances", distances=mask[:3])
+    assert len(netmesh.persist(np.argwhere(mask)[::2])) > 1 and len(netmesh.persist(mask.astype(float), "rips")) > 1
+    z = POINTS[:, 0] + 1j * POINTS[:, 1]
+    for given in (z, z.tolist(), z[:, None]):
+        assert said(netmesh.persist, given).startswith("points: complex numbers; numpy.column_stack((z.real, z.imag))")
+    assert "a netmesh.Diagram" in said(netmesh.persist, netmesh.persist(POINTS))
+    sparse = pytest.importorskip("scipy.sparse")
+    for kind in (sparse.csr_matrix, sparse.coo_matrix):
+        for call in (netmesh.persist, netmesh.rips):
+            text = said(call, kind(POINTS))
+            assert text.startswith("points: a sparse matrix of scipy; .toarray()") and "rips(distances=)" in text
 
 
 class Frame:

@@ -31,6 +31,16 @@ def test_a_circle():
         diagram.to_gudhi("feet")
 
 
+def test_a_diagram_as_an_array(tmp_path):
+    diagram = netmesh.persist(circle(20))
+    diagram.save(tmp_path / "d.npy")
+    for array in (np.array(diagram), np.asarray(diagram), np.load(tmp_path / "d.npy")):
+        assert array.dtype == np.float64 and (array == diagram.pairs).all() and array.shape == (len(diagram), 3)
+    assert np.array(diagram, dtype=np.float32).dtype == np.float32
+    with pytest.raises(ValueError):
+        diagram.__array__(copy=False)
+
+
 def test_the_longest_bars():
     diagram = netmesh.persist(np.concatenate((circle(40), 3 + 0.5 * circle(30))))
     bars = diagram.intervals(1)

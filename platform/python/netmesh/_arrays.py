@@ -4,7 +4,7 @@ import math
 import numpy as np
 
 from . import _declarations as c
-from ._hints import did_you_mean, of_no_numbers
+from ._hints import did_you_mean, is_diagram, of_no_numbers
 from .errors import InvalidArgument
 
 _FORMATS = {np.dtype(np.float64): c.NETMESH_POINTS_FLOAT64, np.dtype(np.float32): c.NETMESH_POINTS_FLOAT32}
@@ -30,13 +30,12 @@ def _array(values, argument):
         raise InvalidArgument("%s: masked values" % argument, argument)
     try:
         array = values if type(values) is np.ndarray else np.asarray(values)
-        if array.dtype.kind not in "fiub":
-            if array.dtype.kind in "cMmV":
+        if array.dtype.kind not in "fiu" or is_diagram(values):
+            if array.dtype.kind in "bcMmV" or is_diagram(values):
                 raise TypeError
             array = array.astype(np.float64)
     except (TypeError, ValueError):
-        raise InvalidArgument("%s: not numbers in rows of equal length%s" % (argument, of_no_numbers(values)),
-                              argument) from None
+        raise InvalidArgument("%s: %s" % (argument, of_no_numbers(values)), argument) from None
     return array
 
 

@@ -103,6 +103,12 @@ class Diagram:
     def _degrees(self):
         return np.repeat(np.arange(self.max_degree + 1), np.diff(self._starts))
 
+    def __array__(self, dtype=None, copy=None) -> np.ndarray:
+        """:attr:`pairs`, as ``save("d.npy")`` writes them."""
+        if copy is False:
+            raise ValueError("the array of a diagram is always a copy")
+        return self.pairs if dtype is None else self.pairs.astype(dtype)
+
     def betti(self, radius: Union[float, Sequence[float]]) -> Union[Tuple[int, ...], np.ndarray]:
         """How many bars of each degree are alive at a radius: birth <= radius < death. Of an array of radii an int
         array, with an axis more for degrees."""
@@ -229,6 +235,7 @@ def read(session, points=None):
         "certified_error": part.certified_error,
         "reference": reference.replace("{k}", str(part.k)).replace("{D}", str(report.input.dim)),
         "fingerprint": "%016x" % report.fingerprint,
+        "squares": bool(request.squares) if name else None,  # None: not known
     }
     bounds = _read_bounds(session, count, report.bounds.steps) if request.bounds else None
     cycles = _read_cycles(session, starts, report.input.periods) if request.cycles else None
@@ -268,25 +275,39 @@ def _read_cycles(session, starts, axes):
     return Representatives(cycles, translations if axes else None)
 
 
+def top_degree_of(diagram):
+    """The highest degree of what bars_of takes; None where that is not known."""
+    if isinstance(diagram, Diagram):
+        return diagram.max_degree
+    if _is_by_degree(diagram):
+        return len(diagram) - 1 if diagram else None
+    shape = np.shape(diagram)
+    return 0 if len(shape) == 2 and shape[1] == 2 else None
+
+
+def _is_by_degree(diagram):
+    return isinstance(diagram, (list, tuple)) and all(getattr(part, "ndim", 0) == 2 for part in diagram)
+
+
 def bars_of(diagram, argument):
     """The bars of a Diagram, of an array [m, 2] or [m, 3], or of a list of arrays [m, 2] by degree, as the library's
     pairs."""
     if isinstance(diagram, Diagram):
         rows = diagram.pairs
-    elif isinstance(diagram, (list, tuple)) and all(getattr(part, "ndim", 0) == 2 for part in diagram):
+    elif _is_by_degree(diagram):
         rows = [np.column_stack((np.full(len(part), k), part)) for k, part in enumerate(diagram)]
         rows = np.concatenate(rows) if rows else np.empty((0, 3))
     else:
         try:
             rows = np.asarray(diagram, dtype=np.float64)
         except (TypeError, ValueError):
-            raise InvalidArgument("%s: neither a Diagram nor bars [m, 2] or [m, 3]" % argument, argument) from None
+            _refuse_bars(diagram, argument)
         if rows.size == 0:
             rows = np.empty((0, 3))
         if rows.ndim == 2 and rows.shape[1] == 2:
             rows = np.column_stack((np.zeros(len(rows)), rows))
     if rows.ndim != 2 or rows.shape[1] != 3:
-        raise InvalidArgument("%s: neither a Diagram nor bars [m, 2] or [m, 3]" % argument, argument)
+        _refuse_bars(diagram, argument)
     degrees = rows[:, 0]
     wrong = np.flatnonzero(~((degrees >= 0) & (degrees <= 1000) & (degrees == np.floor(degrees))))
     if len(wrong):
@@ -299,3 +320,14 @@ def bars_of(diagram, argument):
     pairs["struct_bytes"] = pairs.itemsize
     pairs["degree"], pairs["birth"], pairs["death"] = degrees, rows[:, 1], rows[:, 2]
     return pairs
+
+
+def _refuse_bars(diagram, argument):
+    text = "%s: no Diagram, no bars [m, 2] or [m, 3], no list of arrays [m, 2] by degree" % argument
+    try:
+        is_of_gudhi = all(len(bar) == 2 and np.ndim(bar[0]) == 0 and len(bar[1]) == 2 for bar in diagram)
+    except TypeError:
+        is_of_gudhi = False
+    if is_of_gudhi:
+        text += "; of a list of GUDHI, (degree, (birth, death)), numpy.array([(k, *bar) for k, bar in %s])" % argument
+    raise InvalidArgument(text, argument) from None

@@ -212,7 +212,8 @@ def load(path: Union[str, os.PathLike]) -> Diagram:
     degrees = np.array([row[0] for row in rows], dtype=np.int64)
     top = int(lines.get("max-degree", max(degrees, default=0)))
     starts = np.searchsorted(degrees, np.arange(top + 2)).tolist()
-    facts = {"filter": lines.get("filter", ""), "fingerprint": "", "reference": lines.get("reference", "")}
+    facts = {"filter": lines.get("filter", ""), "fingerprint": "", "reference": lines.get("reference", ""),
+             "squares": "squares" in lines if lines else None}
     for name, default in (("certified-ratio", np.inf), ("certified-from", 0), ("certified-error", 0)):
         facts[name.replace("-", "_")] = float(lines.get(name, default))
     intervals = np.array([row[1:] for row in rows]).reshape(len(rows), 2)

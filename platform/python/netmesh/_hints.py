@@ -9,7 +9,8 @@ _ELSEWHERE = {
     "maxdim": "max_degree", "max_dim": "max_degree", "max_dimension": "max_degree", "homology_dimensions": "max_degree",
     "degree": "max_degree", "thresh": "threshold", "max_edge_length": "threshold", "max_radius": "threshold",
     "distance_matrix": "distances", "metric": "distances", "do_cocycles": "representatives",
-    "cycles": "representatives",
+    "cycles": "representatives", "box": "cell", "lattice": "cell", "periodic": "pbc", "p": "order", "q": "order",
+    "usecols": "columns", "sep": "delimiter", "skiprows": "skip", "skip_header": "skip", "dropna": "drop_missing",
 }
 _DIAMETERS = {"thresh": "ripser", "max_edge_length": "GUDHI"}
 
@@ -29,8 +30,35 @@ def unknown_argument(call, name, names):
     return TypeError("%s() got an unexpected keyword argument %r%s" % (call, name, hint))
 
 
+def is_diagram(values):
+    return hasattr(values, "intervals") and hasattr(values, "certified_ratio")
+
+
 def of_no_numbers(values):
-    """Why values are no array of numbers, as far as that can be told, and what helps; begins with ": "."""
+    """Why values are no array of real numbers, as far as that can be told, and what helps."""
+    return _of_another_kind(values) or "not numbers in rows of equal length" + _of_no_rows(values)
+
+
+def _of_another_kind(values):
+    """What values are that have rows of equal length, but of nothing that is taken for coordinates."""
+    if is_diagram(values):
+        return "a netmesh.Diagram; its bars are .pairs, [m, 3]"
+    if hasattr(values, "tocoo"):
+        return "a sparse matrix of scipy; .toarray() has all of its numbers, rips(distances=) takes one of distances"
+    try:
+        kind = np.asarray(values).dtype.kind
+    except (TypeError, ValueError):
+        return ""
+    if kind == "c":
+        return "complex numbers; numpy.column_stack((z.real, z.imag)) makes two columns of z"
+    if kind == "b":
+        return ("an array of bool; numpy.argwhere(mask) has the places that are true as rows, mask.astype(float) 0 and "
+                "1 as numbers")
+    return ""
+
+
+def _of_no_rows(values):
+    """Why values are no rows of numbers; begins with ": "."""
     if isinstance(values, (str, os.PathLike)):
         return ": a path or text; netmesh.read_table(path).points are those of a table, netmesh.load(path) is a diagram"
     if hasattr(values, "points") and hasattr(values, "notes"):

@@ -12,6 +12,7 @@ import numpy as np
 
 from ._foreign import foreign
 from ._hints import did_you_mean
+from ._options import known
 from ._slips import slips_of
 from .errors import InvalidArgument
 
@@ -49,7 +50,7 @@ class _Field(NamedTuple):
 
 
 def read_table(path: Union[str, os.PathLike], columns: Union[str, int, Sequence[Union[str, int]], None] = None, *,
-               delimiter: Optional[str] = None, skip: int = 0, drop_missing: bool = False) -> Table:
+               delimiter: Optional[str] = None, skip: int = 0, drop_missing: bool = False, **unknown) -> Table:
     """Reads a table of numbers in text as the program ``netmesh`` does: in the dialects of spreadsheets, with a header
     or an index column or without, cells as RFC 4180 has them.
 
@@ -61,6 +62,7 @@ def read_table(path: Union[str, os.PathLike], columns: Union[str, int, Sequence[
     What can be read in two ways is refused: InvalidArgument with the line, from 0, as ``row``. What may be no
     coordinate (degrees, times, counts, marks of missing values, names of labels) is taken, and warned of.
     """
+    known(read_table, unknown, set())
     with open(path, "rb") as file:
         content = file.read()
     if content[:2] == b"\x1f\x8b":
