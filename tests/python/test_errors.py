@@ -292,6 +292,27 @@ def test_memory_to_plan_for(call, options):
     call(POINTS, **dict(options, memory=planned.group(2) + "K"))
 
 
+@pytest.mark.parametrize("call, options", [
+    (netmesh.persist, dict(filter="alpha", representatives=True)), (netmesh.persist, dict(filter="complete")),
+    (netmesh.rips, {}), (netmesh.mesh, {}), (netmesh.vineyard, dict(k=(1, 3)))])
+def test_memory_by_trying_again(call, options):
+    """Also of points that take more than is planned."""
+    points = np.concatenate((uniform(2, 100), uniform(2, 100) * 1e-4, uniform(2, 100) * 1e-8))
+    memory, tries = 1, []
+    while True:
+        try:
+            call(points, **options, memory=memory)
+            break
+        except errors.OutOfMemory as error:
+            assert error.bytes_planned > memory and error.bytes_planned >= error.bytes_wanted
+            assert re.search(r'memory="\d+[KM]"\Z', str(error))
+            memory = error.bytes_planned
+            tries.append(str(error))
+    assert 0 < len(tries) < 12
+    if options.get("representatives"):
+        assert re.search("more than is planned for such a number of points: try %d, memory" % memory, tries[-1])
+
+
 @pytest.mark.parametrize("memory", ["65536", "64K", "64k", "2M", "1G", "14.2M", "2MB", "2MiB", "2 M", "0K", "K", "-1M",
                                     "\u0663K"])
 def test_memory_as_the_tool_takes_it(tool, memory, tmp_path):

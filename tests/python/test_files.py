@@ -71,8 +71,21 @@ def test_check_finds_a_changed_file(tmp_path):
             netmesh.check(netmesh.load(tmp_path / "d.pers"), points)
 
 
+@pytest.mark.parametrize("name, content", [
+    ("d.pers", ""), ("d.pers", "# netmesh diagram 1: degree birth death\n# filter alpha\n# max-degree 1\n"),
+    ("d.csv", "degree,birth,death\n"), ("d.json", '{"bars": []}'), ("d.npy", np.empty((0, 3)))])
+def test_files_without_bars_are_refused(tmp_path, name, content):
+    if name == "d.npy":
+        np.save(tmp_path / name, content)
+    else:
+        (tmp_path / name).write_text(content)
+    with pytest.raises(errors.InvalidArgument, match="no bars") as raised:
+        netmesh.load(tmp_path / name)
+    assert raised.value.argument == "path"
+
+
 def test_functions_have_no_head(tmp_path):
-    diagram = netmesh.persist(circle(20), "function", function=lambda x: np.hypot(*x), lipschitz=1, cut=1.5)
+    diagram = netmesh.persist(circle(20), "function", function=lambda x: np.hypot(*x), lipschitz=1, cut=1)
     diagram.save(tmp_path / "d.pers")
     assert netmesh.load(tmp_path / "d.pers") == diagram
     with pytest.raises(errors.InvalidArgument) as raised:

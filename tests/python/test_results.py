@@ -1,6 +1,7 @@
 """Diagrams, meshes, vineyards: what their attributes say."""
 import doctest
 import typing
+import warnings
 from xml.etree import ElementTree
 
 import numpy as np
@@ -176,6 +177,22 @@ def test_a_function():
     assert (bounded.bounds.birth[:, 0] <= -1).any()
     fitted = netmesh.persist(points, "function", function=height, lipschitz=1, cut=0, fit=True, memory="1M")
     assert fitted.certified_error < 0.1
+
+
+def test_a_function_that_contradicts_its_bounds():
+    def first(x):
+        return float(x[0])
+    for options in (dict(lipschitz=0.1, cut=9), dict(lipschitz=1, cut=9, error=0.1)):
+        with pytest.warns(UserWarning, match="contradicts lipschitz and cut.*take a lower cut") as warned:
+            diagram = netmesh.persist(circle(30), "function", function=first, **options)
+        assert diagram.certified_error == np.inf and warned[0].filename == __file__
+    with netmesh.mesh(circle(30), purpose="persist") as made:
+        with pytest.warns(UserWarning, match="contradicts") as warned:
+            made.persist("function", function=first, lipschitz=1, cut=9)
+        assert warned[0].filename == __file__
+    with warnings.catch_warnings():
+        warnings.simplefilter("error")
+        assert np.isfinite(netmesh.persist(circle(30), "function", function=first, lipschitz=1, cut=-1).certified_error)
 
 
 def test_vineyard():

@@ -1,5 +1,6 @@
 """Persistence diagrams."""
 import os
+import warnings
 from typing import Iterator, List, NamedTuple, Optional, Sequence, Tuple, Union
 
 import numpy as np
@@ -244,6 +245,14 @@ def read(session, points=None):
         rows = first_rows(points)
         cycles = Representatives([rows[cycle] for cycle in cycles])
     return Diagram(intervals, starts, facts, report, bounds, cycles)
+
+
+def warn_of_function(diagram):
+    """Where values contradict what is said of the function: the caller's caller is told."""
+    if diagram.filter == "function" and np.isinf(diagram.certified_error):
+        warnings.warn("function: nothing is certified, certified_error is infinite: some value contradicts lipschitz "
+                      "and cut; where function(x) is below cut outside of the ball around the points, take a lower cut",
+                      stacklevel=3)
 
 
 def _read_bounds(session, count, step_count):

@@ -182,7 +182,7 @@ def _rows_of_others(path):
 
 def load(path: Union[str, os.PathLike]) -> Diagram:
     """Reads a .pers file, of this package or of the tool, or the bars in .csv, .npy and .json that these write. Bounds
-    are not read: ``netmesh.check`` makes them anew.
+    are not read: ``netmesh.check`` makes them anew. A file without bars is no diagram's, and refused.
 
     Warns of files of version 0.2.0 and before whose births and deaths were not rounded to nearest.
     """
@@ -203,6 +203,8 @@ def load(path: Union[str, os.PathLike]) -> Diagram:
             elif line.startswith("#") and not rows and not line.startswith(("# scale ", "# netmesh diagram ")):
                 name, _, value = line[1:].strip().partition(" ")
                 head.append((name, value.strip()))
+    if not rows:
+        raise InvalidArgument("path: %s: no bars, of which every diagram has one" % path, "path")
     lines = dict(head)
     if "value-error" in lines:
         warnings.warn("%s: this file was %s" % (path, BEFORE_ROUNDING), stacklevel=2)

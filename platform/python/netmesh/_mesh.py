@@ -162,7 +162,9 @@ class Mesh:
         filter = filter or ("complete" if self._report.mesh.is_mesh else "alpha")
         given = dict(filter=filter, max_degree=max_degree, k=k, values=values, keep_zero_pairs=keep_zero_pairs,
                      bounds=bounds, cycles=representatives)
-        return self._made(given, (function, lipschitz, cut, distance_factor), progress, _diagram.read)
+        diagram = self._made(given, (function, lipschitz, cut, distance_factor), progress, _diagram.read)
+        _diagram.warn_of_function(diagram)
+        return diagram
 
     def _made(self, given, function, progress, read):
         """What is asked of the mesh by options of the table."""

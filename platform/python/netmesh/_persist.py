@@ -60,8 +60,8 @@ def persist(points, filter: str = "auto", max_degree: Optional[int] = None, *, k
         the same ratio, as "complete" was up to version 0.2.0.
     tau, method, finish: a quality mesh in place of one refined by the certificate: see :func:`netmesh.mesh`.
     function, lipschitz, cut: a function of x, float64 [D], with abs(f(x) - f(y)) <= lipschitz * norm(x - y), and at
-        least ``cut`` outside of a ball around the points; sublevel sets up to the cut. ``error``: how far births and
-        deaths may be off; ``distance_factor``: a c with f >= (distance to the second nearest point) / c.
+        least ``cut`` outside of a ball around the points; sublevel sets up to the cut. A value that contradicts that
+        leaves nothing certified, with a warning. ``error``: how far births and deaths may be off; ``distance_factor``: a c with f >= (distance to the second nearest point) / c.
     keep_zero_pairs: pairs of length zero are kept.
     bounds: also where each true birth and death surely is: ``Diagram.bounds``.
     representatives: also a cycle for each bar: ``Diagram.representatives``, by rows of ``points``; of filters on
@@ -129,6 +129,7 @@ def persist(points, filter: str = "auto", max_degree: Optional[int] = None, *, k
                                 {"fit": "focus"} if is_auto else None, balls, (cell, pbc))
     if filter == "auto" and diagram._report.diagram.why == c.NETMESH_WHY_FLAT:
         _warn_of_flat(np.asarray(points))
+    _diagram.warn_of_function(diagram)
     return diagram
 
 

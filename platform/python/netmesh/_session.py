@@ -214,13 +214,12 @@ class Session:
         """Calls ``work()`` with a context, in a larger block when the block was too small. ``keep``: the context is
         wanted afterwards; else :meth:`end` gives it back."""
         if self.bytes is not None:
+            block = _reserve(self.bytes, self.bytes >= HUGE_BYTES)
             try:
-                self._begin(_reserve(self.bytes, self.bytes >= HUGE_BYTES))
+                self._begin(block)
                 return work()
             except OutOfMemory as error:
-                if max(self.bytes, error.bytes_wanted) < plan < MOST_BYTES:
-                    error.bytes_planned = plan
-                    error.args = ("%s; plan for %d: memory=%s" % (error.args[0], plan, _memory_text(plan)),)
+                self._advise(error, plan)
                 raise
         if plan < SMALL_BYTES // 2 and not keep:
             self._begin(_spare.pop() if _spare else Block(SMALL_BYTES))
@@ -243,6 +242,17 @@ class Session:
                     raise
                 self.block = self.context = None
                 size = min(4 * size, physical)
+
+    def _advise(self, error, plan):
+        """What to try after ``memory=`` was too little: the plan, or twice as much where that is not enough."""
+        planned = plan
+        words = "plan for %d: memory=%s"
+        if not max(self.bytes, error.bytes_wanted) < plan < MOST_BYTES:
+            planned = max(2 * self.bytes, error.bytes_wanted)
+            words = "more than is planned for such a number of points: try %d, memory=%s"
+        if planned < MOST_BYTES:
+            error.bytes_planned = planned
+            error.args = ("%s; %s" % (error.args[0], words % (planned, _memory_text(planned))),)
 
     def end(self, written=LEAST_BYTES):
         """Gives the block back, of which so many bytes were written to. What was read from it stays."""

@@ -27,8 +27,10 @@ class InvalidArgument(Error, ValueError):
 
 
 class OutOfMemory(Error, MemoryError):
-    """The block is too small; ``bytes_wanted``: at least so many are needed, 0 where nothing is known;
-    ``bytes_planned``: so many are enough for points like uniform ones, 0 where that is not known."""
+    """The block is too small. ``bytes_wanted``: at least so many are needed; 0 where nothing is known.
+    ``bytes_planned``: how many to try next, more than ``memory``: enough for points like uniform ones, or twice
+    ``memory`` where that was not enough. So the same call again with ``memory=error.bytes_planned``, some few times,
+    ends in a result. 0 where ``memory`` was not given, or where the system does not have it."""
 
     bytes_wanted = 0
     bytes_planned = 0
