@@ -43,6 +43,12 @@ private:
     double start_;
 };
 
+// What becomes of the pieces of a job that is left in the middle.
+std::string left_behind(const Options& options, const PiecesFolder& folder) {
+    if (options.scratch.empty()) return "; with --scratch DIR the same command would go on with the pieces that are done";
+    return "; pieces that are done stay in " + folder.path() + ", and the same command goes on with them";
+}
+
 }  // namespace
 
 Outcome run_tasks(const Options& options, const PiecesFolder& folder, const PiecesJob& job, unsigned jobs) {
@@ -77,13 +83,10 @@ Outcome run_tasks(const Options& options, const PiecesFolder& folder, const Piec
         std::size_t node = 0;
         int code = 0;
         if (!crew.wait(&node, &code) || code == static_cast<int>(Exit::cancelled))
-            return {Exit::cancelled, "netmesh: cancelled; pieces that are done stay in " + folder.path()};
-        if (code < 0) {
-            std::string text = "netmesh: the task of node " + std::to_string(node) +
-                               " was killed; pieces that are done stay in " + folder.path() +
-                               ", and the same command goes on with them";
-            return {Exit::internal, text};
-        }
+            return {Exit::cancelled, "netmesh: cancelled" + left_behind(options, folder)};
+        if (code < 0)
+            return {Exit::internal, "netmesh: the task of node " + std::to_string(node) + " was killed" +
+                                        left_behind(options, folder)};
         if (code != 0) return {static_cast<Exit>(code), ""};
         done[node] = true;
         bar.show(total - --left);
