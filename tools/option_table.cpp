@@ -42,7 +42,9 @@ const std::vector<CommandEntry>& command_entries() {
          "Prints a line `degree distance` for every degree of either diagram, inf where the numbers of essential "
          "classes\n"
          "differ. The bottleneck distance is exact; that of Wasserstein is what a matching costs, at most --error\n"
-         "above what is proven to be the least; --json has both numbers.\n",
+         "above what is proven to be the least; --json has both numbers. Ours are radii. What ripser prints are diameters,\n"
+         "and halved beside a .pers; arrays of ripser.py and of GUDHI's Rips complexes are, too, and have to be halved "
+         "first.\n",
          "distance a.pers b.pers\n"
          "distance a.pers b.pers --wasserstein 2 --error 0.01\n"},
         {Command::vineyard, "vineyard", "POINTS | COMPLEX --values FILE", 1,
@@ -66,8 +68,8 @@ const std::vector<CommandEntry>& command_entries() {
          "is\n"
          "reproduced from --points or --mesh: the engine runs again, and all bars and bounds must come out. A diagram "
          "says\n"
-         "itself how it was made, and options that contradict it are refused; one that does not say carries no "
-         "certificate\n"
+         "itself how it was made, and options that contradict it are refused; without --points and --mesh nothing is "
+         "checked\nand the exit code is 7; one that does not say carries no certificate "
          "unless options say it. Other code then gives a second opinion. With --points it makes exact diagrams again, "
          "in exact\n"
          "arithmetic: every bar, to the last bit; of too many points degree 0, or a sample of it. netmesh-verify or\n"

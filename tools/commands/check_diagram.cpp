@@ -1,5 +1,6 @@
 #include <algorithm>
 
+#include "platform/files.hpp"
 #include "tools/asked_function.hpp"
 #include "tools/commands/check_parts.hpp"
 #include "tools/commands/cycles.hpp"
@@ -372,6 +373,18 @@ Options making_of(const Options& options, const DiagramFile& file) {
     return made;
 }
 
+// A diagram alone proves nothing; a proof that lies beside it does so with the points.
+Outcome nothing_checked(const Options& options, const std::string& name, const std::string& what) {
+    const std::string& path = options.positionals[0];
+    const std::string proof = path.substr(0, path.size() - ending_of(path).size()) + ".proof";
+    std::string why;
+    const bool is_there = path != "-" && platform::InputFile().open(proof, &why);
+    return file_error(name,
+                      "nothing was checked: it says how it was made, and " + what + " what to check that with" +
+                          (is_there ? "; " + proof + " is checked by --points POINTS --proof " + proof : ""),
+                      Exit::check);
+}
+
 }  // namespace
 
 Outcome check_diagram(const Options& options, RunReport* run) {
@@ -402,11 +415,8 @@ Outcome check_diagram(const Options& options, RunReport* run) {
     if (!outcome.good()) return outcome;
     const bool is_of_values = file.head && !file.head->options.values_at.empty();
     if (is_of_values && made.values_at.empty()) {
-        if (made.mesh_path.empty() && made.points_path.empty()) {
-            run->checked->push_back(file.name +
-                                    " says how it was made; --mesh and --values-at are what to check that with");
-            return {};
-        }
+        if (made.mesh_path.empty() && made.points_path.empty())
+            return nothing_checked(options, file.name, "--mesh MESH.node and --values-at FILE are");
         return usage_error(file.name + " is of values at the vertices of a mesh: --values-at FILE says which");
     }
     if (!made.values_at.empty() && made.mesh_path.empty())
@@ -421,8 +431,7 @@ Outcome check_diagram(const Options& options, RunReport* run) {
         return usage_error("--mesh: filter " + std::string(filter_name(filter_of(made))) + " has no mesh");
     if (!made.mesh_path.empty()) return check_with_mesh(made, file, options.representatives, run);
     if (!made.points_path.empty()) return check_with_points(made, file, options.representatives, run);
-    run->checked->push_back(file.name + " says how it was made; --points or --mesh is what to check that with");
-    return {};
+    return nothing_checked(options, file.name, "--points POINTS or --mesh MESH.node is");
 }
 
 }  // namespace netmesh::tool

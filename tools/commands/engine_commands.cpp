@@ -320,11 +320,20 @@ void take_focus(const netmesh_goal& made, Options* options) {
     options->request.goal = made;
 }
 
-// The filter that the engine has taken, as if it had been asked for; and one line about it where none was asked for.
+// Whether what goes out says what is certified of the diagram: the head of a whole one, or the report.
+bool says_ratio(const Options& options) {
+    const bool is_whole = options.top == 0 && options.least == 0;
+    const bool has_head = options.out.empty() || ending_of(options.out) == ".pers";
+    return options.json || (is_whole && has_head && writes_data(options));
+}
+
+// The filter that the engine has taken, as if it had been asked for; and one line about it where none was asked for,
+// also with --quiet where the diagram is not exact and nothing else says so.
 void take_filter(const netmesh_diagram_report& diagram, std::uint32_t dim, Options* options) {
     const bool is_auto = options->request.filter == &netmesh_filter_auto;
     if (!persists(*options) || !(is_auto || !options->implies_mesh.empty())) return;
-    if (!options->quiet) {
+    const bool is_hidden = is_auto && diagram.certified_ratio != 1 && !says_ratio(*options);
+    if (!options->quiet || is_hidden) {
         const std::string reason = is_auto ? netmesh_why_text(diagram.why) : options->implies_mesh + " asks for a mesh";
         // Of points on a line pairs of balls say all, and exactly; of few points all balls do.
         const bool is_flat = is_auto && diagram.why == NETMESH_WHY_FLAT;
@@ -332,6 +341,9 @@ void take_filter(const netmesh_diagram_report& diagram, std::uint32_t dim, Optio
                                  (!is_flat   ? ""
                                   : dim == 2 ? "; on a line --filter rips is exact"
                                              : "; --filter cech is exact, for few points") +
+                                 (is_hidden ? "; certified ratio " + bound_text(diagram.certified_ratio, 6) +
+                                                  ", which a whole .pers alone says"
+                                            : "") +
                                  "\n";
         std::fputs(text.c_str(), stderr);
     }

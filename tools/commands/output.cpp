@@ -273,6 +273,8 @@ Outcome check_diagram_ending(const std::string& path) {
 }
 
 Outcome check_picture_ending(const Options& options) {
+    if (options.svg == "-" && options.out.empty() && was_given(options, "-o"))
+        return usage_error("--svg - and -o -: only one of the two can go to stdout; give the other a name");
     if (options.svg == "-" && options.json) return usage_error("--svg -: with --json stdout is the report's");
     if (options.svg == "-") return {};
     return check_ending(options.svg, ".svg", "a picture");

@@ -63,8 +63,9 @@ std::string take_interval(std::string_view line, std::uint64_t degree, Bar* bar)
     return make_bar({text, words[0], words[1]}, bar);
 }
 
+constexpr std::string_view title = "persistence intervals in dim ";  // of ripser's
+
 Outcome parse_ripser(std::string_view content, const std::string& name, std::vector<Bar>* bars) {
-    constexpr std::string_view title = "persistence intervals in dim ";
     LineReader reader(content, false);
     std::string_view line;
     std::uint64_t degree = 0;
@@ -127,6 +128,12 @@ bool begins_with_field(const std::vector<Words>& rows) {
     return false;
 }
 
+// Whether comments say that this is a diagram, which may have no bar that was chosen.
+bool is_said_empty(std::string_view content) {
+    return content.find("# netmesh diagram ") != std::string_view::npos ||
+           content.find("# a choice of ") != std::string_view::npos;
+}
+
 Outcome parse_text(std::string_view content, const std::string& name, std::vector<Bar>* bars) {
     std::string plain, ignored_note;
     std::uint64_t fault_line = 1;
@@ -157,6 +164,8 @@ Outcome parse_text(std::string_view content, const std::string& name, std::vecto
         rows.push_back(std::move(words));
         lines.push_back(reader.number());
     }
+    if (rows.empty() && !has_header && !is_said_empty(content))
+        return file_error(name, "no diagram: it has no line `degree birth death`, no head and no header");
     if (!has_header && begins_with_field(rows)) places = {4, {1, 2, 3}};
     for (std::size_t i = 0; i < rows.size(); i++) {
         const std::size_t more = has_header && rows[i].size() == places.words + 1;  // names of rows, as R writes them
@@ -335,14 +344,15 @@ Outcome parse_dipha(std::string_view content, const std::string& name, std::vect
 
 }  // namespace
 
+bool is_of_ripser(std::string_view content) { return content.find(title) != std::string_view::npos; }
+
 Outcome parse_any_diagram(std::string_view content, const std::string& name, std::vector<Bar>* bars) {
     if (starts(content, "\x93NUMPY")) return parse_array(content, name, "", bars);
     if (starts(content, "PK\x03\x04")) return parse_archive(content, name, bars);
     if (starts(content, "[") || starts(content, "(")) return parse_lists(content, name, bars);
     if (content.size() >= 8 && word_at(content, 0) == dipha_mark) return parse_dipha(content, name, bars);
     if (starts(content, "{")) return parse_json(content, name, bars);
-    if (content.find("persistence intervals in dim ") != std::string_view::npos)
-        return parse_ripser(content, name, bars);
+    if (is_of_ripser(content)) return parse_ripser(content, name, bars);
     return parse_text(content, name, bars);
 }
 

@@ -65,13 +65,6 @@ const HeadOption* find_option(std::string_view name) {
 
 bool is_option(std::string_view name) { return find_option(name) != nullptr; }
 
-const HeadLine* find_line(const Head& head, std::string_view name) {
-    for (const HeadLine& line : head) {
-        if (line.name == name) return &line;
-    }
-    return nullptr;
-}
-
 bool fits_error(const netmesh_request& r) { return r.fit != nullptr && r.filter == &netmesh_filter_function; }
 
 // What of the settled request a head says, beside what is not as by default.
@@ -192,6 +185,16 @@ netmesh_field refused_at(const Options& options, std::string* why = nullptr) {
     return field;
 }
 
+// A comment behind the marker as a line of the head, but for `# scale` and for nothing.
+void take_line(std::string_view line, std::uint64_t number, Head* head) {
+    const std::vector<std::string_view> words = split_blanks(line.substr(1));
+    if (words.empty() || words[0] == "scale") return;
+    const std::size_t end = static_cast<std::size_t>(words[0].data() + words[0].size() - line.data());
+    std::string_view value = line.substr(end);
+    while (!value.empty() && (value.front() == ' ' || value.front() == '\t')) value.remove_prefix(1);
+    head->push_back({std::string(words[0]), std::string(value), number});
+}
+
 // Reads the head of one file.
 class HeadReader {
 public:
@@ -233,12 +236,7 @@ Outcome HeadReader::collect() {
                              quoted(line) + " is of another version of the format; this one reads " + quoted(marker));
             first_ = reader.number();
         } else if (first_ != 0 && !line.empty()) {
-            const std::vector<std::string_view> words = split_blanks(line.substr(1));
-            if (words.empty() || words[0] == "scale") continue;
-            const std::size_t end = static_cast<std::size_t>(words[0].data() + words[0].size() - line.data());
-            std::string_view value = line.substr(end);
-            while (!value.empty() && (value.front() == ' ' || value.front() == '\t')) value.remove_prefix(1);
-            found_.lines.push_back({std::string(words[0]), std::string(value), reader.number()});
+            take_line(line, reader.number(), &found_.lines);
         }
     }
     return {};
@@ -385,6 +383,25 @@ Outcome HeadReader::read(std::optional<Provenance>* provenance) {
 }
 
 }  // namespace
+
+Head head_lines(std::string_view content) {
+    Head head;
+    LineReader reader(content, false);
+    std::string_view line;
+    bool is_in = false;
+    while (reader.next(&line) && (line.empty() || line.front() == '#')) {
+        if (is_in && !line.empty()) take_line(line, reader.number(), &head);
+        is_in = is_in || line.substr(0, any_marker.size()) == any_marker;
+    }
+    return head;
+}
+
+const HeadLine* find_line(const Head& head, std::string_view name) {
+    for (const HeadLine& line : head) {
+        if (line.name == name) return &line;
+    }
+    return nullptr;
+}
 
 Outcome parse_head(std::string_view content, const std::string& file, std::optional<Provenance>* provenance) {
     return HeadReader(content, file).read(provenance);

@@ -53,6 +53,11 @@ Options said_by_head(const Options& options, std::uint32_t dim);
 Head head_of(const Options& options, const netmesh_report& report);
 void write_head(const Head& head, TextWriter& out);
 
+// The line of that name, or null.
+const HeadLine* find_line(const Head& head, std::string_view name);
+// The lines of a file's head as they stand, judged by nobody; none where there is no head.
+Head head_lines(std::string_view content);
+
 // A head that was read.
 struct Provenance {
     Options options;  // of persist; where a ratio does not follow from tau, that is left out

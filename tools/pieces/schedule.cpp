@@ -45,7 +45,8 @@ private:
 
 // What becomes of the pieces of a job that is left in the middle.
 std::string left_behind(const Options& options, const PiecesFolder& folder) {
-    if (options.scratch.empty()) return "; with --scratch DIR the same command would go on with the pieces that are done";
+    if (options.scratch.empty())
+        return "; with --scratch DIR the same command would go on with the pieces that are done";
     return "; pieces that are done stay in " + folder.path() + ", and the same command goes on with them";
 }
 
@@ -85,8 +86,8 @@ Outcome run_tasks(const Options& options, const PiecesFolder& folder, const Piec
         if (!crew.wait(&node, &code) || code == static_cast<int>(Exit::cancelled))
             return {Exit::cancelled, "netmesh: cancelled" + left_behind(options, folder)};
         if (code < 0)
-            return {Exit::internal, "netmesh: the task of node " + std::to_string(node) + " was killed" +
-                                        left_behind(options, folder)};
+            return {Exit::internal,
+                    "netmesh: the task of node " + std::to_string(node) + " was killed" + left_behind(options, folder)};
         if (code != 0) return {static_cast<Exit>(code), ""};
         done[node] = true;
         bar.show(total - --left);

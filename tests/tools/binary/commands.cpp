@@ -634,6 +634,7 @@ TEST_CASE("distance: a line per degree, plain and log, faults by file and line")
     folder.write("a.pers", "# a comment\n0 0 inf\n0 0 1\n1 1 3\n");
     folder.write("b.pers", "0 0 2\n1 1.5 3.5\n0 0 inf\n\n2 1 inf\n");
     folder.write("empty.pers", "");
+    folder.write("none.csv", "degree,birth,death\n");
     Result result = folder.run("distance a.pers b.pers");
     CHECK(result.exit == 0);
     CHECK(result.err == "");
@@ -641,7 +642,9 @@ TEST_CASE("distance: a line per degree, plain and log, faults by file and line")
     CHECK(folder.run("distance b.pers a.pers --log").out == "0 0.6931471805599453\n1 0.4054651081081644\n2 inf\n");
     CHECK(folder.run("distance a.pers a.pers").out == "0 0\n1 0\n");
     CHECK(folder.run("distance --log a.pers - ", "1 1 3\n0 0 inf\n0 1e-9 1\n").out == "0 inf\n1 0\n");
-    CHECK(folder.run("distance empty.pers empty.pers").out == "");
+    CHECK(folder.run("distance none.csv none.csv").out == "");
+    CHECK(folder.run("distance none.csv empty.pers").says("empty.pers: no diagram: "));
+    CHECK(folder.run("distance a.pers empty.pers").exit == 3);
     const std::string c = "1 0 2\n1 10 14\n", d = "1 0 2.5\n1 10 13\n1 20 21\n";
     folder.write("c.pers", c);
     folder.write("d.pers", d);
@@ -654,7 +657,7 @@ TEST_CASE("distance: a line per degree, plain and log, faults by file and line")
     for (const char* wrong : {"--wasserstein 0", "--wasserstein 17", "--wasserstein x", "--wasserstein 1 --log",
                               "--error .1", "--wasserstein 1 --error 0"})
         CHECK(folder.run(std::string("distance c.pers d.pers ") + wrong).exit == 2);
-    CHECK(folder.run("distance empty.pers a.pers --quiet").out == "0 inf\n1 1\n");
+    CHECK(folder.run("distance none.csv a.pers --quiet").out == "0 inf\n1 1\n");
     CHECK(folder.run("distance a.pers b.pers --json").out.find("\"distances\": [[0, 1], [1, 0.5], [2, null]]") !=
           std::string::npos);
 

@@ -151,3 +151,33 @@ TEST_CASE("points of any number of columns, for rips alone") {
     for (const char* const other : {"complete", "alpha", "cech"})
         CHECK(folder.run(std::string("persist p.csv --filter ") + other).says("12 columns; points have 2 to 6"));
 }
+
+TEST_CASE("distance: births and deaths are compared on one scale") {
+    const Folder folder;
+    folder.write("d.txt", "3\n5 4\n4 5 3\n");
+    REQUIRE(folder.run("persist d.txt --distances -q -o d.pers").exit == 0);
+    folder.write("ripser.txt", "persistence intervals in dim 0:\n [0,3)\n [0,3)\n [0,4)\n [0, )\n"
+                               "persistence intervals in dim 1:\n [4,5)\n");
+    for (const std::string files : {"d.pers ripser.txt", "ripser.txt d.pers"}) {
+        const Result result = folder.run("distance " + files);
+        CHECK(result.out == "0 0\n1 0\n");
+        CHECK(result.says("ripser.txt: ripser's births and deaths are diameters; they are halved"));
+        CHECK(folder.run("distance -q " + files).err == "");
+    }
+    CHECK(folder.run("distance ripser.txt ripser.txt").out == "0 0\n1 0\n");
+    CHECK(folder.run("distance ripser.txt ripser.txt").err == "");
+    REQUIRE(folder.run("persist d.txt --distances -q -o d.csv").exit == 0);
+    const Result unknown = folder.run("distance -q d.csv ripser.txt");
+    CHECK(unknown.out == "0 2\n1 0.5\n");
+    CHECK(unknown.says("d.csv does not say whether its own are radii"));
+
+    folder.write("w.csv", "0,0,.1\n1,0,.2\n0,1.5,.1\n2,2,.3\n");
+    REQUIRE(folder.run("persist w.csv --radii 3 -q -o plain.pers").exit == 0);
+    REQUIRE(folder.run("persist w.csv --radii 3 -q --squares -o squares.pers").exit == 0);
+    CHECK(folder.run("distance squares.pers squares.pers").exit == 0);
+    for (const std::string files : {"plain.pers squares.pers", "squares.pers plain.pers", "ripser.txt squares.pers"}) {
+        const Result refused = folder.run("distance " + files);
+        CHECK(refused.exit == 3);
+        CHECK(refused.says(": \"# squares\": births and deaths are squares, those of "));
+    }
+}

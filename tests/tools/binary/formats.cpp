@@ -147,6 +147,38 @@ TEST_CASE("--svg - is the picture alone on stdout") {
     CHECK(!folder.has("-"));
 }
 
+TEST_CASE("two outputs to stdout are refused") {
+    const Folder folder;
+    folder.write("p.csv", "0,0\n1,0\n0,1.5\n2,2\n");
+    for (const std::string command : {"persist p.csv", "mesh p.csv", "persist p.csv --filter rips --threshold 2"}) {
+        const Result result = folder.run(command + " --svg - -o - -q");
+        CHECK(result.exit == 2);
+        CHECK(result.says("--svg - and -o -: only one of the two can go to stdout"));
+        CHECK(result.out == "");
+    }
+}
+
+TEST_CASE("a diagram that is not exact is said to be so, by its head or, whatever --quiet says, on stderr") {
+    const Folder folder;
+    std::string points;
+    for (int i = 0; i < 6; i++)
+        for (int j = 0; j < 6; j++)
+            points += std::to_string(i) + "," + std::to_string(j) + "," + std::to_string(i + j) + "\n";
+    folder.write("p.csv", points);
+    for (const std::string output :
+         {"-o d.npy", "-o d.csv", "-o d.json", "-o d.pers --top 2", "--least 0.1", "--svg -"}) {
+        CAPTURE(output);
+        const Result result = folder.run("persist p.csv -q " + output);
+        CHECK(result.says("in a hyperplane"));
+        CHECK(result.says("certified ratio "));
+        CHECK(folder.run("persist p.csv -q --filter cech " + output).err == "");
+    }
+    for (const std::string output : {"-o d.pers", "", "-o d.npy --json"}) {
+        CAPTURE(output);
+        CHECK(folder.run("persist p.csv -q " + output).err == "");
+    }
+}
+
 TEST_CASE("--top and --min-persistence choose bars, cycles with them, and leave no certificate") {
     const Folder folder;
     REQUIRE(folder.run("sample circle -n 20 -o p.txt").exit == 0);

@@ -114,9 +114,20 @@ TEST_CASE("provenance: every way to call persist is checked from file and points
         if (ways.find("--fit") == std::string::npos)
             CHECK(folder.run("check d.pers --points p.csv --memory 1G").exit == 0);
         const Result alone = folder.run("check d.pers");
-        CHECK(alone.exit == 0);
-        CHECK(alone.out.find("says how it was made") != std::string::npos);
+        CHECK(alone.exit == 7);
+        CHECK(alone.says("nothing was checked: it says how it was made, and --points POINTS or --mesh"));
+        CHECK(!alone.says("--proof"));
     }
+}
+
+TEST_CASE("provenance: a proof beside a diagram that nothing was checked of is named") {
+    const Folder folder;
+    folder.run("sample circle -n 20 -o p.csv");
+    REQUIRE(folder.run("persist p.csv -q -o d.pers --proof d.proof").exit == 0);
+    const Result alone = folder.run("check d.pers");
+    CHECK(alone.exit == 7);
+    CHECK(alone.says("; d.proof is checked by --points POINTS --proof d.proof\n"));
+    CHECK(folder.run("check d.pers --points p.csv --proof d.proof").exit == 0);
 }
 
 // What the diagram was fitted in did not hold the check of its mesh too; where the basic filter's ratio begins was

@@ -42,7 +42,10 @@ TEST_CASE("diagrams as text, as anybody writes them") {
     CHECK(good("dimension,Birth,Death\n0, 0, .5\n0, 0, Infinity\n1, .75, 1.5\n") == three);
     CHECK(good("degree,birth,death,birth_low,birth_high,death_low,death_high,real\n0,0,0.5,0,0,.4,.6,1\n"
                "0,0,inf,0,0,inf,inf,1\n1,0.75,1.5,.7,.8,1.4,1.6,0\n") == three);
-    CHECK(good("").empty());
+    for (const char* const nothing : {"", "\n\n", "# bars of a run\n"})
+        CHECK(fault(nothing) == "d: no diagram: it has no line `degree birth death`, no head and no header");
+    CHECK(good("degree,birth,death\n").empty());
+    CHECK(good("# a choice of 0 of 4 bars, --least 9\n").empty());
     CHECK(fault("0 1\n") == "d:1: 2 fields, which say no degree; a line is: degree birth death");
     CHECK(fault("0 0 1 2\n") == "d:1: 4 fields; a line is: degree birth death");
     CHECK(fault("birth,death\n0,1\n") ==
