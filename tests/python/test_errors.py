@@ -143,6 +143,10 @@ def test_names_that_are_nearly_right():
     assert said(netmesh.read_table, usecols=(0, 1)).endswith("did you mean columns?")
     assert said(netmesh.read_table, sep=";").endswith("read_table() got an unexpected keyword argument 'sep'; did you "
                                                       "mean delimiter?")
+    for call in (netmesh.persist, netmesh.persist_all):
+        assert said(call, delay=8).endswith("argument 'delay'; netmesh.delay(x, lag) makes points of a series x")
+    text = str(raised(TypeError, netmesh.persist_all, iter([]), maxdim=1))  # before a cloud is read
+    assert text == "persist_all() got an unexpected keyword argument 'maxdim'; did you mean max_degree?"
     bars = [[0, 1]]
     assert str(raised(TypeError, netmesh.wasserstein, bars, bars, p=2)).endswith("did you mean order?")
     assert str(raised(TypeError, netmesh.bottleneck, bars, bars, degre=0)).endswith("did you mean degree?")

@@ -71,17 +71,20 @@ def test_check_finds_a_changed_file(tmp_path):
             netmesh.check(netmesh.load(tmp_path / "d.pers"), points)
 
 
-@pytest.mark.parametrize("name, content", [
-    ("d.pers", ""), ("d.pers", "# netmesh diagram 1: degree birth death\n# filter alpha\n# max-degree 1\n"),
-    ("d.csv", "degree,birth,death\n"), ("d.json", '{"bars": []}'), ("d.npy", np.empty((0, 3)))])
-def test_files_without_bars_are_refused(tmp_path, name, content):
-    if name == "d.npy":
-        np.save(tmp_path / name, content)
-    else:
-        (tmp_path / name).write_text(content)
-    with pytest.raises(errors.InvalidArgument, match="no bars") as raised:
+@pytest.mark.parametrize("name, content", [("d.pers", ""), ("d.pers", "\n# of today\n"), ("d.csv", ""), ("d", "")])
+def test_empty_files_are_no_diagrams(tmp_path, name, content):
+    (tmp_path / name).write_text(content)
+    with pytest.raises(errors.InvalidArgument, match="no diagram|no rows") as raised:
         netmesh.load(tmp_path / name)
     assert raised.value.argument == "path"
+
+
+@pytest.mark.parametrize("name, content", [
+    ("d.pers", "# netmesh diagram 1: degree birth death\n"), ("d.pers", "# a choice of 0 bars of degree 1\n"),
+    ("d.csv", "degree,birth,death\n"), ("d.json", '{"bars": []}')])
+def test_files_that_say_that_they_have_no_bars(tmp_path, name, content):
+    (tmp_path / name).write_text(content)
+    assert len(netmesh.load(tmp_path / name)) == 0
 
 
 def test_functions_have_no_head(tmp_path):

@@ -26,6 +26,16 @@ def test_estimator_checks(estimator, check):
     check(estimator)
 
 
+def test_clouds_have_no_delay():
+    clouds = [circle(20), circle(30)]
+    for options, argument in ((dict(delay=8), "delay"), (dict(dimension=3), "dimension")):
+        for call in ("fit", "fit_transform"):
+            with pytest.raises(netmesh.errors.InvalidArgument, match="of series alone, and X is clouds") as raised:
+                getattr(PersistenceFeatures(**options), call)(clouds)
+            assert raised.value.argument == argument
+    assert PersistenceFeatures(delay=8).fit_transform(np.sin(np.arange(80.0)).reshape(2, 40)).shape[0] == 2
+
+
 @pytest.mark.parametrize("kind, count", [("landscape", 80), ("betti", 40), ("image", 800), ("statistics", 12)])
 def test_features(kind, count):
     clouds = [circle(30, 0.05, seed) for seed in range(4)] + [circle(20, 0.3, 9)]
@@ -83,7 +93,7 @@ def test_series_are_embedded_as_delay_does():
     series = np.random.default_rng(1).normal(size=(2, 30))
     made = PersistenceFeatures(delay=4, dimension=3, filter="rips")
     clouds = [netmesh.delay(row, 4, 3) for row in series]
-    assert (made.fit_transform(series) == made.fit_transform(clouds)).all()
+    assert (made.fit_transform(series) == PersistenceFeatures(filter="rips").fit_transform(clouds)).all()
     for options in (dict(delay=0), dict(dimension=0), dict(delay=1.5)):
         with pytest.raises(ValueError):
             PersistenceFeatures(**options).fit(series)

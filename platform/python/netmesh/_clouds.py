@@ -1,6 +1,7 @@
 """Many clouds, one after the other or by an executor."""
 import collections
 import concurrent.futures
+import inspect
 import mmap
 import os
 from typing import Iterable, List, Optional
@@ -8,6 +9,7 @@ from typing import Iterable, List, Optional
 import numpy as np
 
 from ._diagram import Diagram
+from ._options import OTHERS, known
 from ._persist import persist
 from .errors import Error, InvalidArgument
 
@@ -30,6 +32,7 @@ def persist_all(clouds: Iterable, filter: str = "auto", max_degree: Optional[int
     for name in ("pieces", "scratch", "progress"):
         if options.get(name) is not None:
             raise InvalidArgument("%s: is of one cloud, persist(); many clouds are many tasks already" % name, name)
+    known(persist_all, options, OTHERS | set(inspect.signature(persist).parameters))
     options = dict(options, filter=filter, max_degree=max_degree)
     if executor is None:
         return [_result(i, persist, cloud, **options) for i, cloud in enumerate(_checked(clouds))]

@@ -182,11 +182,12 @@ def _rows_of_others(path):
 
 def load(path: Union[str, os.PathLike]) -> Diagram:
     """Reads a .pers file, of this package or of the tool, or the bars in .csv, .npy and .json that these write. Bounds
-    are not read: ``netmesh.check`` makes them anew. A file without bars is no diagram's, and refused.
+    are not read: ``netmesh.check`` makes them anew. A file without bars, head and header is refused.
 
     Warns of files of version 0.2.0 and before whose births and deaths were not rounded to nearest.
     """
     head, rows = [], _rows_of_others(path)
+    is_said = rows is not None  # that this is a diagram, which may have no bar that was chosen
     with open(os.devnull if rows is not None else path, encoding="utf-8") as file:
         rows = rows or []
         for number, line in enumerate(file):
@@ -200,11 +201,13 @@ def load(path: Union[str, os.PathLike]) -> Diagram:
                 except (ValueError, IndexError):
                     raise InvalidArgument("path: %s:%d: not degree, birth and death" % (path, number + 1), "path",
                                           number) from None
-            elif line.startswith("#") and not rows and not line.startswith(("# scale ", "# netmesh diagram ")):
+            elif line.startswith(("# netmesh diagram ", "# a choice of ")):
+                is_said = True
+            elif line.startswith("#") and not rows and not line.startswith("# scale "):
                 name, _, value = line[1:].strip().partition(" ")
                 head.append((name, value.strip()))
-    if not rows:
-        raise InvalidArgument("path: %s: no bars, of which every diagram has one" % path, "path")
+    if not rows and not is_said:
+        raise InvalidArgument("path: %s: no diagram: it has no bars, no head and no header" % path, "path")
     lines = dict(head)
     if "value-error" in lines:
         warnings.warn("%s: this file was %s" % (path, BEFORE_ROUNDING), stacklevel=2)

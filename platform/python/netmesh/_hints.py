@@ -25,6 +25,8 @@ def unknown_argument(call, name, names):
     """The exception for a keyword argument that a call does not have."""
     meant = _ELSEWHERE.get(name)
     hint = "; did you mean %s?" % meant if meant in names else did_you_mean(name, names)
+    if name == "delay":
+        hint = "; netmesh.delay(x, lag) makes points of a series x"
     if meant in names and name in _DIAMETERS:
         hint += " It is a radius, half of what %s takes" % _DIAMETERS[name]
     return TypeError("%s() got an unexpected keyword argument %r%s" % (call, name, hint))

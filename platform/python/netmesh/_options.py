@@ -10,10 +10,10 @@ from .errors import ARGUMENTS, InvalidArgument
 
 
 # Those that go by the table's names, where a call does not list them itself.
-_OTHERS = set(OPTIONS) - set(ARGUMENTS) - {"vines", "weighting", "periods"}
+OTHERS = set(OPTIONS) - set(ARGUMENTS) - {"vines", "weighting", "periods"}
 
 
-def known(call, others, taken=_OTHERS):
+def known(call, others, taken=OTHERS):
     """Other keyword arguments of a call, which all have to be options of the table."""
     for name in others:
         if name not in taken:

@@ -61,7 +61,8 @@ def persist(points, filter: str = "auto", max_degree: Optional[int] = None, *, k
     tau, method, finish: a quality mesh in place of one refined by the certificate: see :func:`netmesh.mesh`.
     function, lipschitz, cut: a function of x, float64 [D], with abs(f(x) - f(y)) <= lipschitz * norm(x - y), and at
         least ``cut`` outside of a ball around the points; sublevel sets up to the cut. A value that contradicts that
-        leaves nothing certified, with a warning. ``error``: how far births and deaths may be off; ``distance_factor``: a c with f >= (distance to the second nearest point) / c.
+        leaves nothing certified, with a warning. ``error``: how far births and deaths may be off;
+        ``distance_factor``: a c with f >= (distance to the second nearest point) / c.
     keep_zero_pairs: pairs of length zero are kept.
     bounds: also where each true birth and death surely is: ``Diagram.bounds``.
     representatives: also a cycle for each bar: ``Diagram.representatives``, by rows of ``points``; of filters on

@@ -50,7 +50,7 @@ class PersistenceFeatures(TransformerMixin, BaseEstimator):
     resolution : int
         At how many radii.
     dimension, delay : int
-        Of the delay embedding of series.
+        Of the delay embedding of series; refused of clouds.
 
     Attributes
     ----------
@@ -124,6 +124,10 @@ class PersistenceFeatures(TransformerMixin, BaseEstimator):
 
     def _clouds(self, X, reset):
         if _is_of_clouds(X):
+            for name, default in (("dimension", 2), ("delay", 1)):
+                if getattr(self, name) != default:
+                    raise InvalidArgument("%s: of series alone, and X is clouds; of a series x give "
+                                          "netmesh.delay(x, lag, dimension)" % name, name)
             clouds = [check_array(points) for points in X]
             self._check_coordinates([points.shape[1] for points in clouds], reset)
             return clouds
