@@ -22,7 +22,8 @@ constexpr const netmesh_filter* objects[] = {
     &netmesh_filter_barycentric_rips,
 };
 
-static_assert(sizeof objects / sizeof objects[0] == filter_count, "each filter has its object, in the order of numbers");
+static_assert(sizeof objects / sizeof objects[0] == filter_count,
+              "each filter has its object, in the order of numbers");
 
 netmesh_filter_info info_of(const Filter& filter, const FilterText& text) {
     using namespace filter_trait;
