@@ -42,7 +42,8 @@ const std::vector<CommandEntry>& command_entries() {
          "Prints a line `degree distance` for every degree of either diagram, inf where the numbers of essential "
          "classes\n"
          "differ. The bottleneck distance is exact; that of Wasserstein is what a matching costs, at most --error\n"
-         "above what is proven to be the least; --json has both numbers. Ours are radii. What ripser prints are diameters,\n"
+         "above what is proven to be the least; --json has both numbers. Ours are radii. What ripser prints are "
+         "diameters,\n"
          "and halved beside a .pers; arrays of ripser.py and of GUDHI's Rips complexes are, too, and have to be halved "
          "first.\n",
          "distance a.pers b.pers\n"

@@ -30,11 +30,11 @@ bool has_letter(std::string_view text) {
     return false;
 }
 
-// 1,234 or -12,345: one to three digits, no leading zero, and exactly three behind the comma.
-bool looks_like_thousands(std::string_view text) {
-    const std::size_t comma = text.find(',');
-    std::string_view whole = text.substr(0, comma);
-    const std::string_view rest = text.substr(comma + 1);
+// 1,234 or -12,345: one to three digits, no leading zero, and exactly three behind the mark.
+bool looks_like_thousands(std::string_view text, char mark) {
+    const std::size_t at = text.find(mark);
+    std::string_view whole = text.substr(0, at);
+    const std::string_view rest = text.substr(at + 1);
     if (!whole.empty() && (whole[0] == '-' || whole[0] == '+')) whole.remove_prefix(1);
     return !whole.empty() && whole.size() <= 3 && whole[0] != '0' && rest.size() == 3 &&
            std::all_of(rest.begin(), rest.end(), is_digit) && std::all_of(whole.begin(), whole.end(), is_digit);
@@ -76,7 +76,7 @@ void look_at_field(const Field& field, std::uint64_t line, bool decimal_comma, L
         look->points = look->points || field.text.find('.') != std::string_view::npos;
         if (!decimal_comma || field.text.find(',') == std::string_view::npos) return;
         look->decimal_commas = true;
-        look->may_be_thousands = look->may_be_thousands && looks_like_thousands(field.text);
+        look->may_be_thousands = look->may_be_thousands && looks_like_thousands(field.text, ',');
         return;
     }
     look->words = look->words || has_letter(field.text);
@@ -213,6 +213,36 @@ std::size_t line_of_loose_decimals(const std::vector<TableLine>& lines, std::siz
     return found;
 }
 
+// 1.500 beside 300 in a column: every point of the file may group thousands, as a German table has them. Columns of
+// three decimals do not mix them with whole numbers, and 0, 0.500, 1.5 or 1500 speak against it.
+bool points_may_group(const std::vector<TableLine>& lines, std::size_t first, char delimiter) {
+    struct Column {
+        bool points = false, short_numbers = false, long_numbers = false;
+    };
+    std::vector<Column> columns;
+    std::vector<Field> fields;
+    std::size_t points = 0;
+    for (std::size_t i = first; i < lines.size(); i++) {
+        if (!cut_line(lines[i].text, delimiter, &fields)) return false;
+        if (columns.size() < fields.size()) columns.resize(fields.size());
+        for (std::size_t k = 0; k < fields.size(); k++) {
+            std::string_view text = fields[k].text;
+            bool point;
+            if (!is_plain_number(text, &point)) continue;
+            if (point && !looks_like_thousands(text, '.')) return false;
+            points += point;
+            columns[k].points = columns[k].points || point;
+            if (point) continue;
+            if (text[0] == '-' || text[0] == '+') text.remove_prefix(1);
+            if (!std::all_of(text.begin(), text.end(), is_digit)) return false;
+            (text.size() > 3 ? columns[k].long_numbers : columns[k].short_numbers) |= text[0] != '0';
+        }
+    }
+    return points > 1 && std::any_of(columns.begin(), columns.end(), [](const Column& column) {
+               return column.points && column.short_numbers && !column.long_numbers;
+           });
+}
+
 std::string two_ways(std::size_t columns, char delimiter, std::size_t others) {
     return "commas may be decimal (" + counted(columns, "column", "columns") + ", " + delimiter_option(delimiter) +
            ") or stand between columns (" + std::to_string(others) +
@@ -236,6 +266,22 @@ public:
     }
     // A complaint about `line`, or empty.
     std::string find() {
+        const std::string complaint = find_delimiter();
+        const bool has_points = std::any_of(lines_.begin() + static_cast<std::ptrdiff_t>(first_), lines_.end(),
+                                            [](const TableLine& row) { return row.text.find('.') != row.text.npos; });
+        if (!complaint.empty() || dialect.delimiter == ',' || dialect.decimal_comma || !has_points) return complaint;
+        if (!points_may_group(lines_, first_, dialect.delimiter)) return {};
+        return "points may be decimal or group thousands (1.234), as whole numbers below 1000 stand beside them: " +
+               (dialect.delimiter == 0 ? std::string("--delimiter") : delimiter_option(dialect.delimiter)) +
+               " reads them as decimal; numbers are written without signs between thousands";
+    }
+
+    Dialect dialect;
+    std::string understood;
+    std::uint64_t line;
+
+private:
+    std::string find_delimiter() {
         const std::size_t count = lines_.size() - first_;
         if (marks_.bar == count) return by('|');
         if (marks_.semicolon == count) return by(';');
@@ -244,12 +290,6 @@ public:
         if (marks_.comma == count && parts) return by_commas();
         return by_blanks();
     }
-
-    Dialect dialect;
-    std::string understood;
-    std::uint64_t line;
-
-private:
     Look look(char delimiter, bool decimal_comma) const { return look_at(lines_, first_, delimiter, decimal_comma); }
     std::string take_decimal(char delimiter) {
         dialect = {delimiter, true};

@@ -269,7 +269,33 @@ class _Dialect(NamedTuple):
 
 BOTH = "points and commas are both decimal here; write numbers in one way"
 GROUPED = "commas may be decimal or group thousands (1,234): say delimiter, which reads them as decimal"
+GROUPED_BY_POINTS = ("points may be decimal or group thousands (1.234), as whole numbers below 1000 stand beside them: "
+                     "say delimiter, which reads them as decimal, or write numbers without signs between thousands")
 TWO_WAYS = "commas may be decimal or stand between columns: write points in place of decimal commas"
+
+
+def _points_may_group(lines, delimiter):
+    """1.500 beside 300 in a column: every point may group thousands; 0, 0.500, 1.5 or 1500 speak against it."""
+    columns, points = {}, 0
+    for line in lines:
+        fields = _cut(line.text, delimiter)
+        if fields is None:
+            return False
+        for k, (text, _) in enumerate(fields):
+            if not NUMBER.match(text):
+                continue
+            if "." in text:
+                if not re.match(r"[+-]?[1-9][0-9]{0,2}\.[0-9]{3}\Z", text):
+                    return False
+                points += 1
+                kind = "points"
+            elif re.match(r"[+-]?[0-9]+\Z", text):
+                digits = text.lstrip("+-")
+                kind = "" if digits[0] == "0" else "short" if len(digits) < 4 else "long"
+            else:
+                return False
+            columns.setdefault(k, set()).add(kind)
+    return points > 1 and any({"points", "short"} <= kinds and "long" not in kinds for kinds in columns.values())
 
 
 class _Finder:
@@ -332,6 +358,12 @@ class _Finder:
             for i, (text, quoted) in enumerate(fields))
 
     def find(self):
+        dialect = self.find_delimiter()
+        if dialect.delimiter != "," and not dialect.decimal_comma and _points_may_group(self.lines, dialect.delimiter):
+            _refuse(self.lines[0], GROUPED_BY_POINTS)
+        return dialect
+
+    def find_delimiter(self):
         count = len(self.lines)
         for mark in "|;":
             if self.holds(mark) == count:

@@ -176,8 +176,40 @@ function lookAt(lines, delimiter, decimalComma) {
     return look;
 }
 
+// 1.500 beside 300 in a column: every point may group thousands; 0, 0.500, 1.5 or 1500 speak against it.
+function pointsMayGroup(lines, delimiter) {
+    const columns = [];
+    let points = 0;
+    for (const { text: line } of lines) {
+        const fields = cut(line, delimiter);
+        if (!fields) return false;
+        for (const [k, { text }] of fields.entries()) {
+            if (!NUMBER.test(text)) continue;
+            const column = columns[k] ??= {};
+            if (text.includes('.')) {
+                if (!/^[+-]?[1-9]\d{0,2}\.\d{3}$/.test(text)) return false;
+                column.points = true;
+                ++points;
+                continue;
+            }
+            const whole = /^[+-]?(\d+)$/.exec(text)?.[1];
+            if (!whole) return false;
+            if (whole[0] !== '0') column[whole.length < 4 ? 'short' : 'long'] = true;
+        }
+    }
+    return points > 1 && columns.some(column => column?.points && column.short && !column.long);
+}
+
 // Which delimiter fits all lines, and whether numbers have decimal commas.
 function dialectOf(lines, names, notes) {
+    const dialect = delimiterOf(lines, names, notes);
+    if (dialect.delimiter !== ',' && !dialect.decimalComma && pointsMayGroup(lines, dialect.delimiter))
+        throw new TableFault(lines[0].number, 'points may be decimal or group thousands (1.234), as whole numbers ' +
+            'below 1000 stand beside them: say delimiter, which reads them as decimal, or write numbers without ' +
+            'signs between thousands');
+    return dialect;
+}
+function delimiterOf(lines, names, notes) {
     const count = lines.length, outside = lines.map(({ text }) => trimmed(text).replace(/(^|[,;|\t ])"[^"]*"/g, '$1"'));
     const holds = mark => outside.filter(line => line.slice(0, -1).includes(mark)).length;
     const marks = { bar: holds('|'), semicolon: holds(';'), comma: holds(','), blank: holds(' '), tab: holds('\t') };
