@@ -76,7 +76,7 @@ extern "C" {
     ((size_t)((dim) == 2 ? 6208 : (dim) == 3 ? 7616 : (dim) == 4 ? 9088 : \
               NETMESH_STACK_BYTES(dim)))
 #define NETMESH_STACK_BYTES_RIPS(dim) \
-    ((size_t)((dim) == 2 ? 4416 : (dim) == 3 ? 4992 : (dim) == 4 ? 3904 : \
+    ((size_t)((dim) == 2 ? 4416 : (dim) == 3 ? 5056 : (dim) == 4 ? 3904 : \
               NETMESH_STACK_BYTES(dim)))
 #define NETMESH_STACK_BYTES_RIPS_SMALL(dim) \
     ((size_t)((dim) == 2 ? 3904 : (dim) == 3 ? 3904 : (dim) == 4 ? 3904 : \
