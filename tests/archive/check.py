@@ -27,7 +27,7 @@ import tempfile
 
 PUBLIC = "netmesh_"
 UNDEFINED_ALLOWED = {"memcpy", "memmove", "memset", "memcmp"}
-HELPERS = re.compile(r"__aeabi_\w+$|__c[lt]z[sd]i2$"
+HELPERS = re.compile(r"__aeabi_\w+$|__c[lt]z[sd]i2$|__gnu_thumb1_case_\w+$"
                      r"|__(add|sub|mul|div|neg|fix|fixuns|float|floatun|floatuns|extend|trunc|eq|ne|lt|le|gt"
                      r"|ge|cmp|unord)[dst][ifd]\w*$")
 
