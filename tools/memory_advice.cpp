@@ -25,11 +25,14 @@ bool fits(const Options& options, const Cloud& cloud, std::size_t* plan) {
 // Of the same sets, the offsets of points, where this filter's are others.
 void add_alpha(const Options& options, const Cloud& cloud, std::string* text) {
     const netmesh_filter_info& alpha = about(NETMESH_FILTER_ALPHA);
-    if (filter_of(options) == NETMESH_FILTER_ALPHA || cloud.dim > NETMESH_DIM_MAX) return;
+    // The filter auto takes alpha itself where that fits.
+    const bool is_tried = filter_of(options) == NETMESH_FILTER_ALPHA || options.request.filter == &netmesh_filter_auto;
+    if (is_tried || cloud.dim > NETMESH_DIM_MAX) return;
     if (std::strcmp(about(filter_of(options)).reference, alpha.reference) != 0) return;
     Options exact;
     exact.command = Command::persist;
     exact.request.filter = &netmesh_filter_alpha;
+    exact.representatives = options.representatives;
     std::size_t plan;
     if (fits(exact, cloud, &plan)) add_way(text, "--filter alpha is exact: plan for " + bytes_text_up(plan));
 }

@@ -193,6 +193,26 @@ Outcome check_request(const Options& given) {
     return is_of_points ? settle(options, dim, &settled) : Outcome{};
 }
 
+using Names = std::initializer_list<const char*>;
+
+// What persist takes beside --pieces and beside --proof; any other option is refused there.
+constexpr Names beside_both = {"-o",       "--columns",    "--delimiter", "--skip",   "--drop-missing",
+                               "--filter", "--max-degree", "--seed",      "--memory", "--svg",
+                               "--axis",   "--json",       "--quiet",     "--jobs"};
+constexpr Names beside_pieces = {"--pieces", "--scratch", "--all", "--least", "--min-persistence", "--top"};
+constexpr Names beside_proof = {"--proof", "--bounds",  "--check",   "--distances", "--sparse",         "--threshold",
+                                "--radii", "--weights", "--squares", "--mesh",      "--representatives"};
+
+Outcome refuse_all_but(const Options& options, Names taken, const std::string& why) {
+    const auto has = [](Names names, const std::string& name) {
+        return std::any_of(names.begin(), names.end(), [&](const char* one) { return name == one; });
+    };
+    for (const auto& given : options.given)
+        if (!has(taken, given.first) && !has(beside_both, given.first))
+            return usage_error(given.first + " does not go with " + why);
+    return {};
+}
+
 }  // namespace
 
 std::string apply_option(Options* options, const std::string& name, const std::string& value) {
@@ -223,9 +243,12 @@ Outcome check_together(const Options& options) {
         if (r.filter != &netmesh_filter_alpha)
             return usage_error("--pieces is of filter alpha alone, not of " +
                                std::string(filter_name(filter_of(options))));
-        for (const char* const name : {"--representatives", "--bounds", "--mesh", "--check", "--values-at", "--proof"})
-            if (was_given(options, name))
-                return usage_error(std::string(name) + " does not go with --pieces, which keep bars alone");
+        // Weights and lattices are said with their values below.
+        const bool is_of_points = options.table.weights.empty() && options.table.lattice.kind == Lattice::none;
+        if (is_of_points) {
+            const Outcome outcome = refuse_all_but(options, beside_pieces, "--pieces, which keep bars alone");
+            if (!outcome.good()) return outcome;
+        }
     }
     if (!options.proof.empty()) {
         const bool has_proofs = options.command == Command::homology || r.filter == &netmesh_filter_alpha ||
@@ -241,6 +264,10 @@ Outcome check_together(const Options& options) {
         if (options.table.lattice.kind != Lattice::none)
             return usage_error("--proof does not go with " + std::string(options.table.lattice.option()) +
                                ": there are no such proofs yet");
+        if (options.command == Command::persist) {
+            const Outcome outcome = refuse_all_but(options, beside_proof, "--proof");
+            if (!outcome.good()) return outcome;
+        }
     }
     if (!options.table.weights.empty() && goes_by_pieces(options))
         return usage_error(weights_option(options.table) + " does not go with --pieces, which are of points alone");

@@ -261,7 +261,7 @@ Outcome even_out(const Rows& rows, DistanceFile* file) {
     for (const double x : d) largest = std::isfinite(x) ? std::max(largest, std::abs(x)) : largest;
     const double noise = largest * noise_share;
     bool are_ones = true;
-    for (std::size_t i = 0; i < n; i++) are_ones = are_ones && d[i * n + i] == 1;
+    for (std::size_t i = 0; i < n; i++) are_ones = are_ones && std::abs(d[i * n + i] - 1) <= 1e-9;
     const std::string remedy = are_ones ? "; of similarities S write 1 - S" : remedy_for_entries(*file, rows);
     for (std::size_t i = 0; i < n; i++) {
         double& own = d[i * n + i];
@@ -290,6 +290,13 @@ Outcome even_out(const Rows& rows, DistanceFile* file) {
     return {};
 }
 
+// More rows than columns, of which there are as many as points have coordinates.
+std::string remedy_for_points(const DistanceFile& file, const Rows& rows) {
+    const bool are_points = rows.size() > rows[0].count && rows[0].count <= NETMESH_DIM_MAX;
+    if (!are_points || !remedy_for_entries(file, rows).empty() || !remedy_for_first_row(file, rows).empty()) return {};
+    return "; points, as these may be, are read without --distances";
+}
+
 Outcome take_square(const Rows& rows, DistanceFile* file) {
     for (std::size_t r = 0; r < rows.size(); r++) {
         if (rows[r].count != rows[0].count)
@@ -300,7 +307,8 @@ Outcome take_square(const Rows& rows, DistanceFile* file) {
         return wrong(*file, rows, rows.size() - 1,
                      "a matrix of " + counted(rows.size(), "row", "rows") + " and " +
                          counted(rows[0].count, "column", "columns") + "; one of distances is square" +
-                         remedy_for_first_row(*file, rows) + remedy_for_entries(*file, rows));
+                         remedy_for_first_row(*file, rows) + remedy_for_entries(*file, rows) +
+                         remedy_for_points(*file, rows));
     file->layout = NETMESH_DISTANCES_FULL;
     file->points = rows.size();
     take_half(file);
@@ -413,7 +421,9 @@ Outcome take_rows(const Rows& rows, const Header& header, bool sparse, DistanceF
         return std::all_of(rows.begin(), rows.end(), [&](const DistanceRow& row) { return row.count == count; });
     };
     const bool is_square = !sparse && all_have(rows.size()) && (rows.size() > 1 || file->numbers[0] == 0);
-    Outcome outcome = is_square ? Outcome{} : check_numbers(*file, rows, sparse);
+    // Of numbers in rows of one length, but no square, that comes first: points may be negative.
+    const bool is_oblong = !sparse && !is_square && rows.size() > 1 && rows[0].count > 1 && all_have(rows[0].count);
+    Outcome outcome = is_square || is_oblong ? Outcome{} : check_numbers(*file, rows, sparse);
     if (!outcome.good()) return outcome;
     if (sparse) return take_entries(rows, file);
     if (header.line == 0 && !is_square && is_upper_triangle(rows)) return take_upper(rows, file);

@@ -128,7 +128,7 @@ std::string parse_header(std::string_view content, bool distances, Array* array)
         return "an array of " + std::to_string(shape.size()) + " axes; one or two are read";
     if (shape.size() != 2)
         return "an array of " + std::to_string(shape.size()) + (shape.size() == 1 ? " axis" : " axes") +
-               "; points need two: a.reshape(-1, D)";
+               "; points need two: a.reshape(-1, D)" + (shape.size() == 1 ? remedy_for_condensed(shape[0]) : "");
     if (order != "False" && order != "True") return "fortran_order " + quoted(order) + " is not understood";
     array->fortran = order == "True";
     array->rows = shape[0];
@@ -234,7 +234,10 @@ Outcome take_rows(const Array& array, const std::vector<std::size_t>& columns, c
                                                             "write floats, or subtract a common offset"
                                       : std::isnan(value) ? "\"nan\" is not a finite double"
                                       : !std::isfinite(value) && !(distances && value > 0)
-                                          ? "\"inf\" is not a finite double"
+                                          ? (array.columns == 3 && columns[k] == 2
+                                                 ? "\"inf\" is not a finite double; a persistence diagram, degree, "
+                                                   "birth, death, as this may be, is read by `netmesh distance`"
+                                                 : "\"inf\" is not a finite double")
                                           : nullptr;
             if (fault != nullptr) {
                 const std::uint64_t at =

@@ -382,6 +382,14 @@ Outcome take_lattice(const Lattice& asked, PointCloud* cloud) {
 
 }  // namespace
 
+std::string remedy_for_condensed(std::uint64_t count) {
+    std::uint64_t n = 4;
+    while (n * (n - 1) / 2 < count && n < 65536) n++;
+    if (n * (n - 1) / 2 != count) return {};
+    return "; " + grouped_text(count) + " numbers may be the distances of " + grouped_text(n) +
+           " points, which persist --distances reads";
+}
+
 Outcome read_table(const std::string& path, const TableOptions& options, Table* table) {
     *table = {};
     Source source;
@@ -471,12 +479,14 @@ Outcome take_table(Table table, PointCloud* cloud, std::uint32_t columns_max) {
             return file_error(table.name, complaint +
                                               "; a matrix of distances, as this looks like one, is read by persist "
                                               "--distances");
-        if (table.lines.empty()) return file_error(table.name, complaint);
+        if (table.lines.empty())
+            return file_error(table.name, complaint + (width == 1 ? remedy_for_condensed(table.rows()) : ""));
         return line_error(table.name, table.lines[0],
                           complaint + (table.columns >= dim_min + table.has_weights && width < dim_min
                                            ? "; --columns chooses more"
                                        : width < dim_min ? "; --delimiter says what stands between them; of a series "
-                                                           "delays make points, as the guide says"
+                                                           "delays make points, as the guide says" +
+                                                               remedy_for_condensed(table.rows())
                                                          : "; --columns chooses some"));
     }
     cloud->dim = static_cast<std::uint32_t>(width);

@@ -59,6 +59,8 @@ Outcome read_table(const std::string& path, const TableOptions& options, Table* 
 Outcome read_numbers(const std::string& path, Table* table, std::string* text);
 // A table as points: Exit::data unless it has 2 to `columns_max` columns, besides one of weights.
 Outcome take_table(Table table, PointCloud* cloud, std::uint32_t columns_max = dim_max);
+// "; 6 numbers may be the distances of 4 points, ..": of n (n - 1) / 2 numbers, as scipy's pdist has them.
+std::string remedy_for_condensed(std::uint64_t count);
 // Exit::data at the first radius below 0.
 Outcome check_radii(const PointCloud& cloud);
 

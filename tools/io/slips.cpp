@@ -220,7 +220,8 @@ private:
             const double away = std::max(low - mark, mark - high);
             if (mark == 0 || others < 2 || away < high - low || away < std::abs(mark) / 2) continue;
             sentences_.push_back(called(k) + " holds " + number_text(mark) +
-                                 ", far from its other numbers: if it stands for a missing value, leave such rows out");
+                                 ", far from its other numbers: if it stands for a missing value, take such rows out "
+                                 "of the file");
         }
     }
 

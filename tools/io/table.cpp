@@ -113,9 +113,13 @@ bool is_missing(std::string_view text) {
     return false;
 }
 
+constexpr const char* numbers_alone = "; rows are of numbers alone, without units, signs of currency and quotes";
+
 // What to do about a field that is no number, and no missing value.
 std::string remedy_for(std::string_view text) {
     const std::string lower = lower_case(text);
+    if (text.size() > 2 && text[0] == '#' && (text.back() == '!' || text.back() == '?'))
+        return "; a spreadsheet says so of an error: mend it there, or take such a row out of the file";
     if (starts_with_any(lower, {"[", "(", "{", "array("}))
         return "; write plain rows of numbers, as numpy.savetxt does, without brackets";
     if (lower.find("\xE2\x88\x92") != std::string::npos || lower.find("\xE2\x80\x93") != std::string::npos)
@@ -190,6 +194,11 @@ private:
     Outcome explain_field(const TableLine& line, std::size_t column) const;
     Outcome explain_width(const TableLine& line) const;
     bool is_word_column(std::size_t column) const;
+    // Whether the row behind so many lines can be read.
+    bool skipping_helps(std::uint64_t lines) const;
+    // Where the delimiter that was given leaves another one in the field that stands in every line.
+    std::string remedy_for_delimiter(std::string_view text) const;
+    Outcome refuse_diagram(std::string_view content) const;
     // Whether the row has all its fields, and one that is taken has no value.
     bool lacks_value(const std::vector<Field>& fields) const;
     std::size_t count_lacking() const;
@@ -209,6 +218,8 @@ private:
 
     TableOptions options_;
     Table* const table_;
+    std::string_view content_;
+    bool is_trial_ = false;  // of another parser, which asks whether this one can read the rest
     std::string remade_;
     std::vector<TableLine> lines_;  // of rows, once the header is out
     Dialect dialect_;
@@ -564,6 +575,42 @@ Outcome TableParser::explain_width(const TableLine& line) const {
                                   " has " + std::to_string(width_ + dropped_) + remedy);
 }
 
+bool TableParser::skipping_helps(std::uint64_t lines) const {
+    if (is_trial_) return false;
+    TableOptions options = options_;
+    options.skip = lines;
+    Table table;
+    TableParser rest(options, &table);
+    rest.is_trial_ = true;
+    const Outcome outcome = rest.parse(content_);
+    return outcome.good() || (!rest.lines_.empty() && outcome.line > rest.lines_[0].number);
+}
+
+std::string TableParser::remedy_for_delimiter(std::string_view text) const {
+    if (options_.delimiter == 0) return {};
+    for (const char mark : {';', '\t', '|', ','}) {
+        if (mark == options_.delimiter || text.find(mark) == std::string_view::npos) continue;
+        if (std::any_of(lines_.begin(), lines_.end(),
+                        [&](const TableLine& line) { return line.text.find(mark) == std::string_view::npos; }))
+            continue;
+        return "; " + delimiter_option(options_.delimiter) + " does not fit: a " +
+               (mark == '\t' ? std::string("tab") : std::string(1, mark)) +
+               " stands in every line; without --delimiter the lines say what parts them";
+    }
+    return {};
+}
+
+// A diagram is read by `distance`, and its degree is no coordinate. Chosen columns are what somebody asked for.
+Outcome TableParser::refuse_diagram(std::string_view content) const {
+    if (!options_.columns.empty()) return {};
+    const bool is_ours = starts(content, "# netmesh diagram ") || starts(content, "# a choice of ");
+    std::vector<std::string> lower;
+    for (std::size_t k = 0; k < names_.size() && k < 3; k++) lower.push_back(lower_case(names_[k]));
+    if (!is_ours && lower != std::vector<std::string>{"degree", "birth", "death"}) return {};
+    return fault(is_ours ? 1 : header_.number,
+                 "this is a persistence diagram, not points; `netmesh distance` compares diagrams");
+}
+
 Outcome TableParser::explain_field(const TableLine& line, std::size_t column) const {
     std::vector<Field> fields;
     cut(line, &fields);
@@ -574,17 +621,19 @@ Outcome TableParser::explain_field(const TableLine& line, std::size_t column) co
         return explain_width(line);
     if (kind == FieldKind::empty)
         return fault(line.number, "nothing in column " + std::to_string(column + 1) + remedy_for_missing(), column + 1);
-    std::string remedy;
-    if (lines_.size() > 1 && kind == FieldKind::word && is_word_column(column)) {
+    std::string remedy = is_trial_ ? std::string() : remedy_for_delimiter(field.text);
+    if (remedy.empty() && lines_.size() > 1 && kind == FieldKind::word && is_word_column(column)) {
         std::vector<std::size_t> others;
         for (const std::size_t k : columns_)
             if (!is_word_column(k)) others.push_back(k + 1);
         if (others.size() > 1) remedy = "; --columns " + ranges_text(others) + " leaves such columns out";
         if (others.size() < 2) remedy = remedy_for(field.text);
         if (others.size() < 2 && remedy.empty())
-            remedy = others.empty()
-                         ? "; no column that is taken holds numbers"
-                         : "; of the columns that are taken " + std::to_string(others[0]) + " alone holds numbers";
+            remedy = !others.empty()
+                         ? "; of the columns that are taken " + std::to_string(others[0]) + " alone holds numbers"
+                     : std::any_of(field.text.begin(), field.text.end(), is_digit)
+                         ? numbers_alone
+                         : "; no column that is taken holds numbers";
         if (others.size() > 6 && others.size() == lines_.size())
             remedy = "; distances, with names or without, are read by persist --distances";
     }
@@ -594,12 +643,14 @@ Outcome TableParser::explain_field(const TableLine& line, std::size_t column) co
         line.text.find_first_of(",;|\t") != std::string_view::npos)
         remedy += "; blanks part columns here: --delimiter says what does, as in --delimiter ','";
     const bool of_units = line.number == lines_[0].number && !names_.empty() && kind == FieldKind::word &&
-                          lines_.size() > 1 && is_header_of_units(fields);
+                          lines_.size() > 1 && is_header_of_units(fields) && skipping_helps(line.number);
     if (of_units) remedy = "; --skip " + std::to_string(line.number) + " leaves the lines down to this one out";
     const bool above = &line == &lines_[0] || line.number == lines_[0].number;
-    if (kind == FieldKind::not_finite && remedy.empty()) remedy = "; such a row has to be left out";
-    if (remedy.empty() && above && lines_.size() > 1)
+    if (kind == FieldKind::not_finite && remedy.empty())
+        remedy = "; such a row has to be taken out of the file: no option leaves it out";
+    if (remedy.empty() && above && lines_.size() > 1 && skipping_helps(line.number))
         remedy = "; --skip " + std::to_string(line.number) + " leaves the lines down to this one out";
+    if (remedy.empty() && above && lines_.size() > 1) remedy = numbers_alone;
     return fault(line.number,
                  (kind == FieldKind::not_finite ? not_finite(field.text) : not_a_number(field.text)) + remedy,
                  column + 1);
@@ -642,6 +693,7 @@ Outcome TableParser::parse_rows() {
 
 Outcome TableParser::parse(std::string_view content) {
     std::uint64_t line = 0;
+    content_ = content;
     const std::string complaint = collect_lines(content, options_.skip, &remade_, &lines_, &above_, &line);
     if (!complaint.empty()) return fault(line, complaint);
     take_separator_line();
@@ -651,6 +703,7 @@ Outcome TableParser::parse(std::string_view content) {
     if (breaks > 0)
         add_note(counted(static_cast<std::size_t>(breaks), "row has", "rows have") + " ends of lines in quotes");
     Outcome outcome = find_header();
+    if (outcome.good()) outcome = refuse_diagram(content);
     if (outcome.good()) outcome = drop_ends();
     if (!outcome.good()) return outcome;
     if (lines_.empty())

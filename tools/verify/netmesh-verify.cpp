@@ -868,9 +868,9 @@ void run(const string& pointsName, const string& diagramName, const string& proo
     }
     char input[20];
     std::snprintf(input, sizeof input, "%016llx", static_cast<unsigned long long>(sum.value()));
-    for (const auto& [key, value] :
+    for (const auto& [k, due] :
          std::map<string, Word>{{"dim", points.dim}, {"points", points.rows}, {"duplicates", points.rows - different}})
-        if (diagram.head.at(key) != value) refuse("1", diagramName + ": its head must say " + key + " " + str(value));
+        if (diagram.head.at(k) != due) refuse("1", pointsName + " has " + k + " " + str(due) + ", not " + diagramName);
     if (!diagram.input.empty() && diagram.input != input)
         refuse("1", diagramName + ": it is of other points: the head's input");
     Proof proof = readProof(proofName, points, different, sum.value(), diagram.fingerprint);

@@ -277,7 +277,9 @@ TEST_CASE("distances in arrays of NumPy") {
     take({1, 2, 3, 4}, 1, false, &message);
     CHECK(message == "d.npy: an array of 4 numbers; one axis of distances of n points has n (n - 1) / 2");
     take({0, 1, 1, 0, 2, 2}, 2, false, &message);
-    CHECK(message == "d.npy: row 3: a matrix of 3 rows and 2 columns; one of distances is square");
+    CHECK(message ==
+          "d.npy: row 3: a matrix of 3 rows and 2 columns; one of distances is square; points, as these may be, "
+          "are read without --distances");
     take({0, 1, -1, 0}, 2, false, &message);
     CHECK(message == "d.npy: row 2: field 1: a distance is negative: -1");
     take({1, -2, 3}, 1, false, &message);
@@ -303,7 +305,11 @@ TEST_CASE("faults in files of distances name line and field") {
     CHECK(fault("1\n2,5\n1 2 3\n") == "d.csv:3: " + mixed);
     CHECK(fault("0 1 0\n1 0,3\n0 3 0\n") == "d.csv:2: " + mixed);
     CHECK(fault("") == "d.csv:1: the input ends without a distance");
-    CHECK(fault("0 1\n1 0\n2 2\n") == "d.csv:3: a matrix of 3 rows and 2 columns; one of distances is square");
+    for (const char* const points : {"0 1\n1 0\n2 2\n", "0 -1\n1 0\n2 2\n"})
+        CHECK(fault(points) ==
+              "d.csv:3: a matrix of 3 rows and 2 columns; one of distances is square; points, as these "
+              "may be, are read without --distances");
+    CHECK(fault("0.9999999999999998 0.5\n0.5 1\n").find("; of similarities S write 1 - S") != std::string::npos);
     CHECK(fault("0 1 2\n1 0\n") == "d.csv:2: 2 numbers where the first row of the matrix has 3");
     CHECK(fault("3\n5 4\n1 2\n") == "d.csv:3: 2 numbers where a lower triangle has 3");
     CHECK(fault("0 1\n-1 0\n") == "d.csv:2: field 1: a distance is negative: -1");

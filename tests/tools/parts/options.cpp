@@ -7,6 +7,7 @@
 
 #include "tools/closest.hpp"
 #include "tools/io/numbers.hpp"
+#include "tools/option_table.hpp"
 #include "tools/requests.hpp"
 #include "tools/session.hpp"
 
@@ -65,6 +66,32 @@ TEST_CASE("the same option name may belong to two commands") {
     CHECK(good({"check", "m.node", "--points", "1000"}).points_path == "1000");
     CHECK(good({"persist", "p", "--mesh", "m.node"}).mesh_out == "m.node");
     CHECK(good({"check", "d.pers", "--mesh", "m.node"}).mesh_path == "m.node");
+}
+
+// A new option of persist is refused beside --pieces and --proof until somebody lists it, here and in options.cpp.
+TEST_CASE("beside --pieces and --proof every option is refused that is not known to go with them") {
+    const std::string both =
+        " -o --columns --delimiter --skip --drop-missing --filter --max-degree --seed --memory --svg "
+        "--axis --json --quiet --jobs ";
+    const std::string of_pieces = both + "--pieces --scratch --all --least --min-persistence --top ";
+    const std::string of_proof = both + "--proof --bounds --check --distances --sparse --threshold --radii --weights "
+                                        "--squares --mesh --representatives ";
+    const Options pieces = good({"persist", "p", "q", "--pieces", "2"}),
+                  proof = good({"persist", "p", "q", "--proof", "f"});
+    std::size_t refused = 0;
+    for (const OptionEntry& entry : option_entries()) {
+        if ((entry.commands & bit(Command::persist)) == 0) continue;
+        CAPTURE(entry.name);
+        const std::string word = std::string(" ") + entry.name + " ";
+        for (const auto& [base, taken] : {std::pair{&pieces, &of_pieces}, std::pair{&proof, &of_proof}}) {
+            Options options = *base;
+            options.given.emplace_back(entry.name, "");
+            const bool is_taken = taken->find(word) != std::string::npos;
+            CHECK(check_together(options).good() == is_taken);
+            refused += !is_taken;
+        }
+    }
+    CHECK(refused > 40);
 }
 
 TEST_CASE("sizes of memory") {
