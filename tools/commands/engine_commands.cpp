@@ -187,6 +187,7 @@ std::string checked_text(const Options& options, const SimplexList& complex) {
                (complex ? " and dies with it so" : "; too many simplices, so nobody looked when it dies");
     if (kind.is_on_points != 0) return kind.has_representatives != 0 ? cycles_checked(complex) : "the diagram's form";
     if (!options.table.weights.empty()) return "combinatorics and orientation of the regular triangulation";
+    if (options.command == Command::delaunay) return "combinatorics, orientation, Delaunay property";
     return std::string("combinatorics, orientation, Delaunay property, quality, bounds on size and degrees") +
            (options.representatives.empty() ? "" : "; " + cycles_checked(complex));
 }

@@ -147,6 +147,33 @@ TEST_CASE("--svg - is the picture alone on stdout") {
     CHECK(!folder.has("-"));
 }
 
+TEST_CASE("--check of a triangulation speaks of no quality, and what auto takes is not advised against memory") {
+    const Folder folder;
+    REQUIRE(folder.run("sample cube --dim 2 -n 400 -o p.csv").exit == 0);
+    const Result checked = folder.run("delaunay p.csv --check -o p.node --json");
+    CHECK(checked.out.find("Delaunay property") != std::string::npos);
+    CHECK(checked.out.find("quality") == std::string::npos);
+    CHECK(folder.run("mesh p.csv --check -o m.node --json").out.find("quality") != std::string::npos);
+    for (const std::string memory : {"10K", "150K"}) {
+        const Result small = folder.run("persist p.csv --representatives c.txt -o d.pers --memory " + memory);
+        CHECK(small.exit == 4);
+        CHECK(!small.says("--filter alpha is exact"));
+    }
+}
+
+TEST_CASE("a diagram given as points is recognised") {
+    const Folder folder;
+    folder.write("p.csv", "0,0\n1,0\n0,1.5\n2,2\n");
+    for (const std::string file : {"d.pers", "d.csv", "d.npy"}) {
+        REQUIRE(folder.run("persist p.csv -q -o " + file).exit == 0);
+        const Result result = folder.run("persist " + file);
+        CHECK(result.exit == 3);
+        CHECK(result.says("`netmesh distance`"));
+    }
+    const Result misread = folder.run("check d.pers --points d.csv");
+    CHECK(misread.exit == 3);
+}
+
 TEST_CASE("two outputs to stdout are refused") {
     const Folder folder;
     folder.write("p.csv", "0,0\n1,0\n0,1.5\n2,2\n");

@@ -95,21 +95,12 @@ TEST_CASE("NaN and infinities, spelled or by overflow, are data even where a hea
     CHECK(fault("nan 1\n2 3\n") ==
           "p.txt:1: \"nan\" is not a finite double; a row with a missing value has to be left out or filled in: "
           "--drop-missing leaves such rows out, 1 of 2");
-    CHECK(
-        fault("1 2\n3 -INF\n") ==
-        "p.txt:2: \"-INF\" is not a finite double; such a row has to be taken out of the file: no option leaves it out");
-    CHECK(
-        fault("inf inf\n1 2\n") ==
-        "p.txt:1: \"inf\" is not a finite double; such a row has to be taken out of the file: no option leaves it out");
-    CHECK(
-        fault("Infinity x\n1 2\n") ==
-        "p.txt:1: \"Infinity\" is not a finite double; such a row has to be taken out of the file: no option leaves it out");
-    CHECK(
-        fault("1 1e400\n") ==
-        "p.txt:1: \"1e400\" is not a finite double; such a row has to be taken out of the file: no option leaves it out");
-    CHECK(
-        fault("1 2\n-1e999 2\n") ==
-        "p.txt:2: \"-1e999\" is not a finite double; such a row has to be taken out of the file: no option leaves it out");
+    const std::string remedy = "; such a row has to be taken out of the file: no option leaves it out";
+    CHECK(fault("1 2\n3 -INF\n") == "p.txt:2: \"-INF\" is not a finite double" + remedy);
+    CHECK(fault("inf inf\n1 2\n") == "p.txt:1: \"inf\" is not a finite double" + remedy);
+    CHECK(fault("Infinity x\n1 2\n") == "p.txt:1: \"Infinity\" is not a finite double" + remedy);
+    CHECK(fault("1 1e400\n") == "p.txt:1: \"1e400\" is not a finite double" + remedy);
+    CHECK(fault("1 2\n-1e999 2\n") == "p.txt:2: \"-1e999\" is not a finite double" + remedy);
 }
 
 TEST_CASE("a header is words only, and only the first content line can be one") {
