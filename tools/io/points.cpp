@@ -377,6 +377,7 @@ Outcome take_lattice(const Lattice& asked, PointCloud* cloud) {
         cloud->note += (cloud->note.empty() ? "" : "; ") +
                        counted(outside, "point stands for its copy", "points stand for their copies") + " inside the " +
                        (lattice.kind == Lattice::box ? "box" : "cell");
+    if (outside > cloud->rows() / 2) cloud->has_slip = true;  // another box is meant, it may be
     return {};
 }
 

@@ -229,3 +229,11 @@ TEST_CASE("periods: points that are flat, and pictures to degree D") {
     CHECK(has(picture, "H\xE2\x82\x82"));
     CHECK(has(picture, "Degree 1: "));
 }
+
+TEST_CASE("periods: that most points are outside of the box is said with --quiet, too") {
+    const Folder folder;
+    folder.write("p.csv", "0.1,0.2\n5,6\n7.5,6.5\n");
+    CHECK(folder.run("persist p.csv --box 1,1 -q -o d.pers").says("2 points stand for their copies inside the box"));
+    CHECK(folder.run("persist p.csv --box 8,8 -q -o d.pers").err == "");
+    CHECK(folder.run("persist p.csv --box 7,7 -q -o d.pers").err == "");
+}
