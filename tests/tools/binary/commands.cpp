@@ -329,7 +329,7 @@ TEST_CASE("persist: diagrams that are checked, tampering found") {
         const Result check = folder.run("check d.pers --points p.csv");
         CHECK(check.exit == 0);
         CHECK(check.out.find("filter " + filter) != std::string::npos);
-        CHECK(folder.run("check d.pers").exit == 0);
+        CHECK(folder.run("check d.pers").exit == 7);
         folder.write("d.pers", bars.substr(0, bars.rfind('\n', bars.size() - 2) + 1));  // the last bar is gone
         CHECK(folder.run("check d.pers --points p.csv").exit == 7);
         folder.write("d.pers", "1 0 1\n" + bars);
@@ -760,7 +760,7 @@ TEST_CASE("persist: filters on the points themselves") {
             CHECK((ratio > fourth_root_of_two && ratio < fourth_root_of_two * (1 + 1e-15)));
         const std::string bars = folder.read("d.pers");
         CHECK(folder.run("persist p.csv --quiet --filter " + filter).out == bars);
-        CHECK(folder.run("check d.pers").exit == 0);
+        CHECK(folder.run("check d.pers").exit == 7);
         const Result check = folder.run("check d.pers --points p.csv --filter " + filter);
         CHECK(check.err == "");
         CHECK(check.exit == 0);

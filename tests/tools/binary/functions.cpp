@@ -91,8 +91,7 @@ TEST_CASE(
     }
     CHECK(folder.run("check n.node --values-at v.txt" + how).out.find("values are those of filter function") !=
           std::string::npos);
-    CHECK(folder.run("check d.pers").out.find("--mesh and --values-at are what to check that with") !=
-          std::string::npos);
+    CHECK(folder.run("check d.pers").says("--mesh MESH.node and --values-at FILE are what to check that with"));
     CHECK(folder.run("check d.pers --mesh m.node").says("--values-at FILE says which"));
     CHECK(folder.run("check d.pers --points p.txt --values-at v.txt").says("--values-at goes with --mesh"));
     CHECK(folder.run("check e.pers --mesh m.node --values-at v.txt").says("was made without --values-at"));
