@@ -4,9 +4,9 @@
     run.py [--build DIR] [--clouds N] [--seed S] [--dims 2,3,2+3] [--planted] [--jobs N] [CORE ...]
 
 For each core of platform/cortexm/cores.txt and each library, of one dimension or, as 2+3, of several: the engine as two
-files for its dimensions alone, -Os, without a warning. The object and its call graph go through tests/archive/check.py, its jobs through board.cpp in qemu,
-on N clouds of nine kinds each, on stacks of the promised size with a guard below. Results have to be those of this
-machine, to the bit. --planted: and once more with half of the stack, which has to be seen for each job. The whole:
+files for its dimensions alone, -Os, without a warning. The object and its call graph go through
+tests/archive/check.py, its jobs through board.cpp in qemu, on N clouds of nine kinds each, on stacks of the promised
+size with a guard below. Results have to be those of this machine, to the bit. --planted: and once more with half of the stack, which has to be seen for each job. The whole:
 run.py --clouds 500 --dims 2,3,4,2+3.
 Clouds have the first dimension of a library, and the promise is that of the last."""
 import argparse
@@ -55,7 +55,8 @@ def build_engine(work, core, dims):
     os.makedirs(folder, exist_ok=True)
     must([sys.executable, os.path.join(ROOT, "tools", "amalgamate"), folder], folder)
     said = must(["arm-none-eabi-g++", "-std=c++17", "-Os", *cores()[core][1], "-ffunction-sections", "-fdata-sections",
-                 "-DNETMESH_EACH_DIMENSION(DO)=" + " ".join("DO(%d)" % dim for dim in dims), "-fstack-usage", "-fcallgraph-info=su,da", "-c",
+                 "-DNETMESH_EACH_DIMENSION(DO)=" + " ".join("DO(%d)" % dim for dim in dims), "-fstack-usage",
+                 "-fcallgraph-info=su,da", "-c",
                  "netmesh.cpp", "-o", "netmesh.o"], folder)
     if said:
         raise RuntimeError("it does not compile without a warning:\n" + said)
@@ -73,7 +74,8 @@ def check_options(folder, core, dims):
     """Options of check.py jobs for an engine that build_engine has built."""
     return ["--records", folder, "--source", os.path.join(folder, "netmesh.cpp"), "--helpers", "--readelf",
             "arm-none-eabi-readelf", "--nm", "arm-none-eabi-nm", "--include", folder, "--dims",
-            ",".join(map(str, dims)), "--promise-of", str(dims[-1]), "--processor", "arm", "--cc", " ".join(["arm-none-eabi-gcc", *cores()[core][1]])]
+            ",".join(map(str, dims)), "--promise-of", str(dims[-1]), "--processor", "arm",
+            "--cc", " ".join(["arm-none-eabi-gcc", *cores()[core][1]])]
 
 
 def run_clouds(folder, core, dims, clouds, seed, percent):
