@@ -6,9 +6,9 @@
 For each core of platform/cortexm/cores.txt and each library, of one dimension or, as 2+3, of several: the engine as two
 files for its dimensions alone, -Os, without a warning. The object and its call graph go through
 tests/archive/check.py, its jobs through board.cpp in qemu, on N clouds of nine kinds each, on stacks of the promised
-size with a guard below. Results have to be those of this machine, to the bit. --planted: and once more with half of the stack, which has to be seen for each job. The whole:
-run.py --clouds 500 --dims 2,3,4,2+3.
-Clouds have the first dimension of a library, and the promise is that of the last."""
+size with a guard below. Clouds have the first dimension of a library, the promise is that of the last. Results have to
+be those of this machine, to the bit. --planted: and once more with half of the stack, which has to be seen for each
+job. The whole: run.py --clouds 500 --dims 2,3,4,2+3."""
 import argparse
 import concurrent.futures
 import os
@@ -56,8 +56,7 @@ def build_engine(work, core, dims):
     must([sys.executable, os.path.join(ROOT, "tools", "amalgamate"), folder], folder)
     said = must(["arm-none-eabi-g++", "-std=c++17", "-Os", *cores()[core][1], "-ffunction-sections", "-fdata-sections",
                  "-DNETMESH_EACH_DIMENSION(DO)=" + " ".join("DO(%d)" % dim for dim in dims), "-fstack-usage",
-                 "-fcallgraph-info=su,da", "-c",
-                 "netmesh.cpp", "-o", "netmesh.o"], folder)
+                 "-fcallgraph-info=su,da", "-c", "netmesh.cpp", "-o", "netmesh.o"], folder)
     if said:
         raise RuntimeError("it does not compile without a warning:\n" + said)
     return folder
