@@ -282,3 +282,14 @@ def test_documented(name):
         untyped = set(names) - set(hints) - {"self", "points", "axes", "a", "b", "distances", "simplices", "values",
                                             "result", "steps"}
         assert not untyped, (function, untyped)
+
+
+def test_to_gudhi_of_squares():
+    points = np.random.default_rng(3).random((30, 2))
+    radii = np.full(30, 0.05)
+    plain, squares = (netmesh.persist(points, "alpha", radii=radii, squares=squares) for squares in (False, True))
+    for units in ("radius", "diameter", "squared"):
+        pairs = list(zip(plain.to_gudhi(units), squares.to_gudhi(units)))
+        assert len(pairs) == len(plain) == len(squares)
+        for (degree, bar), (other, same) in pairs:
+            assert degree == other and np.allclose(bar, same, rtol=1e-12, atol=1e-15)

@@ -183,9 +183,14 @@ class Diagram:
         scale = {"radius": lambda x: x, "diameter": lambda x: 2 * x, "squared": lambda x: x * abs(x)}.get(units)
         if scale is None:
             raise InvalidArgument("units: %r is none of radius, diameter, squared" % (units,), "units")
+        in_squares = self._facts.get("squares")
         found = []
         for degree in range(self.max_degree, -1, -1):
-            found += [(degree, (b, d)) for b, d in scale(self.intervals(degree)).tolist()]
+            bars = self.intervals(degree)
+            if in_squares and units != "squared":
+                bars = np.sign(bars) * np.sqrt(np.abs(bars))
+            bars = bars if in_squares and units == "squared" else scale(bars)
+            found += [(degree, (b, d)) for b, d in bars.tolist()]
         return found
 
     def plot(self, axes=None, kind: str = "diagram"):
