@@ -94,8 +94,8 @@ bool is_bounded(const netmesh_request& r) {
     return r.periods == nullptr && r.bounds == nullptr && r.cycles == nullptr && r.vines == nullptr && r.fit == nullptr;
 }
 
-// Units of 1,000 planned bytes of a diagram. Where it is bounded that is of the alpha complex alone, as more bytes of
-// what is kept are no more work.
+// Units of 1,000 planned bytes of a diagram. Of the alpha complex without a triangulation that is kept, as its bytes are
+// no more work.
 [[gnu::cold]] int units_each(const netmesh_request& r, const WorkFigures& figures) {
     if (source_of(r) != Source::points || r.filter->id == NETMESH_FILTER_RIPS) return rips_units;
     if (r.filter->id == NETMESH_FILTER_AUTO) return alpha_units;
@@ -123,7 +123,6 @@ bool is_bounded(const netmesh_request& r) {
     if (each == alpha_units && r.periods == nullptr) {
         has_bound = has_bound && r.filter->id != NETMESH_FILTER_AUTO;
         r.keep_mesh = 0;
-        r.cycles = nullptr;
         bytes = whole_bytes(plan_of_alpha(r));
     } else if (!has_diagram && (method->keeps_few || method->triangulates())) {
         each = method->keeps_few ? few_units : figures.triangulation;
