@@ -94,8 +94,8 @@ bool is_bounded(const netmesh_request& r) {
     return r.periods == nullptr && r.bounds == nullptr && r.cycles == nullptr && r.vines == nullptr && r.fit == nullptr;
 }
 
-// Units of 1,000 planned bytes of a diagram. Of the alpha complex without a triangulation that is kept, as its bytes are
-// no more work.
+// Units of 1,000 planned bytes of a diagram. Of the alpha complex without a triangulation that is kept, as its bytes
+// are no more work.
 [[gnu::cold]] int units_each(const netmesh_request& r, const WorkFigures& figures) {
     if (source_of(r) != Source::points || r.filter->id == NETMESH_FILTER_RIPS) return rips_units;
     if (r.filter->id == NETMESH_FILTER_AUTO) return alpha_units;

@@ -370,7 +370,7 @@ RUNS = """0 sample circle -n 40 --noise 0.05 -o circle.csv
 0 check mesh.node --points circle.csv
 0 check bounded.pers --points circle.csv
 0 check circle.vines --points circle.csv
-0 check circle.pers
+7 check circle.pers
 0 size --dim 3 --points 1000
 0 help
 0 help persist

@@ -274,7 +274,7 @@ std::vector<OddFile> tables() {
              "", "\t"),
         // diagrams
         bad("diagram.csv", "degree,birth,death\n0,0,1.5\n0,0,inf\n", 1, "this is a persistence diagram, not points"),
-        bad("diagram.txt", "# netmesh diagram 1: degree birth death\n# version 0.3.0\n0 0 inf\n", 1,
+        bad("diagram.txt", "# netmesh diagram 1: degree birth death\n# version 1.0\n0 0 inf\n", 1,
             "a persistence diagram"),
         with(good("diagram_chosen.csv", "degree,birth,death\n0,1.5,-2.25\n0,3.125,4\n1,-0.5,6.75\n"), "birth,death"),
         bad("condensed.txt", "3\n5\n4\n4\n5\n3\n", 1,
