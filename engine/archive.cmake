@@ -73,7 +73,7 @@ set_property(TARGET netmesh_engine PROPERTY NETMESH_SOURCES ${NETMESH_ENGINE_SOU
 # A Release build is small, but for what the large jobs spend their time in: archive.size counts the bytes of all that
 # is built. What headers leave out at -Os (__OPTIMIZE_SIZE__) stays in: they have to mean the same in all files.
 target_compile_options(netmesh_engine PRIVATE "$<$<CONFIG:Release>:-Os;-U__OPTIMIZE_SIZE__>")
-set(fast api/report api/structs complex/faces_along delaunay/any_store delaunay/spatial_order
+set(fast api/report api/structs complex/faces_along delaunay/any_store delaunay/plane_few delaunay/spatial_order
   delaunay/triangulate diagram/bottleneck diagram/wasserstein filtration/mesh_filter
   filtration/rips_graph homology/lower_star/surface homology/matrix/ball homology/matrix/cohomology
   homology/matrix/homology homology/matrix/image homology/pair_writer homology/rips/rips homology/rips/rips_simplices

@@ -145,7 +145,7 @@ template <class T> bool receive_whole(int line, T* item) {
 Crew::~Crew() {
     for (const Member& member : members_)
         if (member.busy) kill(member.process, SIGTERM);
-    while (!members_.empty()) dismiss(members_.size() - 1, SIGKILL);
+    while (!members_.empty()) dismiss(members_.size() - 1);
 }
 
 std::size_t Crew::running() const {
@@ -153,13 +153,11 @@ std::size_t Crew::running() const {
         std::count_if(members_.begin(), members_.end(), [](const Member& member) { return member.busy; }));
 }
 
-int Crew::dismiss(std::size_t at, int signal) {
+void Crew::dismiss(std::size_t at) {
     const Member member = members_[at];
     members_.erase(members_.begin() + static_cast<std::ptrdiff_t>(at));
     close(member.line);
-    int status = 0;
-    while (waitpid(member.process, &status, 0) < 0 && errno == EINTR) kill(member.process, signal);
-    return WIFEXITED(status) ? WEXITSTATUS(status) : -1;
+    while (waitpid(member.process, nullptr, 0) < 0 && errno == EINTR) kill(member.process, SIGKILL);
 }
 
 void Crew::serve(int line) const {
@@ -206,7 +204,7 @@ bool Crew::start(std::size_t task) {
         idle->task = task;
         idle->busy = send_whole(idle->line, task);
         if (idle->busy) return true;
-        dismiss(static_cast<std::size_t>(idle - members_.begin()), SIGKILL);  // it was ended while it had no task
+        dismiss(static_cast<std::size_t>(idle - members_.begin()));  // it was ended while it had no task
     }
 }
 
@@ -221,12 +219,15 @@ bool Crew::wait(std::size_t* task, int* code) {
             if (!members_[i].busy || lines[i].revents == 0) continue;
             *task = members_[i].task;
             members_[i].busy = false;
-            if (!receive_whole(members_[i].line, code)) *code = dismiss(i, SIGKILL);
+            if (!receive_whole(members_[i].line, code)) {  // it ended without a word, so its task is not done
+                dismiss(i);
+                *code = -1;
+            }
             return true;
         }
         // Those that have ended while they had no task would be seen again and again.
         for (std::size_t i = lines.size(); i-- > 0;)
-            if (lines[i].revents != 0) dismiss(i, SIGKILL);
+            if (lines[i].revents != 0) dismiss(i);
     }
 }
 

@@ -45,7 +45,7 @@ public:
     // Gives a task to a process that has none, or to a new one. False: the system has no room for a process.
     bool start(std::size_t task);
     std::size_t running() const;  // tasks
-    // As Workers::wait.
+    // As Workers::wait; -1 too where a process ended without a word.
     bool wait(std::size_t* task, int* code);
 
 private:
@@ -56,7 +56,7 @@ private:
     };
     bool add_member();
     [[noreturn]] void serve(int line) const;
-    int dismiss(std::size_t at, int signal);  // how its process ended
+    void dismiss(std::size_t at);  // ends it, unless it has ended
 
     std::function<int(std::size_t)> work_;
     std::vector<Member> members_;
